@@ -1,0 +1,32 @@
+# Options, warnings and instrumentation shared by every target of the project.
+include(CMakeDependentOption)
+
+option(TENDONLIFE_TESTS "Build the tests" ${PROJECT_IS_TOP_LEVEL})
+cmake_dependent_option(TENDONLIFE_HOST "Build host_sim" ON "NOT CMAKE_CROSSCOMPILING" OFF)
+option(TENDONLIFE_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+option(TENDONLIFE_COVERAGE "Line and branch coverage" OFF)
+option(TENDONLIFE_FUZZ "Build the libFuzzer targets (Clang)" OFF)
+option(TENDONLIFE_BENCH "Build the host benchmarks" OFF)
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_C_STANDARD 11)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+add_library(project_warnings INTERFACE)
+target_compile_options(project_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wdouble-promotion -Wshadow
+  -Wswitch-enum -Werror)
+
+if(TENDONLIFE_SANITIZE)
+  add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=address,undefined)
+endif()
+if(TENDONLIFE_COVERAGE)
+  add_compile_options(--coverage)
+  add_link_options(--coverage)
+endif()
