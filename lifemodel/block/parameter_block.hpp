@@ -1,0 +1,195 @@
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "lifemodel/block/parameters.hpp"
+#include "lifemodel/support/bytes.hpp"
+#include "lifemodel/support/crc32.hpp"
+#include "lifemodel/support/result.hpp"
+
+namespace lifemodel {
+
+inline constexpr std::uint32_t kBlockMagic = 0x42504c54;  ///< "TLPB"
+inline constexpr std::uint32_t kBlockVersion = 1;
+inline constexpr std::size_t kBlockBytes = 80;
+
+/// A parameter block as it is stored and sent: little-endian words, the CRC-32 of all before it
+/// last.
+using ParameterBlock = std::array<std::byte, kBlockBytes>;
+
+/// Why a parameter block is refused.
+enum class BlockError : std::uint8_t {
+  none,
+  wrong_size,            ///< not kBlockBytes long
+  not_a_block,           ///< other magic
+  unknown_version,       ///< made for another version of this library
+  damaged,               ///< the CRC does not fit
+  ultimate_tension,      ///< outside 5 .. 1000 N
+  hysteresis,            ///< zero, or not below the ultimate tension
+  ipl_exponent,          ///< outside 1 .. 12
+  ipl_scale,             ///< life at the ultimate tension outside 2^-500 .. 2^500 cycles
+  inconsistent,          ///< a derived value does not follow from the others
+  weibull_shape,         ///< outside 0.5 .. 50
+  life_points,           ///< not 0 < B10 < B50 < B90, or the mean outside them
+  friction_coefficient,  ///< outside 0 .. 1
+  bend_angle,            ///< outside 0 .. 1800 deg
+  drive,                 ///< offset or gain outside their range
+  sample_period,         ///< zero
+};
+
+/// The reason in words.
+constexpr const char* to_string(BlockError error) {
+  switch (error) {
+    case BlockError::none:
+      return "accepted";
+    case BlockError::wrong_size:
+      return "wrong size: a parameter block has 80 bytes";
+    case BlockError::not_a_block:
+      return "not a parameter block";
+    case BlockError::unknown_version:
+      return "unknown version: this library reads version 1";
+    case BlockError::damaged:
+      return "damaged: the CRC-32 does not fit";
+    case BlockError::ultimate_tension:
+      return "ultimate tension out of range: 5 to 1000 N";
+    case BlockError::hysteresis:
+      return "hysteresis out of range: above 0 and below the ultimate tension";
+    case BlockError::ipl_exponent:
+      return "exponent of the inverse power law out of range: 1 to 12";
+    case BlockError::ipl_scale:
+      return "scale of the inverse power law out of range";
+    case BlockError::inconsistent:
+      return "a derived value does not follow from the others";
+    case BlockError::weibull_shape:
+      return "Weibull shape out of range: 0.5 to 50";
+    case BlockError::life_points:
+      return "life points out of order: 0 < B10 < B50 < B90";
+    case BlockError::friction_coefficient:
+      return "friction coefficient out of range: 0 to 1";
+    case BlockError::bend_angle:
+      return "bend angle out of range: 0 to 1800 deg";
+    case BlockError::drive:
+      return "current offset or gain of the drive out of range";
+    case BlockError::sample_period:
+      return "sample period out of range: at least 1 us";
+  }
+  return "unknown";
+}
+
+/// Writes the block for `p`.
+constexpr ParameterBlock encode(const Parameters& p) {
+  ParameterBlock block{};
+  ByteWriter out(block);
+  out.u32(kBlockMagic);
+  out.u32(kBlockVersion);
+  out.u32(p.model_digest);
+  out.i32(p.law.ultimate.raw());
+  out.u32(p.hysteresis.raw());
+  out.u32(p.law.exponent.raw());
+  out.i32(p.law.log2_two_ultimate);
+  out.i32(p.law.log2_damage_at_ultimate);
+  out.u32(p.life.shape.raw());
+  out.u32(p.life.b10.raw);
+  out.u32(p.life.b50.raw);
+  out.u32(p.life.mean.raw);
+  out.u32(p.life.b90.raw);
+  out.u32(p.capstan.friction.raw());
+  out.i32(p.bend.raw());
+  out.i32(p.drive.offset.raw());
+  out.i32(p.drive.gain_mantissa);
+  out.i32(p.drive.gain_shift);
+  out.u32(p.sample_period_us);
+  out.u32(crc32(std::span(block).first(out.size())));
+  return block;
+}
+
+/// Checks a block and reads it; refuses what is damaged, unknown or out of range, with the reason.
+constexpr Result<Parameters, BlockError> decode(std::span<const std::byte> block) {
+  if (block.size() != kBlockBytes) {
+    return BlockError::wrong_size;
+  }
+  ByteReader in(block);
+  if (in.u32() != kBlockMagic) {
+    return BlockError::not_a_block;
+  }
+  if (in.u32() != kBlockVersion) {
+    return BlockError::unknown_version;
+  }
+  if (crc32(block.first(kBlockBytes - 4)) != ByteReader(block.last(4)).u32()) {
+    return BlockError::damaged;
+  }
+
+  Parameters p{};
+  p.model_digest = in.u32();
+  const auto ultimate = UltimateTension::checked(in.i32());
+  if (!ultimate) {
+    return BlockError::ultimate_tension;
+  }
+  p.law.ultimate = *ultimate;
+  p.hysteresis = TensionRange::from_raw(in.u32());
+  if (p.hysteresis.raw() == 0 ||
+      p.hysteresis.raw() >= static_cast<std::uint32_t>(ultimate->raw())) {
+    return BlockError::hysteresis;
+  }
+  const auto exponent = IplExponent::checked(in.u32());
+  if (!exponent) {
+    return BlockError::ipl_exponent;
+  }
+  p.law.exponent = *exponent;
+  p.law.log2_two_ultimate = in.i32();
+  p.law.log2_damage_at_ultimate = in.i32();
+  // 2u is normalised like every other number, so the host's logarithm has to agree with ours.
+  const auto two_ultimate = static_cast<std::uint32_t>(ultimate->raw()) * 2;
+  const std::int32_t own = numeric::log2(numeric::quotient(two_ultimate, 1));
+  const std::int32_t off = p.law.log2_two_ultimate - own;
+  if (p.law.log2_two_ultimate < 0 || off < -64 || off > 64) {
+    return BlockError::inconsistent;
+  }
+  constexpr std::int32_t kHighestLog2Life = 500 << numeric::kExpBits;
+  if (p.law.log2_damage_at_ultimate < -kHighestLog2Life ||
+      p.law.log2_damage_at_ultimate > kHighestLog2Life) {
+    return BlockError::ipl_scale;
+  }
+  const auto shape = WeibullShape::checked(in.u32());
+  if (!shape) {
+    return BlockError::weibull_shape;
+  }
+  p.life.shape = *shape;
+  p.life.b10 = {in.u32()};
+  p.life.b50 = {in.u32()};
+  p.life.mean = {in.u32()};
+  p.life.b90 = {in.u32()};
+  if (p.life.b10.raw == 0 || p.life.b10.raw >= p.life.b50.raw || p.life.b50.raw >= p.life.b90.raw ||
+      p.life.mean.raw < p.life.b10.raw || p.life.mean.raw > p.life.b90.raw) {
+    return BlockError::life_points;
+  }
+  const auto friction = FrictionExponent::checked(in.u32());
+  if (!friction) {
+    return BlockError::friction_coefficient;
+  }
+  p.capstan.friction = *friction;
+  const auto bend = Angle::checked(in.i32());
+  if (!bend) {
+    return BlockError::bend_angle;
+  }
+  p.bend = *bend;
+  const auto offset = MotorCurrent::checked(in.i32());
+  p.drive.gain_mantissa = in.i32();
+  p.drive.gain_shift = in.i32();
+  if (!offset || p.drive.gain_mantissa < 0 || p.drive.gain_shift < MotorDrive::kLowestShift ||
+      p.drive.gain_shift > MotorDrive::kHighestShift) {
+    return BlockError::drive;
+  }
+  p.drive.offset = *offset;
+  p.sample_period_us = in.u32();
+  if (p.sample_period_us == 0) {
+    return BlockError::sample_period;
+  }
+  return p;
+}
+
+}  // namespace lifemodel

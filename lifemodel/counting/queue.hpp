@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "lifemodel/quantity/units.hpp"
+#include "lifemodel/support/shared_word.hpp"
+
+namespace lifemodel {
+
+/// Turning points on their way from push() to settle(): one producer, which may be an interrupt or
+/// another core, and one consumer. Neither waits for the other.
+template <std::size_t kCapacity>
+class TurningPointQueue {
+  static_assert(kCapacity >= 8 && (kCapacity & (kCapacity - 1)) == 0, "a power of two");
+
+ public:
+  /// Producer: places that are free.
+  [[nodiscard]] std::uint32_t free() const {
+    return static_cast<std::uint32_t>(kCapacity) - (head_.own() - tail_.acquire());
+  }
+  /// Producer: appends. Precondition: free() > 0.
+  void put(Tension turning_point) {
+    points_[head_.own() % kCapacity] = turning_point;
+    head_.release(head_.own() + 1);
+  }
+
+  /// Consumer: turning points that wait.
+  [[nodiscard]] std::uint32_t size() const { return head_.acquire() - tail_.own(); }
+  [[nodiscard]] bool empty() const { return size() == 0; }
+  /// Consumer. Precondition: index < size().
+  [[nodiscard]] Tension at(std::uint32_t index) const {
+    return points_[(tail_.own() + index) % kCapacity];
+  }
+  [[nodiscard]] Tension front() const { return at(0); }
+  /// Consumer. Precondition: not empty().
+  void drop() { tail_.release(tail_.own() + 1); }
+
+  static constexpr std::size_t capacity() { return kCapacity; }
+
+ private:
+  SharedWord<std::uint32_t> head_;
+  SharedWord<std::uint32_t> tail_;
+  std::array<Tension, kCapacity> points_{};
+};
+
+}  // namespace lifemodel

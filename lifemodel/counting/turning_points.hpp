@@ -1,0 +1,142 @@
+#pragma once
+
+#include <cstdint>
+
+#include "lifemodel/quantity/units.hpp"
+#include "lifemodel/support/shared_word.hpp"
+
+namespace lifemodel {
+
+/// Finds turning points with hysteresis, one sample at a time, in constant time.
+///
+/// A turning point is confirmed once the signal has come back from it by at least the hysteresis.
+/// The running extremum is the candidate: the last turning point, not yet confirmed. Before the
+/// first direction is known the running maximum and minimum are both kept, and the one that came
+/// first becomes the first turning point, so that no range is lost at the start.
+class TurningPoints {
+ public:
+  /// A signal on its way from a turning point. In the mirrored frame it always runs up to the
+  /// extremum and turns down.
+  struct Run {
+    std::int32_t mirror;    ///< 0 while rising, -1 while falling
+    std::int32_t extremum;  ///< in the mirrored frame
+
+    [[nodiscard]] constexpr Tension candidate() const {
+      return Tension::from_raw((extremum ^ mirror) - mirror);
+    }
+    /// Takes a sample; true if it confirms the candidate, which is then the new run's start.
+    constexpr bool turns(Tension sample, TensionRange hysteresis) {
+      const std::int32_t value = (sample.raw() ^ mirror) - mirror;
+      const bool further = value >= extremum;
+      const bool back = static_cast<std::uint32_t>(extremum) - static_cast<std::uint32_t>(value) >=
+                        hysteresis.raw();
+      if (further) {
+        extremum = value;
+        return false;
+      }
+      if (back) {
+        extremum = -value;
+        mirror = ~mirror;
+        return true;
+      }
+      return false;
+    }
+  };
+
+  /// Takes a sample; calls `confirmed(Tension)` at most once. Precondition: hysteresis >= one step.
+  template <class Confirmed>
+  void push(Tension sample, TensionRange hysteresis, Confirmed&& confirmed) {
+    if (phase_.own() != kDirected) [[unlikely]] {
+      begin(sample, hysteresis, confirmed);
+      return;
+    }
+    Run now = run();
+    const Tension candidate = now.candidate();
+    if (now.turns(sample, hysteresis)) {
+      set_run(now);
+      confirmed(candidate);
+    } else {
+      extremum_.set_relaxed(now.extremum);
+    }
+  }
+
+  /// True once there is a candidate beside a confirmed turning point.
+  [[nodiscard]] bool directed() const { return phase_.relaxed() == kDirected; }
+  /// Precondition: directed().
+  [[nodiscard]] Run run() const { return {mirror_.relaxed(), extremum_.relaxed()}; }
+  /// Precondition: directed().
+  void set_run(Run run) {
+    mirror_.set_relaxed(run.mirror);
+    extremum_.set_relaxed(run.extremum);
+  }
+
+  /// The whole state as plain words, for storage.
+  struct State {
+    std::uint32_t phase;
+    std::int32_t mirror;
+    std::int32_t extremum;
+    std::int32_t lowest;
+  };
+  [[nodiscard]] State state() const {
+    return {phase_.own(), mirror_.own(), extremum_.own(), lowest_};
+  }
+  static constexpr bool directed(const State& s) { return s.phase == kDirected; }
+  /// Whether push() could have left this state.
+  static constexpr bool plausible(const State& s) {
+    return s.phase <= kDirected && (s.mirror == 0 || s.mirror == -1) &&
+           Tension::checked(s.extremum) && Tension::checked(s.lowest) &&
+           (s.phase == kDirected || s.mirror == 0) &&
+           (s.phase != kUndirected || s.lowest <= s.extremum);
+  }
+  /// Precondition: plausible(s).
+  void restore(const State& s) {
+    phase_.set_relaxed(s.phase);
+    set_run({s.mirror, s.extremum});
+    lowest_ = s.lowest;
+  }
+
+ private:
+  static constexpr std::uint32_t kEmpty = 0;
+  static constexpr std::uint32_t kUndirected = 1;
+  static constexpr std::uint32_t kDirected = 2;
+
+  template <class Confirmed>
+  void begin(Tension sample, TensionRange hysteresis, Confirmed&& confirmed) {
+    const std::int32_t value = sample.raw();
+    const std::int32_t highest = extremum_.own();
+    if (phase_.own() == kEmpty) {
+      phase_.set_relaxed(kUndirected);
+      extremum_.set_relaxed(value);
+      lowest_ = value;
+    } else if (value > highest) {
+      extremum_.set_relaxed(value);
+      if (spread() >= hysteresis.raw()) {
+        direct({0, value}, lowest_, confirmed);
+      }
+    } else if (value < lowest_) {
+      lowest_ = value;
+      if (spread() >= hysteresis.raw()) {
+        direct({-1, -value}, highest, confirmed);
+      }
+    }
+  }
+
+  template <class Confirmed>
+  void direct(Run run, std::int32_t first, Confirmed&& confirmed) {
+    lowest_ = 0;
+    set_run(run);
+    phase_.set_relaxed(kDirected);
+    confirmed(Tension::from_raw(first));
+  }
+
+  [[nodiscard]] std::uint32_t spread() const {
+    return static_cast<std::uint32_t>(extremum_.own()) - static_cast<std::uint32_t>(lowest_);
+  }
+
+  SharedWord<std::uint32_t> phase_{kEmpty};
+  SharedWord<std::int32_t> mirror_;
+  SharedWord<std::int32_t> extremum_;  ///< of the run; the maximum before the first direction
+  std::int32_t lowest_ = 0;            ///< the minimum before the first direction
+};
+
+}  // namespace lifemodel

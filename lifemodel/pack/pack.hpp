@@ -1,0 +1,140 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <optional>
+
+#include "lifemodel/block/parameter_block.hpp"
+
+/// For the host: computes parameter blocks and converts quantities from and to double.
+namespace lifemodel::pack {
+
+/// The nearest value of a quantity; the closed range is not left, NaN becomes the lowest value.
+template <class Q>
+Q from_double(double value) {
+  const double scaled = std::nearbyint(std::ldexp(value, Q::kFractionBits));
+  if (!(scaled > static_cast<double>(Q::lowest().raw()))) {
+    return Q::lowest();
+  }
+  if (scaled >= static_cast<double>(Q::highest().raw())) {
+    return Q::highest();
+  }
+  return Q::from_raw(static_cast<typename Q::Rep>(scaled));
+}
+
+/// The value of a quantity, exactly.
+template <class Q>
+double to_double(Q quantity) {
+  return std::ldexp(static_cast<double>(quantity.raw()), -Q::kFractionBits);
+}
+
+inline double to_double(const Damage& damage) {
+  double sum = 0;
+  for (std::size_t i = 0; i < damage.words().size(); ++i) {
+    sum += std::ldexp(static_cast<double>(damage.words()[i]),
+                      static_cast<int>(i) * 32 - Damage::kFractionBits);
+  }
+  return sum;
+}
+
+inline double to_double(CycleDamage damage) {
+  return std::ldexp(static_cast<double>(damage.mantissa), damage.position - Damage::kFractionBits);
+}
+
+/// The model in physical units; see the ranges of BlockError.
+struct Constants {
+  double ultimate_tension_N = 0;
+  double hysteresis_N = 0;  ///< smallest range that is counted; zero counts every range
+  double ipl_scale = 0;     ///< A of (19), for tensions in N
+  double ipl_exponent = 0;  ///< gamma of (19)
+  double weibull_shape = 0;
+  double friction_coefficient = 0;
+  double bend_angle_rad = 0;
+  std::optional<double> tension_per_current_N_A;  ///< K_t N eta_g / r_spool, where there is a drive
+  double current_offset_A = 0;
+  double sample_period_s = 0;
+  std::uint32_t model_digest = 0;
+};
+
+/// Parameters for these constants, or why there are none.
+inline Result<Parameters, BlockError> parameters(const Constants& c) {
+  const auto within = [](double value, double low, double high) {
+    return value >= low && value <= high;
+  };
+  if (!within(c.ultimate_tension_N, 5, 1000)) {
+    return BlockError::ultimate_tension;
+  }
+  if (!within(c.hysteresis_N, 0, c.ultimate_tension_N)) {
+    return BlockError::hysteresis;
+  }
+  if (!within(c.ipl_exponent, 1, 12)) {
+    return BlockError::ipl_exponent;
+  }
+  if (!within(c.weibull_shape, 0.5, 50)) {
+    return BlockError::weibull_shape;
+  }
+  if (!within(c.friction_coefficient, 0, 1)) {
+    return BlockError::friction_coefficient;
+  }
+  if (!within(c.bend_angle_rad, 0, 10 * std::numbers::pi)) {
+    return BlockError::bend_angle;
+  }
+  if (!within(c.sample_period_s, 1e-6, 4000)) {
+    return BlockError::sample_period;
+  }
+  const double log2_damage_at_ultimate =
+      c.ipl_exponent * std::log2(c.ultimate_tension_N) - std::log2(c.ipl_scale);
+  if (!(c.ipl_scale > 0) || !(std::fabs(log2_damage_at_ultimate) <= 500)) {
+    return BlockError::ipl_scale;
+  }
+
+  Parameters p{};
+  p.model_digest = c.model_digest;
+  p.law.ultimate = from_double<UltimateTension>(c.ultimate_tension_N);
+  // Both ends of a range are rounded by up to half a step, so a range of just the hysteresis may
+  // come out one step short: it is counted all the same.
+  const double hysteresis = std::floor(std::ldexp(c.hysteresis_N, TensionRange::kFractionBits)) - 1;
+  p.hysteresis = TensionRange::from_raw(static_cast<std::uint32_t>(std::max(hysteresis, 1.0)));
+  p.law.exponent = from_double<IplExponent>(c.ipl_exponent);
+  p.law.log2_two_ultimate = static_cast<std::int32_t>(
+      std::lround(std::ldexp(std::log2(2.0 * p.law.ultimate.raw()), numeric::kLogBits)));
+  p.law.log2_damage_at_ultimate = static_cast<std::int32_t>(
+      std::lround(std::ldexp(log2_damage_at_ultimate, numeric::kExpBits)));
+  p.life.shape = from_double<WeibullShape>(c.weibull_shape);
+  const auto life_point = [](double damage) {
+    return LifePoint{
+        static_cast<std::uint32_t>(std::lround(std::ldexp(damage, LifePoint::kFractionBits)))};
+  };
+  const auto broken = [&](double part) {
+    return life_point(std::pow(-std::log1p(-part), 1 / c.weibull_shape));
+  };
+  p.life.b10 = broken(0.10);
+  p.life.b50 = broken(0.50);
+  p.life.mean = life_point(std::tgamma(1 + 1 / c.weibull_shape));
+  p.life.b90 = broken(0.90);
+  p.capstan.friction = from_double<FrictionExponent>(c.friction_coefficient * std::numbers::log2e);
+  p.bend = from_double<Angle>(c.bend_angle_rad);
+  p.drive = {MotorCurrent{}, 0, MotorDrive::kLowestShift};
+  if (c.tension_per_current_N_A) {
+    constexpr int kStepsRatio = Tension::kFractionBits - MotorCurrent::kFractionBits;
+    int exponent = 0;
+    const double mantissa =
+        std::frexp(std::ldexp(*c.tension_per_current_N_A, kStepsRatio), &exponent);
+    const int shift = 31 - exponent;
+    if (!(mantissa > 0) || shift < MotorDrive::kLowestShift || shift > MotorDrive::kHighestShift ||
+        !within(c.current_offset_A, -127, 127)) {
+      return BlockError::drive;
+    }
+    const double scaled = std::floor(std::ldexp(mantissa, 31));
+    p.drive = {from_double<MotorCurrent>(c.current_offset_A),
+               static_cast<std::int32_t>(std::min(scaled, 2147483647.0)), shift};
+  }
+  p.sample_period_us = static_cast<std::uint32_t>(std::lround(c.sample_period_s * 1e6));
+  return p;
+}
+
+}  // namespace lifemodel::pack

@@ -1,0 +1,90 @@
+#pragma once
+
+#include "lifemodel/damage/damage.hpp"
+#include "lifemodel/quantity/count.hpp"
+#include "lifemodel/state/flags.hpp"
+#include "lifemodel/support/bytes.hpp"
+
+namespace lifemodel {
+
+/// What push() has noticed about the samples of one tendon.
+struct Intake {
+  Flags flags;
+  Events gaps;  ///< runs of missing samples
+  MissingSamples missing_samples;
+  bool dropout = false;  ///< the last sample was missing
+
+  static constexpr std::size_t kWords = 4;
+  constexpr void store(ByteWriter& out) const {
+    out.u32(flags.bits());
+    out.u32(gaps.raw());
+    out.u32(missing_samples.raw());
+    out.u32(dropout ? 1 : 0);
+  }
+  /// False if nothing could have stored it.
+  constexpr bool load(ByteReader& in) {
+    const std::uint32_t bits = in.u32();
+    flags = Flags::from_bits(bits);
+    gaps = Events::from_raw(in.u32());
+    missing_samples = MissingSamples::from_raw(in.u32());
+    const std::uint32_t stored_dropout = in.u32();
+    dropout = stored_dropout != 0;
+    return (bits & ~kAllFlags) == 0 && stored_dropout <= 1;
+  }
+};
+
+/// What settle() has counted of one tendon, for good.
+struct Ledger {
+  Flags flags;
+  Events overloads;          ///< turning points that reached the ultimate tension
+  Events negatives;          ///< turning points below zero by more than the hysteresis
+  Events residue_overflows;  ///< cycles counted larger than they were, see Residue
+  Events overruns;           ///< cycles counted larger than they were, see Overrun
+  Cycles cycles;
+  HalfCycles half_cycles;  ///< final ones, from the start of the residue
+  Damage closed;           ///< of full cycles
+  Damage retired;          ///< of final half cycles
+
+  static constexpr std::size_t kWords = 17;
+  constexpr void store(ByteWriter& out) const {
+    out.u32(flags.bits());
+    out.u32(overloads.raw());
+    out.u32(negatives.raw());
+    out.u32(residue_overflows.raw());
+    out.u32(overruns.raw());
+    out.u64(cycles.raw());
+    out.u64(half_cycles.raw());
+    store(out, closed);
+    store(out, retired);
+  }
+  /// False if nothing could have stored it.
+  constexpr bool load(ByteReader& in) {
+    const std::uint32_t bits = in.u32();
+    flags = Flags::from_bits(bits);
+    overloads = Events::from_raw(in.u32());
+    negatives = Events::from_raw(in.u32());
+    residue_overflows = Events::from_raw(in.u32());
+    overruns = Events::from_raw(in.u32());
+    cycles = Cycles::from_raw(in.u64());
+    half_cycles = HalfCycles::from_raw(in.u64());
+    closed = load_damage(in);
+    retired = load_damage(in);
+    return (bits & ~kAllFlags) == 0;
+  }
+
+ private:
+  static constexpr void store(ByteWriter& out, const Damage& damage) {
+    for (const std::uint32_t word : damage.words()) {
+      out.u32(word);
+    }
+  }
+  static constexpr Damage load_damage(ByteReader& in) {
+    Damage::Words words{};
+    for (std::uint32_t& word : words) {
+      word = in.u32();
+    }
+    return Damage::from_words(words);
+  }
+};
+
+}  // namespace lifemodel

@@ -1,0 +1,344 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "lifemodel/block/parameters.hpp"
+#include "lifemodel/counting/overrun.hpp"
+#include "lifemodel/counting/queue.hpp"
+#include "lifemodel/counting/rainflow.hpp"
+#include "lifemodel/counting/turning_points.hpp"
+#include "lifemodel/quantity/units.hpp"
+#include "lifemodel/state/alternation.hpp"
+#include "lifemodel/state/ledger.hpp"
+#include "lifemodel/support/bytes.hpp"
+
+namespace lifemodel {
+
+/// How much one tendon remembers.
+struct DefaultLayout {
+  static constexpr std::size_t kResidue = 128;  ///< turning points that nest
+  static constexpr std::size_t kQueue = 32;     ///< turning points between push() and settle()
+};
+
+/// What is known about a tendon at one instant.
+///
+/// closed + open equals an off-line count of all samples so far that ends with this one, bit for
+/// bit, however the samples were handed over.
+struct Reading {
+  Damage closed;  ///< full cycles
+  Damage open;    ///< half cycles of the residue, with the unconfirmed last turning point
+  Damage total;
+  Cycles closed_cycles;
+  HalfCycles open_half_cycles;
+  Flags flags;
+  Events overloads;          ///< turning points that reached the ultimate tension
+  Events negatives;          ///< turning points below zero by more than the hysteresis
+  Events residue_overflows;  ///< cycles counted larger than they were, see Residue
+  Events overruns;           ///< cycles counted larger than they were, see Overrun
+  Events gaps;               ///< runs of missing samples
+  MissingSamples missing_samples;
+};
+
+/// Hears of every cycle as it is counted; this one does not listen.
+struct NoObserver {
+  constexpr void full(Tension, Tension, CycleDamage) const {}
+  constexpr void half(Tension, Tension, CycleDamage) const {}
+};
+
+/// The state of one tendon: a producer side for push(), a consumer side for everything else. They
+/// share only the queue, the run of the filter and the overrun, so that push() may interrupt the
+/// rest at any point.
+template <class Layout = DefaultLayout>
+class Tendon {
+ public:
+  /// Producer: one sample. Constant time.
+  void push(Tension tension, const Parameters& parameters) {
+    intake_.dropout = false;
+    filter_.push(tension, parameters.hysteresis,
+                 [this](Tension turning_point) { put(turning_point); });
+  }
+
+  /// Producer: one sample that is missing. The count goes on across the gap with the next sample.
+  void push_missing() {
+    if (!intake_.dropout) {
+      intake_.dropout = true;
+      intake_.gaps.add(1, intake_.flags);
+      intake_.flags.raise(Flag::gap);
+    }
+    intake_.missing_samples.add(1, intake_.flags);
+  }
+
+  /// Producer: flags for conversions of samples on their way in.
+  Flags& input_flags() { return intake_.flags; }
+
+  /// Consumer: at most `steps` steps, each of which counts at most one cycle. Returns the steps
+  /// left.
+  template <class Observer>
+  std::uint32_t settle(const Parameters& parameters, std::uint32_t steps, Observer&& observer) {
+    CycleSink<Observer> sink{ledger_, parameters.law, observer};
+    while (steps != 0 && !queue_.empty()) {
+      const Tension next = queue_.front();
+      if (residue_.step(next, sink)) {
+        note_extremes(next, parameters, ledger_.flags, ledger_.overloads, ledger_.negatives);
+        queue_.drop();
+      }
+      --steps;
+    }
+    while (steps != 0 && paid_ != overrun_.owed())
+      [[unlikely]] {
+        sink.full(overrun_.lowest(), overrun_.highest());
+        ledger_.overruns.add(1, ledger_.flags);
+        ++paid_;
+        --steps;
+      }
+    return steps;
+  }
+
+  /// Consumer: true while settle() has work.
+  [[nodiscard]] bool pending() const { return !queue_.empty() || paid_ != overrun_.owed(); }
+
+  /// Consumer: settles what is pending, then reads. Time is bounded by the places of the queue and
+  /// of the residue.
+  [[nodiscard]] Reading reading(const Parameters& parameters) {
+    Last last{};
+    do {
+      settle(parameters, kAllSteps, NoObserver{});
+      last = last_turning_point();
+      std::atomic_thread_fence(std::memory_order_acquire);
+      // A push() in between that changed the run has left a turning point.
+    } while (pending());
+
+    Reading r{};
+    r.closed = ledger_.closed;
+    r.open = ledger_.retired;
+    r.closed_cycles = ledger_.cycles;
+    r.open_half_cycles = ledger_.half_cycles;
+    r.flags = intake_.flags | ledger_.flags;
+    r.overloads = ledger_.overloads;
+    r.negatives = ledger_.negatives;
+    r.residue_overflows = ledger_.residue_overflows;
+    r.overruns = ledger_.overruns;
+    r.gaps = intake_.gaps;
+    r.missing_samples = intake_.missing_samples;
+    if (last.known) {
+      residue_.open(last.tension, ReadingSink{r, parameters.law});
+      note_extremes(last.tension, parameters, r.flags, r.overloads, r.negatives);
+    }
+    r.total = r.closed;
+    r.total.add(r.open, r.flags);
+    return r;
+  }
+
+  /// The points that nest, oldest first, without the unconfirmed last one.
+  [[nodiscard]] std::span<const Tension> residue() const { return residue_.points(); }
+
+  static constexpr std::size_t kStoredBytes =
+      4 * (4 + 7 + 1 + Intake::kWords + Ledger::kWords + 2 + Layout::kResidue + Layout::kQueue);
+
+  /// Writes the state: at most kStoredBytes.
+  void store(ByteWriter& out) const {
+    const TurningPoints::State filter = filter_.state();
+    out.u32(filter.phase);
+    out.i32(filter.mirror);
+    out.i32(filter.extremum);
+    out.i32(filter.lowest);
+    const Overrun::State overrun = overrun_.state();
+    out.u32(overrun.length);
+    out.u32(overrun.owed);
+    out.u32(overrun.began_low);
+    out.i32(overrun.run_lowest);
+    out.i32(overrun.run_highest);
+    out.i32(overrun.lowest);
+    out.i32(overrun.highest);
+    out.u32(paid_);
+    intake_.store(out);
+    ledger_.store(out);
+    const auto points = residue_.points();
+    out.u32(static_cast<std::uint32_t>(points.size()));
+    out.u32(queue_.size());
+    for (const Tension point : points) {
+      out.i32(point.raw());
+    }
+    for (std::uint32_t i = 0; i < queue_.size(); ++i) {
+      out.i32(queue_.at(i).raw());
+    }
+  }
+
+  /// Reads a state; false if no count could have left it. Takes it up only if `replace`, which has
+  /// to be tried with `replace` false before.
+  bool load(ByteReader& in, bool replace) {
+    TurningPoints::State filter{};
+    filter.phase = in.u32();
+    filter.mirror = in.i32();
+    filter.extremum = in.i32();
+    filter.lowest = in.i32();
+    Overrun::State overrun{};
+    overrun.length = in.u32();
+    overrun.owed = in.u32();
+    overrun.began_low = in.u32();
+    overrun.run_lowest = in.i32();
+    overrun.run_highest = in.i32();
+    overrun.lowest = in.i32();
+    overrun.highest = in.i32();
+    const std::uint32_t paid = in.u32();
+    Intake intake;
+    Ledger ledger;
+    const bool counts = intake.load(in) && ledger.load(in);
+    const std::uint32_t residue_size = in.u32();
+    const std::uint32_t queue_size = in.u32();
+    if (!counts || !TurningPoints::plausible(filter) || !Overrun::plausible(overrun) ||
+        residue_size > Layout::kResidue || queue_size > Layout::kQueue) {
+      return false;
+    }
+    if (replace) {
+      filter_.restore(filter);
+      overrun_.restore(overrun);
+      paid_ = paid;
+      intake_ = intake;
+      ledger_ = ledger;
+      residue_.clear();
+      queue_ = {};
+    }
+    return load_points(in, residue_size, queue_size, filter, overrun, replace);
+  }
+
+ private:
+  static constexpr std::uint32_t kAllSteps = 0xffffffffu;
+
+  template <class Observer>
+  struct CycleSink {
+    Ledger& ledger;
+    const CycleLaw& law;
+    Observer& observer;
+
+    void full(Tension from, Tension to) {
+      const CycleDamage damage = law(from, to);
+      ledger.closed.add(damage, ledger.flags);
+      ledger.cycles.add(1, ledger.flags);
+      observer.full(from, to, damage);
+    }
+    void half(Tension from, Tension to) {
+      const CycleDamage damage = law(from, to).half();
+      ledger.retired.add(damage, ledger.flags);
+      ledger.half_cycles.add(1, ledger.flags);
+      observer.half(from, to, damage);
+    }
+    void overflow() {
+      ledger.flags.raise(Flag::residue_overflow);
+      ledger.residue_overflows.add(1, ledger.flags);
+    }
+  };
+
+  struct ReadingSink {
+    Reading& reading;
+    const CycleLaw& law;
+
+    void full(Tension from, Tension to) {
+      reading.closed.add(law(from, to), reading.flags);
+      reading.closed_cycles.add(1, reading.flags);
+    }
+    void half(Tension from, Tension to) {
+      reading.open.add(law(from, to).half(), reading.flags);
+      reading.open_half_cycles.add(1, reading.flags);
+    }
+  };
+
+  /// The turning point after all that were queued, if there is one.
+  struct Last {
+    bool known;
+    Tension tension;
+  };
+
+  [[nodiscard]] Last last_turning_point() const {
+    if (overrun_.running()) {
+      return {true, overrun_.first_extreme()};
+    }
+    return filter_.directed() ? Last{true, filter_.run().candidate()} : Last{false, Tension{}};
+  }
+
+  void put(Tension turning_point) {
+    if (overrun_.running() || queue_.free() == 0) [[unlikely]] {
+      put_late(turning_point);
+    } else {
+      queue_.put(turning_point);
+    }
+  }
+
+  [[gnu::noinline]] void put_late(Tension turning_point) {
+    intake_.flags.raise(Flag::overrun);
+    if (queue_.free() >= Overrun::kPlaces) {
+      overrun_.finish([this](Tension extreme) { queue_.put(extreme); });
+      queue_.put(turning_point);
+    } else {
+      overrun_.leave_out(turning_point, turning_point < filter_.run().candidate());
+    }
+  }
+
+  static void note_extremes(Tension turning_point, const Parameters& parameters, Flags& flags,
+                            Events& overloads, Events& negatives) {
+    if (parameters.law.overloads(turning_point)) [[unlikely]] {
+      flags.raise(Flag::overload);
+      overloads.add(1, flags);
+    }
+    if (turning_point.raw() < 0 && 0u - static_cast<std::uint32_t>(turning_point.raw()) >
+                                       parameters.hysteresis.raw()) [[unlikely]] {
+      flags.raise(Flag::negative_tension);
+      negatives.add(1, flags);
+    }
+  }
+
+  /// Reads the residue and the queue and checks that they are what the rest of the state follows
+  /// on.
+  bool load_points(ByteReader& in, std::uint32_t residue_size, std::uint32_t queue_size,
+                   const TurningPoints::State& filter, const Overrun::State& overrun,
+                   bool replace) {
+    Alternation alternation;
+    TensionRange range = TensionRange::highest();
+    Tension previous;
+    for (std::uint32_t i = 0; i < residue_size + queue_size; ++i) {
+      const auto point = Tension::checked(in.i32());
+      if (in.failed() || !point || !alternation.next(*point)) {
+        return false;
+      }
+      if (i < residue_size) {
+        if (i > 0) {
+          if (distance(previous, *point) > range) {
+            return false;
+          }
+          range = distance(previous, *point);
+        }
+        previous = *point;
+        if (replace) {
+          residue_.append(*point);
+        }
+      } else if (replace) {
+        queue_.put(*point);
+      }
+    }
+    if (overrun.length != 0 && (alternation.empty() || !Overrun::extend(overrun, alternation))) {
+      return false;
+    }
+    if (!TurningPoints::directed(filter)) {
+      return alternation.empty();
+    }
+    const TurningPoints::Run run{filter.mirror, filter.extremum};
+    return !alternation.empty() && alternation.next(run.candidate()) &&
+           alternation.rising() == (filter.mirror == 0);
+  }
+
+  // Producer.
+  TurningPoints filter_;
+  Overrun overrun_;
+  Intake intake_;
+  // Shared.
+  TurningPointQueue<Layout::kQueue> queue_;
+  // Consumer.
+  std::uint32_t paid_ = 0;
+  Ledger ledger_;
+  Residue<Layout::kResidue> residue_;
+};
+
+}  // namespace lifemodel
