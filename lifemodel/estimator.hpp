@@ -26,9 +26,6 @@ class Estimator {
   using Layout = LayoutT;
   static constexpr std::size_t tendons() { return kTendons; }
 
-  /// Steps of one settle() call; a turning point takes 1.5 steps on average.
-  static constexpr std::uint32_t kSettleSteps = 4;
-
   explicit Estimator(const std::array<Parameters, kTendons>& parameters)
       : parameters_(parameters) {}
 
@@ -51,25 +48,28 @@ class Estimator {
   /// Flags of the tendon, for a caller that converts its samples itself.
   Flags& input_flags(std::size_t tendon) { return tendons_[tendon].input_flags(); }
 
-  /// Counts what push() has left, at most kSettleSteps steps. True while there is more.
+  /// Counts what push() has left of one tendon, at most Tendon::kSettleSteps steps. True while any
+  /// tendon has more.
   bool settle() { return settle(NoObservers{}); }
 
   /// The same; `observers(tendon)` hears of each cycle, see NoObserver.
   template <class Observers>
   bool settle(Observers&& observers) {
-    std::uint32_t steps = kSettleSteps;
     for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
       if (tendons_[tendon].pending()) {
-        if (steps == 0) {
-          return true;
-        }
-        steps = tendons_[tendon].settle(parameters_[tendon], steps, observers(tendon));
-        if (tendons_[tendon].pending()) {
-          return true;
-        }
+        tendons_[tendon].template settle<Tendon<Layout>::kSettleSteps>(parameters_[tendon],
+                                                                       observers(tendon));
+        return tendon + 1 < kTendons || tendons_[tendon].pending();
       }
     }
     return false;
+  }
+
+  /// Takes many samples of one tendon at once: the same as push() and settle() for each, and faster
+  /// where there is a large queue. push() must not interrupt it.
+  template <class Observer = NoObserver>
+  void replay(std::size_t tendon, std::span<const Tension> samples, Observer&& observer = {}) {
+    tendons_[tendon].replay(samples, parameters_[tendon], observer);
   }
 
   /// Life used at this instant. Settles first. Bounded by the residue's capacity.

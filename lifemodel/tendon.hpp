@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -54,11 +56,35 @@ struct NoObserver {
 template <class Layout = DefaultLayout>
 class Tendon {
  public:
+  /// Steps of one settle() on the target; a turning point takes 1.5 steps on average.
+  static constexpr std::uint32_t kSettleSteps = 4;
+
   /// Producer: one sample. Constant time.
   void push(Tension tension, const Parameters& parameters) {
     intake_.dropout = false;
     filter_.push(tension, parameters.hysteresis,
                  [this](Tension turning_point) { put(turning_point); });
+  }
+
+  /// Producer and consumer at once: many samples, each pushed and settled.
+  template <class Observer>
+  void replay(std::span<const Tension> samples, const Parameters& parameters, Observer&& observer) {
+    while (!samples.empty()) {
+      while (pending()) {
+        settle<kBatchSteps>(parameters, observer);
+      }
+      std::size_t count = 1;
+      if (filter_.directed() && !overrun_.running()) {
+        count = std::min<std::size_t>(samples.size(), queue_.free());
+        fill_queue(samples.first(count), parameters.hysteresis);
+      } else {
+        push(samples.front(), parameters);
+      }
+      samples = samples.subspan(count);
+    }
+    while (pending()) {
+      settle<kBatchSteps>(parameters, observer);
+    }
   }
 
   /// Producer: one sample that is missing. The count goes on across the gap with the next sample.
@@ -74,38 +100,37 @@ class Tendon {
   /// Producer: flags for conversions of samples on their way in.
   Flags& input_flags() { return intake_.flags; }
 
-  /// Consumer: at most `steps` steps, each of which counts at most one cycle. Returns the steps
-  /// left.
-  template <class Observer>
-  std::uint32_t settle(const Parameters& parameters, std::uint32_t steps, Observer&& observer) {
+  /// Consumer: at most kSteps steps, each of which counts at most one cycle.
+  template <std::uint32_t kSteps, class Observer>
+  void settle(const Parameters& parameters, Observer&& observer) {
     CycleSink<Observer> sink{ledger_, parameters.law, observer};
-    while (steps != 0 && !queue_.empty()) {
-      const Tension next = queue_.front();
-      if (residue_.step(next, sink)) {
-        note_extremes(next, parameters, ledger_.flags, ledger_.overloads, ledger_.negatives);
-        queue_.drop();
-      }
-      --steps;
+    if (paid_ != overrun_.owed()) [[unlikely]] {
+      pay(sink);
+      return;
     }
-    while (steps != 0 && paid_ != overrun_.owed())
-      [[unlikely]] {
-        sink.full(overrun_.lowest(), overrun_.highest());
-        ledger_.overruns.add(1, ledger_.flags);
-        ++paid_;
-        --steps;
-      }
-    return steps;
+    std::array<FullCycle, kSteps> closed;
+    const auto done = residue_.take([this](std::uint32_t i) { return queue_.at(i); }, queue_.size(),
+                                    kSteps, closed.data(), sink);
+    for (std::uint32_t i = 0; i < done.taken; ++i) {
+      note_extremes(queue_.at(i), parameters, ledger_.flags, ledger_.overloads, ledger_.negatives);
+    }
+    queue_.drop(done.taken);
+    for (std::uint32_t i = 0; i < done.closed; ++i) {
+      sink.full(closed[i].from, closed[i].to);
+    }
   }
 
-  /// Consumer: true while settle() has work.
-  [[nodiscard]] bool pending() const { return !queue_.empty() || paid_ != overrun_.owed(); }
+  /// Consumer: true while settle() has work. What an overrun owes comes before a turning point.
+  [[nodiscard]] bool pending() const { return !queue_.empty(); }
 
   /// Consumer: settles what is pending, then reads. Time is bounded by the places of the queue and
   /// of the residue.
   [[nodiscard]] Reading reading(const Parameters& parameters) {
     Last last{};
     do {
-      settle(parameters, kAllSteps, NoObserver{});
+      while (pending()) {
+        settle<kSettleSteps>(parameters, NoObserver{});
+      }
       last = last_turning_point();
       std::atomic_thread_fence(std::memory_order_acquire);
       // A push() in between that changed the run has left a turning point.
@@ -206,7 +231,7 @@ class Tendon {
   }
 
  private:
-  static constexpr std::uint32_t kAllSteps = 0xffffffffu;
+  static constexpr std::uint32_t kBatchSteps = 512;
 
   template <class Observer>
   struct CycleSink {
@@ -267,6 +292,17 @@ class Tendon {
     }
   }
 
+  void fill_queue(std::span<const Tension> samples, TensionRange hysteresis) {
+    intake_.dropout = false;
+    typename TurningPointQueue<Layout::kQueue>::Batch batch(queue_);
+    TurningPoints::Run run = filter_.run();
+    for (const Tension sample : samples) {
+      const Tension candidate = run.candidate();
+      batch.put_if(run.turns(sample, hysteresis), candidate);
+    }
+    filter_.set_run(run);
+  }
+
   [[gnu::noinline]] void put_late(Tension turning_point) {
     intake_.flags.raise(Flag::overrun);
     if (queue_.free() >= Overrun::kPlaces) {
@@ -277,14 +313,26 @@ class Tendon {
     }
   }
 
+  template <class Sink>
+  [[gnu::noinline]] void pay(Sink& sink) {
+    sink.full(overrun_.lowest(), overrun_.highest());
+    ledger_.overruns.add(1, ledger_.flags);
+    ++paid_;
+  }
+
   static void note_extremes(Tension turning_point, const Parameters& parameters, Flags& flags,
                             Events& overloads, Events& negatives) {
-    if (parameters.law.overloads(turning_point)) [[unlikely]] {
+    // One comparison for both: nothing to note in -hysteresis .. ultimate tension.
+    const std::uint32_t hysteresis = parameters.hysteresis.raw();
+    if (static_cast<std::uint32_t>(turning_point.raw()) + hysteresis <
+        static_cast<std::uint32_t>(parameters.law.ultimate.raw()) + hysteresis) [[likely]] {
+      return;
+    }
+    if (parameters.law.overloads(turning_point)) {
       flags.raise(Flag::overload);
       overloads.add(1, flags);
     }
-    if (turning_point.raw() < 0 && 0u - static_cast<std::uint32_t>(turning_point.raw()) >
-                                       parameters.hysteresis.raw()) [[unlikely]] {
+    if (turning_point.raw() < 0) {
       flags.raise(Flag::negative_tension);
       negatives.add(1, flags);
     }

@@ -26,6 +26,24 @@ class TurningPointQueue {
     head_.release(head_.own() + 1);
   }
 
+  /// Producer: appends many without a branch for each.
+  class Batch {
+   public:
+    explicit Batch(TurningPointQueue& queue) : queue_(queue), head_(queue.head_.own()) {}
+    Batch(const Batch&) = delete;
+    Batch& operator=(const Batch&) = delete;
+    ~Batch() { queue_.head_.release(head_); }
+    /// Appends where `wanted`. Precondition: a place is free, wanted or not.
+    void put_if(bool wanted, Tension turning_point) {
+      queue_.points_[head_ % kCapacity] = turning_point;
+      head_ += wanted ? 1 : 0;
+    }
+
+   private:
+    TurningPointQueue& queue_;
+    std::uint32_t head_;
+  };
+
   /// Consumer: turning points that wait.
   [[nodiscard]] std::uint32_t size() const { return head_.acquire() - tail_.own(); }
   [[nodiscard]] bool empty() const { return size() == 0; }
@@ -33,9 +51,8 @@ class TurningPointQueue {
   [[nodiscard]] Tension at(std::uint32_t index) const {
     return points_[(tail_.own() + index) % kCapacity];
   }
-  [[nodiscard]] Tension front() const { return at(0); }
-  /// Consumer. Precondition: not empty().
-  void drop() { tail_.release(tail_.own() + 1); }
+  /// Consumer. Precondition: count <= size().
+  void drop(std::uint32_t count) { tail_.release(tail_.own() + count); }
 
   static constexpr std::size_t capacity() { return kCapacity; }
 

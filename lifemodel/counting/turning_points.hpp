@@ -24,22 +24,16 @@ class TurningPoints {
     [[nodiscard]] constexpr Tension candidate() const {
       return Tension::from_raw((extremum ^ mirror) - mirror);
     }
-    /// Takes a sample; true if it confirms the candidate, which is then the new run's start.
+    /// Takes a sample; true if it confirms the candidate. The run then starts from the sample.
+    /// Precondition: hysteresis >= one step.
     constexpr bool turns(Tension sample, TensionRange hysteresis) {
       const std::int32_t value = (sample.raw() ^ mirror) - mirror;
-      const bool further = value >= extremum;
-      const bool back = static_cast<std::uint32_t>(extremum) - static_cast<std::uint32_t>(value) >=
+      const std::int32_t furthest = value > extremum ? value : extremum;
+      const bool back = static_cast<std::uint32_t>(furthest) - static_cast<std::uint32_t>(value) >=
                         hysteresis.raw();
-      if (further) {
-        extremum = value;
-        return false;
-      }
-      if (back) {
-        extremum = -value;
-        mirror = ~mirror;
-        return true;
-      }
-      return false;
+      extremum = back ? -value : furthest;
+      mirror = back ? ~mirror : mirror;
+      return back;
     }
   };
 
@@ -52,11 +46,11 @@ class TurningPoints {
     }
     Run now = run();
     const Tension candidate = now.candidate();
-    if (now.turns(sample, hysteresis)) {
-      set_run(now);
+    const bool turned = now.turns(sample, hysteresis);
+    extremum_.set_relaxed(now.extremum);
+    if (turned) {
+      mirror_.set_relaxed(now.mirror);
       confirmed(candidate);
-    } else {
-      extremum_.set_relaxed(now.extremum);
     }
   }
 

@@ -33,12 +33,12 @@ class Count {
   Rep raw_ = 0;
 };
 
-struct FullCycle {};
+struct Cycle {};
 struct HalfCycle {};
 struct MissingSample {};
 struct Event {};
 
-using Cycles = Count<FullCycle, std::uint64_t>;
+using Cycles = Count<Cycle, std::uint64_t>;
 using HalfCycles = Count<HalfCycle, std::uint64_t>;
 using MissingSamples = Count<MissingSample, std::uint32_t>;
 using Events = Count<Event, std::uint32_t>;
