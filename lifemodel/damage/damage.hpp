@@ -69,6 +69,22 @@ class Damage {
     }
   }
 
+  /// In steps of 1e-9, rounded down; stops at 2^32 - 1.
+  [[nodiscard]] constexpr std::uint32_t parts_per_billion() const {
+    constexpr std::uint32_t kBillion = 1'000'000'000;
+    // Whole lives are in the bits from 104 on, so the fraction fills words 0 .. 2 and 8 bits of
+    // word 3.
+    std::uint64_t carry = 0;
+    for (std::size_t i = 0; i + 1 < words_.size(); ++i) {
+      carry = std::uint64_t{words_[i]} * kBillion + (carry >> 32);
+    }
+    const std::uint64_t scaled = std::uint64_t{words_[3]} * kBillion + (carry >> 32);
+    constexpr int kDrop = kFractionBits - 96;
+    const std::uint64_t result = scaled >> kDrop;
+    constexpr std::uint32_t kHighest = std::numeric_limits<std::uint32_t>::max();
+    return result < kHighest ? static_cast<std::uint32_t>(result) : kHighest;
+  }
+
   friend constexpr bool operator==(const Damage&, const Damage&) = default;
   friend constexpr std::strong_ordering operator<=>(const Damage& a, const Damage& b) {
     for (std::size_t i = a.words_.size(); i-- > 0;) {

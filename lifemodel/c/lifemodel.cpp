@@ -1,0 +1,104 @@
+#include "lifemodel/c/lifemodel.h"
+
+#include <algorithm>
+#include <new>
+
+#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/estimator.hpp"
+
+namespace {
+
+using lifemodel::Damage;
+using lifemodel::Estimator;
+using lifemodel::Flags;
+using One = Estimator<1>;
+
+static_assert(sizeof(One) <= sizeof(lm_estimator) && alignof(One) <= alignof(lm_estimator));
+static_assert(One::kSnapshotBytes <= LM_SNAPSHOT_BYTES);
+static_assert(lifemodel::kBlockBytes == LM_PARAMETER_BLOCK_BYTES);
+
+One& estimator_of(lm_estimator* memory) {
+  return *std::launder(reinterpret_cast<One*>(memory->storage));
+}
+const One& estimator_of(const lm_estimator* memory) {
+  return *std::launder(reinterpret_cast<const One*>(memory->storage));
+}
+
+lm_damage words_of(const Damage& damage) {
+  lm_damage result{};
+  std::copy(damage.words().begin(), damage.words().end(), result.words);
+  return result;
+}
+
+Damage damage_of(const lm_damage& words) {
+  Damage::Words result{};
+  std::copy(std::begin(words.words), std::end(words.words), result.begin());
+  return Damage::from_words(result);
+}
+
+}  // namespace
+
+const char* lm_init(lm_estimator* estimator, const void* block, size_t block_bytes) {
+  const auto parameters = lifemodel::decode({static_cast<const std::byte*>(block), block_bytes});
+  if (!parameters) {
+    return lifemodel::to_string(parameters.error());
+  }
+  new (estimator->storage) One({*parameters});
+  return nullptr;
+}
+
+void lm_push_tension(lm_estimator* estimator, int32_t tension_q20_N) {
+  One& one = estimator_of(estimator);
+  one.push(0, lifemodel::Tension::saturated(tension_q20_N, one.input_flags(0)));
+}
+
+void lm_push_tension_mN(lm_estimator* estimator, int32_t tension_mN) {
+  One& one = estimator_of(estimator);
+  one.push(0, lifemodel::Tension::from_milli(tension_mN, one.input_flags(0)));
+}
+
+void lm_push_current_mA(lm_estimator* estimator, int32_t current_mA) {
+  One& one = estimator_of(estimator);
+  if (one.parameters(0).has_drive()) {
+    one.push(0, lifemodel::MotorCurrent::from_milli(current_mA, one.input_flags(0)));
+  } else {
+    one.push_missing(0);
+  }
+}
+
+void lm_push_missing(lm_estimator* estimator) {
+  estimator_of(estimator).push_missing(0);
+}
+
+bool lm_settle(lm_estimator* estimator) {
+  return estimator_of(estimator).settle();
+}
+
+void lm_read(lm_estimator* estimator, lm_reading* reading) {
+  One& one = estimator_of(estimator);
+  const lifemodel::Reading r = one.reading(0);
+  reading->closed = words_of(r.closed);
+  reading->open = words_of(r.open);
+  reading->total = words_of(r.total);
+  reading->closed_cycles = r.closed_cycles.raw();
+  reading->open_half_cycles = r.open_half_cycles.raw();
+  reading->flags = r.flags.bits();
+  reading->survival_q30 = one.parameters(0).life.survival(r.total).raw();
+  reading->damage_ppb = r.total.parts_per_billion();
+}
+
+uint32_t lm_repeats_to_b10(const lm_estimator* estimator, const lm_damage* used,
+                           const lm_damage* each) {
+  return lifemodel::remaining_repeats(damage_of(*used), damage_of(*each),
+                                      estimator_of(estimator).parameters(0).life.b10);
+}
+
+size_t lm_snapshot(const lm_estimator* estimator, void* out) {
+  return estimator_of(estimator).snapshot({static_cast<std::byte*>(out), LM_SNAPSHOT_BYTES}).size();
+}
+
+const char* lm_restore(lm_estimator* estimator, const void* snapshot, size_t snapshot_bytes) {
+  const auto error =
+      estimator_of(estimator).restore({static_cast<const std::byte*>(snapshot), snapshot_bytes});
+  return error == lifemodel::SnapshotError::none ? nullptr : lifemodel::to_string(error);
+}

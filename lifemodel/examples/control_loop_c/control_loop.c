@@ -1,0 +1,30 @@
+/* The estimator in a control loop written in C. The parameter block comes from `host_sim pack`. */
+#include <lifemodel/c/lifemodel.h>
+#include <stdio.h>
+
+static lm_estimator estimator;
+
+int main(int argc, char** argv) {
+  unsigned char block[LM_PARAMETER_BLOCK_BYTES];
+  FILE* file = argc > 1 ? fopen(argv[1], "rb") : NULL;
+  if (file == NULL || fread(block, 1, sizeof block, file) != sizeof block) {
+    fprintf(stderr, "usage: control_loop_c PARAMETER_BLOCK\n");
+    return 2;
+  }
+  fclose(file);
+  const char* refused = lm_init(&estimator, block, sizeof block);
+  if (refused != NULL) {
+    fprintf(stderr, "parameter block refused: %s\n", refused);
+    return 1;
+  }
+  for (int tick = 0; tick < 60000; ++tick) {
+    lm_push_tension_mN(&estimator,
+                       14000 + 68 * (tick % 1000 < 500 ? tick % 500 : 500 - tick % 500));
+    while (lm_settle(&estimator)) {
+    }
+  }
+  lm_reading reading;
+  lm_read(&estimator, &reading);
+  printf("life used: %u ppb\n", (unsigned)reading.damage_ppb);
+  return 0;
+}
