@@ -1,0 +1,51 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <ostream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace host_sim {
+
+/// A file that could not be written; what() is one line: `path: cannot be written: reason`.
+class OutputError : public std::runtime_error {
+ public:
+  OutputError(std::string_view path, std::string_view reason);
+
+  const std::string& path() const noexcept { return path_; }
+  const std::string& reason() const noexcept { return reason_; }
+
+ private:
+  std::string path_;
+  std::string reason_;
+};
+
+/// A file that appears whole or not at all. It is written to `path.partial-<pid>` in the same
+/// folder; commit() renames it, and without commit() it is removed and an earlier file of the name
+/// stays as it was. `-` is standard output; what is not a regular file (a pipe, a device) is
+/// written directly.
+class OutputFile {
+ public:
+  /// Throws OutputError if `path` cannot be written.
+  explicit OutputFile(const std::filesystem::path& path);
+  OutputFile(OutputFile&&) noexcept;
+  OutputFile& operator=(OutputFile&&) noexcept;
+  ~OutputFile();
+
+  /// Throws OutputError, as does writing through stream(), at the latest in commit().
+  void write(std::string_view text);
+
+  /// The same file as a stream, valid as long as this object.
+  std::ostream& stream() noexcept;
+
+  /// Puts the file in place, on disk. Nothing may be written afterwards.
+  void commit();
+
+ private:
+  class Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace host_sim

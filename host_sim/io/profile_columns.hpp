@@ -1,0 +1,37 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace host_sim {
+
+/// A column that a profile may hold, with the range of its values.
+struct ProfileColumn {
+  std::string_view name;
+  std::string_view unit;  ///< the suffix of `name`
+  double minimum;
+  double maximum;
+};
+
+/// The places of the columns in profile_columns().
+enum ProfileColumnId : unsigned {
+  kTime,
+  kInputTensionColumn,
+  kMotorCurrentColumn,
+  kOutputTensionColumn,
+  kTendonVelocity,
+  kBendAngle,
+  kMotorAngle,
+  kSheathTemperature,
+  kWindingTemperature,
+  kProfileColumnCount,
+};
+
+/// All columns that are known; each is checked in every row, whether it is needed or not.
+std::span<const ProfileColumn, kProfileColumnCount> profile_columns();
+
+/// The names of all columns, separated by commas.
+std::string profile_column_names();
+
+}  // namespace host_sim
