@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace host_sim {
+
+/// Input tension over time, reduced to one band per bucket of neighbouring samples.
+/// The three vectors have the same length; `time_s` never falls. With one sample a bucket the low
+/// and the high value are equal and the data are the samples themselves.
+struct Envelope {
+  std::vector<double> time_s;  ///< middle of each bucket
+  std::vector<double> low_N;   ///< exact minimum of each bucket
+  std::vector<double> high_N;  ///< exact maximum of each bucket
+  std::uint64_t samples_per_bucket = 1;
+};
+
+struct TurningPoint {
+  double time_s = 0;
+  double tension_N = 0;
+};
+
+/// Turning points in order of time. Fewer points than `total` mean that the list was thinned.
+struct TurningPoints {
+  std::vector<TurningPoint> points;
+  std::uint64_t total = 0;
+};
+
+/// Counted cycles by their range and mean. Class (r, m) is element `r * means + m`; it covers
+/// ranges from `r * range_step_N` and means from `mean_min_N + m * mean_step_N`, each one step
+/// wide. No classes at all means that no cycle was counted.
+struct RangeMeanMatrix {
+  double range_step_N = 0;
+  double mean_min_N = 0;
+  double mean_step_N = 0;
+  std::size_t ranges = 0;
+  std::size_t means = 0;
+  std::vector<double> count;   ///< cycles, halves counting 0.5; length ranges * means
+  std::vector<double> damage;  ///< Miner's sum, dimensionless; length ranges * means
+};
+
+/// Damage read over time, closed cycles and open residue together; both vectors have equal length.
+struct Trajectory {
+  std::vector<double> time_s;
+  std::vector<double> damage;
+};
+
+struct CycleCounts {
+  std::uint64_t closed = 0;
+  std::uint64_t open_half = 0;
+};
+
+/// Miner's sum, dimensionless; 1 is the characteristic life at which 63.2 % of wires have broken.
+struct DamageSplit {
+  double closed = 0;
+  double open = 0;
+  double total = 0;
+};
+
+/// Repeats of the profile until a wire breaks; infinite where the profile does no damage.
+struct RepeatsTo {
+  double B10 = 0;
+  double B50 = 0;
+  double mean = 0;
+  double B90 = 0;
+};
+
+struct ModelConstant {
+  std::string name;
+  double value = 0;
+  std::string unit;  ///< empty for a pure number
+};
+
+/// Everything that the page of one replay shows. Texts are UTF-8 and need no escaping.
+struct ReplayReport {
+  std::string profile_name;
+  std::string input_kind;  ///< in words, for example "motor current"
+  std::string model_name;
+  std::string model_digest;
+  std::string program_version;
+
+  std::uint64_t samples = 0;
+  double duration_s = 0;
+  CycleCounts cycles;
+  DamageSplit damage;            ///< by the fixed-point estimator
+  DamageSplit reference_damage;  ///< by the double-precision reference
+  double relative_error = 0;     ///< of damage.total against the reference
+  double equivalent_effective_tension_N = 0;
+  double survival_probability = 1;  ///< after one pass, 0..1
+  RepeatsTo repeats_to;
+  std::vector<std::string> flags;  ///< names as in lifemodel::Flag; empty when nothing happened
+
+  Envelope tension;
+  TurningPoints turning_points;
+  RangeMeanMatrix range_mean;
+  Trajectory trajectory;
+
+  std::vector<ModelConstant> model_constants;
+  double weibull_shape = 1;
+  double ultimate_tension_N = 0;
+  double hysteresis_N = 0;
+};
+
+}  // namespace host_sim
