@@ -1,0 +1,12 @@
+#pragma once
+
+namespace firmware::qemu_mps2 {
+
+/// What the program exits with after a fault or an exception that nobody expected.
+inline constexpr int kFaultExitCode = 127;
+
+/// Handler of every exception: prints the exception, the fault status and where it happened, then
+/// exits with kFaultExitCode. Runs on a stack of its own.
+extern "C" void fault();
+
+}  // namespace firmware::qemu_mps2

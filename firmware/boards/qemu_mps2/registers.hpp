@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+
+/// Core registers, ARMv7-M Architecture Reference Manual (DDI 0403E), B3.2.2, B3.3.2 and B3.5.4.
+namespace firmware::qemu_mps2::registers {
+
+class Register {
+ public:
+  constexpr explicit Register(std::uintptr_t address) : address_(address) {}
+  [[nodiscard]] std::uint32_t read() const { return *pointer(); }
+  void write(std::uint32_t value) const { *pointer() = value; }
+
+ private:
+  [[nodiscard]] volatile std::uint32_t* pointer() const {
+    return reinterpret_cast<volatile std::uint32_t*>(address_);
+  }
+  std::uintptr_t address_;
+};
+
+inline constexpr Register kSysTickControl{0xE000E010};
+inline constexpr Register kSysTickReload{0xE000E014};
+inline constexpr Register kSysTickCurrent{0xE000E018};
+inline constexpr Register kInterruptControlState{0xE000ED04};
+inline constexpr Register kConfigurableFaultStatus{0xE000ED28};
+inline constexpr Register kMpuControl{0xE000ED94};
+inline constexpr Register kMpuRegionNumber{0xE000ED98};
+inline constexpr Register kMpuRegionBase{0xE000ED9C};
+inline constexpr Register kMpuRegionAttributes{0xE000EDA0};
+
+}  // namespace firmware::qemu_mps2::registers

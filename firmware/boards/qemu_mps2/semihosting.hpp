@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+/// The services of the host that QEMU runs on; Arm, Semihosting for AArch32 and AArch64.
+namespace firmware::qemu_mps2 {
+
+/// Ends QEMU with this exit code, 0 .. 255.
+extern "C" [[noreturn]] void exit(int code);
+
+/// Writes a zero-terminated text to the console, which is the standard error of QEMU.
+void write(const char* text);
+
+/// Copies the command line, the image's path first, and terminates it by zero. Returns its length
+/// without the zero, or 0 where it does not fit.
+std::size_t command_line(std::span<char> out);
+
+/// A file of the host; closed at the end of the scope.
+class HostFile {
+ public:
+  /// Values of the standard: modes of fopen, binary.
+  enum class Mode : std::uint32_t { read = 1, write = 5 };
+
+  HostFile(const char* path, Mode mode);
+  ~HostFile();
+  HostFile(const HostFile&) = delete;
+  HostFile& operator=(const HostFile&) = delete;
+
+  [[nodiscard]] bool is_open() const { return handle_ != kNoHandle; }
+  /// Bytes that were read: fewer than asked for only at the end of the file.
+  [[nodiscard]] std::size_t read(std::span<std::byte> out);
+  /// True when all bytes were written.
+  [[nodiscard]] bool write(std::span<const std::byte> bytes);
+
+ private:
+  static constexpr std::uint32_t kNoHandle = 0xffffffffu;
+  std::uint32_t handle_;
+};
+
+}  // namespace firmware::qemu_mps2

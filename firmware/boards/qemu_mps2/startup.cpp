@@ -1,0 +1,58 @@
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "firmware/boards/qemu_mps2/fault.hpp"
+#include "firmware/boards/qemu_mps2/registers.hpp"
+#include "firmware/boards/qemu_mps2/semihosting.hpp"
+
+// Defined by the linker script.
+extern "C" {
+extern std::uint32_t stack_top[];
+extern std::uint32_t data_begin[], data_end[], bss_begin[], bss_end[];
+extern const std::uint32_t data_load[];
+}
+
+// C++ allows nobody to call main by its own name.
+extern "C" int run_program() __asm__("main");
+
+namespace firmware::qemu_mps2 {
+namespace {
+
+struct VectorTable {
+  std::uint32_t* initial_stack;
+  std::array<void (*)(), 15> handlers;
+};
+
+/// Everything below the SRAM becomes read-only: QEMU would take writes to a null pointer and past
+/// the end of the stack in silence.
+void protect_memory() {
+  constexpr std::uint32_t kEnable = 1u << 0;
+  constexpr std::uint32_t kDefaultMapElsewhere = 1u << 2;
+  constexpr std::uint32_t kReadOnly = 6u << 24;
+  constexpr std::uint32_t kNormalMemory = 1u << 17;
+  constexpr std::uint32_t kSize512MB = 28u << 1;
+  registers::kMpuRegionNumber.write(0);
+  registers::kMpuRegionBase.write(0);
+  registers::kMpuRegionAttributes.write(kReadOnly | kNormalMemory | kSize512MB | kEnable);
+  registers::kMpuControl.write(kDefaultMapElsewhere | kEnable);
+  __asm__ volatile("dsb\n\tisb" ::: "memory");
+}
+
+}  // namespace
+
+extern "C" [[noreturn]] void reset() {
+  protect_memory();
+  const std::uint32_t* from = data_load;
+  std::transform(data_begin, data_end, data_begin, [&from](std::uint32_t) { return *from++; });
+  std::fill(bss_begin, bss_end, 0u);
+  exit(run_program());
+}
+
+// ARMv7-M Architecture Reference Manual (DDI 0403E), B1.5.3.
+extern "C" [[gnu::section(".vectors"), gnu::used]] const VectorTable vector_table{
+    stack_top,
+    {reset, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault,
+     fault, fault}};
+
+}  // namespace firmware::qemu_mps2
