@@ -325,10 +325,10 @@ class Tendon {
     // One comparison for both: nothing to note in -hysteresis .. ultimate tension.
     const std::uint32_t hysteresis = parameters.hysteresis.raw();
     if (static_cast<std::uint32_t>(turning_point.raw()) + hysteresis <
-        static_cast<std::uint32_t>(parameters.law.ultimate.raw()) + hysteresis) [[likely]] {
+        static_cast<std::uint32_t>(kUltimate.raw()) + hysteresis) [[likely]] {
       return;
     }
-    if (parameters.law.overloads(turning_point)) {
+    if (CycleLaw::overloads(turning_point)) {
       flags.raise(Flag::overload);
       overloads.add(1, flags);
     }

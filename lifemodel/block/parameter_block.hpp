@@ -15,11 +15,14 @@ namespace lifemodel {
 
 inline constexpr std::uint32_t kBlockMagic = 0x42504c54;  ///< "TLPB"
 inline constexpr std::uint32_t kBlockVersion = 1;
-inline constexpr std::size_t kBlockBytes = 80;
+inline constexpr std::size_t kBlockBytes = 84;
 
 /// A parameter block as it is stored and sent: little-endian words, the CRC-32 of all before it
 /// last.
 using ParameterBlock = std::array<std::byte, kBlockBytes>;
+
+inline constexpr std::uint32_t kLowestUltimate_mN = 1'000;
+inline constexpr std::uint32_t kHighestUltimate_mN = 100'000'000;
 
 /// Why a parameter block is refused.
 enum class BlockError : std::uint8_t {
@@ -28,11 +31,10 @@ enum class BlockError : std::uint8_t {
   not_a_block,           ///< other magic
   unknown_version,       ///< made for another version of this library
   damaged,               ///< the CRC does not fit
-  ultimate_tension,      ///< outside 5 .. 1000 N
+  ultimate_tension,      ///< outside 1 N .. 100 kN, or not what the scale follows from
   hysteresis,            ///< zero, or not below the ultimate tension
   ipl_exponent,          ///< outside 1 .. 12
   ipl_scale,             ///< life at the ultimate tension outside 2^-500 .. 2^500 cycles
-  inconsistent,          ///< a derived value does not follow from the others
   weibull_shape,         ///< outside 0.5 .. 50
   life_points,           ///< not 0 < B10 < B50 < B90, or the mean outside them
   friction_coefficient,  ///< outside 0 .. 1
@@ -47,7 +49,7 @@ constexpr const char* to_string(BlockError error) {
     case BlockError::none:
       return "accepted";
     case BlockError::wrong_size:
-      return "wrong size: a parameter block has 80 bytes";
+      return "wrong size: a parameter block has 84 bytes";
     case BlockError::not_a_block:
       return "not a parameter block";
     case BlockError::unknown_version:
@@ -55,15 +57,13 @@ constexpr const char* to_string(BlockError error) {
     case BlockError::damaged:
       return "damaged: the CRC-32 does not fit";
     case BlockError::ultimate_tension:
-      return "ultimate tension out of range: 5 to 1000 N";
+      return "ultimate tension out of range: 1 N to 100 kN";
     case BlockError::hysteresis:
       return "hysteresis out of range: above 0 and below the ultimate tension";
     case BlockError::ipl_exponent:
       return "exponent of the inverse power law out of range: 1 to 12";
     case BlockError::ipl_scale:
       return "scale of the inverse power law out of range";
-    case BlockError::inconsistent:
-      return "a derived value does not follow from the others";
     case BlockError::weibull_shape:
       return "Weibull shape out of range: 0.5 to 50";
     case BlockError::life_points:
@@ -87,10 +87,11 @@ constexpr ParameterBlock encode(const Parameters& p) {
   out.u32(kBlockMagic);
   out.u32(kBlockVersion);
   out.u32(p.model_digest);
-  out.i32(p.law.ultimate.raw());
+  out.u32(p.ultimate_mN);
+  out.i32(p.scale.steps_per_mN.mantissa);
+  out.i32(p.scale.steps_per_mN.shift);
   out.u32(p.hysteresis.raw());
   out.u32(p.law.exponent.raw());
-  out.i32(p.law.log2_two_ultimate);
   out.i32(p.law.log2_damage_at_ultimate);
   out.u32(p.life.shape.raw());
   out.u32(p.life.b10.raw);
@@ -100,11 +101,17 @@ constexpr ParameterBlock encode(const Parameters& p) {
   out.u32(p.capstan.friction.raw());
   out.i32(p.bend.raw());
   out.i32(p.drive.offset.raw());
-  out.i32(p.drive.gain_mantissa);
-  out.i32(p.drive.gain_shift);
+  out.i32(p.drive.gain.mantissa);
+  out.i32(p.drive.gain.shift);
   out.u32(p.sample_period_us);
   out.u32(crc32(std::span(block).first(out.size())));
   return block;
+}
+
+/// Whether the scale turns the ultimate tension into 1, to 1e-6.
+constexpr bool scale_follows(const Parameters& p) {
+  const std::int64_t one = p.scale.steps_per_mN.times(static_cast<std::int32_t>(p.ultimate_mN));
+  return one > kUltimate.raw() - 512 && one < kUltimate.raw() + 512;
 }
 
 /// Checks a block and reads it; refuses what is damaged, unknown or out of range, with the reason.
@@ -125,14 +132,16 @@ constexpr Result<Parameters, BlockError> decode(std::span<const std::byte> block
 
   Parameters p{};
   p.model_digest = in.u32();
-  const auto ultimate = UltimateTension::checked(in.i32());
-  if (!ultimate) {
+  p.ultimate_mN = in.u32();
+  p.scale.steps_per_mN.mantissa = in.i32();
+  p.scale.steps_per_mN.shift = in.i32();
+  if (p.ultimate_mN < kLowestUltimate_mN || p.ultimate_mN > kHighestUltimate_mN ||
+      !p.scale.steps_per_mN.plausible() || !scale_follows(p)) {
     return BlockError::ultimate_tension;
   }
-  p.law.ultimate = *ultimate;
   p.hysteresis = TensionRange::from_raw(in.u32());
   if (p.hysteresis.raw() == 0 ||
-      p.hysteresis.raw() >= static_cast<std::uint32_t>(ultimate->raw())) {
+      p.hysteresis.raw() >= static_cast<std::uint32_t>(kUltimate.raw())) {
     return BlockError::hysteresis;
   }
   const auto exponent = IplExponent::checked(in.u32());
@@ -140,15 +149,7 @@ constexpr Result<Parameters, BlockError> decode(std::span<const std::byte> block
     return BlockError::ipl_exponent;
   }
   p.law.exponent = *exponent;
-  p.law.log2_two_ultimate = in.i32();
   p.law.log2_damage_at_ultimate = in.i32();
-  // 2u is normalised like every other number, so the host's logarithm has to agree with ours.
-  const auto two_ultimate = static_cast<std::uint32_t>(ultimate->raw()) * 2;
-  const std::int32_t own = numeric::log2(numeric::quotient(two_ultimate, 1));
-  const std::int32_t off = p.law.log2_two_ultimate - own;
-  if (p.law.log2_two_ultimate < 0 || off < -64 || off > 64) {
-    return BlockError::inconsistent;
-  }
   constexpr std::int32_t kHighestLog2Life = 500 << numeric::kExpBits;
   if (p.law.log2_damage_at_ultimate < -kHighestLog2Life ||
       p.law.log2_damage_at_ultimate > kHighestLog2Life) {
@@ -178,10 +179,9 @@ constexpr Result<Parameters, BlockError> decode(std::span<const std::byte> block
   }
   p.bend = *bend;
   const auto offset = MotorCurrent::checked(in.i32());
-  p.drive.gain_mantissa = in.i32();
-  p.drive.gain_shift = in.i32();
-  if (!offset || p.drive.gain_mantissa < 0 || p.drive.gain_shift < MotorDrive::kLowestShift ||
-      p.drive.gain_shift > MotorDrive::kHighestShift) {
+  p.drive.gain.mantissa = in.i32();
+  p.drive.gain.shift = in.i32();
+  if (!offset || (p.has_drive() && !p.drive.gain.plausible())) {
     return BlockError::drive;
   }
   p.drive.offset = *offset;

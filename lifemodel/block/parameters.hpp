@@ -5,6 +5,7 @@
 #include "lifemodel/damage/cycle_law.hpp"
 #include "lifemodel/input/capstan.hpp"
 #include "lifemodel/input/motor_drive.hpp"
+#include "lifemodel/input/tension_scale.hpp"
 #include "lifemodel/life/weibull.hpp"
 #include "lifemodel/quantity/units.hpp"
 
@@ -15,14 +16,16 @@ namespace lifemodel {
 struct Parameters {
   std::uint32_t model_digest;  ///< CRC-32 of the model that the block was computed from
   TensionRange hysteresis;     ///< smallest range that is counted, at least one step
+  std::uint32_t ultimate_mN;   ///< the ultimate tension, for conversions
+  TensionScale scale;
   CycleLaw law;
   LifeDistribution life;
   Capstan capstan;
   Angle bend;        ///< where the bend angle is not measured
-  MotorDrive drive;  ///< gain_mantissa is 0 where the model has no drive
+  MotorDrive drive;  ///< its gain is 0 where the model has no drive
   std::uint32_t sample_period_us;
 
-  [[nodiscard]] constexpr bool has_drive() const { return drive.gain_mantissa != 0; }
+  [[nodiscard]] constexpr bool has_drive() const { return drive.gain.mantissa != 0; }
 };
 
 }  // namespace lifemodel

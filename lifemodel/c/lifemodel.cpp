@@ -47,14 +47,14 @@ const char* lm_init(lm_estimator* estimator, const void* block, size_t block_byt
   return nullptr;
 }
 
-void lm_push_tension(lm_estimator* estimator, int32_t tension_q20_N) {
+void lm_push_tension(lm_estimator* estimator, int32_t tension_q29) {
   One& one = estimator_of(estimator);
-  one.push(0, lifemodel::Tension::saturated(tension_q20_N, one.input_flags(0)));
+  one.push(0, lifemodel::Tension::saturated(tension_q29, one.input_flags(0)));
 }
 
 void lm_push_tension_mN(lm_estimator* estimator, int32_t tension_mN) {
   One& one = estimator_of(estimator);
-  one.push(0, lifemodel::Tension::from_milli(tension_mN, one.input_flags(0)));
+  one.push(0, one.parameters(0).scale.tension(tension_mN, one.input_flags(0)));
 }
 
 void lm_push_current_mA(lm_estimator* estimator, int32_t current_mA) {

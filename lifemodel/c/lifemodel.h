@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-#define LM_PARAMETER_BLOCK_BYTES 80u
+#define LM_PARAMETER_BLOCK_BYTES 84u
 #define LM_STORAGE_BYTES 960u
 #define LM_SNAPSHOT_BYTES 808u
 
@@ -50,8 +50,9 @@ typedef struct lm_reading {
 /* Takes a parameter block into use. NULL, or the reason for which the block is refused. */
 const char* lm_init(lm_estimator* estimator, const void* block, size_t block_bytes);
 
-/* One sample of input tension in steps of 2^-20 N. May interrupt lm_settle and lm_read. */
-void lm_push_tension(lm_estimator* estimator, int32_t tension_q20_N);
+/* One sample of input tension in steps of 2^-29 of the ultimate tension. May interrupt lm_settle
+ * and lm_read, as the other ways to push may. */
+void lm_push_tension(lm_estimator* estimator, int32_t tension_q29);
 /* One sample of input tension in mN. */
 void lm_push_tension_mN(lm_estimator* estimator, int32_t tension_mN);
 /* One sample of motor current in mA. Counts as missing where the block has no drive. */

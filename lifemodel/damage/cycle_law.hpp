@@ -13,15 +13,13 @@ namespace lifemodel {
 /// The damage of one cycle between two turning points: Gerber effective tension (11), inverse power
 /// law (19), Miner's 1/alpha.
 ///
-/// With turning points x, y and ultimate tension u the law is evaluated as
-///   T_eff / u = 2 |x - y| u / ((2u - (x + y)) (2u + (x + y))),   d = (T_eff / u)^gamma / alpha(u).
+/// With turning points x, y relative to the ultimate tension the law is evaluated as
+///   T_eff = 2 |x - y| / ((2 - (x + y)) (2 + (x + y))),   d = T_eff^gamma / alpha(1).
 /// The quotient is exact and the rest never falls as it grows, so widening a cycle never lowers its
 /// damage by even one step. Relative error at most 2e-6 for gamma <= 12.
 struct CycleLaw {
-  UltimateTension ultimate;
   IplExponent exponent;
-  std::int32_t log2_two_ultimate;        ///< log2 of 2u in steps of Tension, Q26
-  std::int32_t log2_damage_at_ultimate;  ///< -log2 alpha(u), Q21
+  std::int32_t log2_damage_at_ultimate;  ///< -log2 alpha at the ultimate tension, Q21
 
   /// A cycle that reaches the ultimate tension, and one whose life is below one cycle, uses up a
   /// whole life: the largest damage of a cycle. Precondition: x != y.
@@ -30,15 +28,14 @@ struct CycleLaw {
       return kWholeLife;
     }
     const auto sum = static_cast<std::uint32_t>(x.raw() + y.raw());
-    const std::uint32_t two_ultimate = static_cast<std::uint32_t>(ultimate.raw()) * 2;
-    const std::uint64_t denominator = std::uint64_t{two_ultimate - sum} * (two_ultimate + sum);
+    constexpr std::uint32_t kTwo = 2u << Tension::kFractionBits;
+    const std::uint64_t denominator = std::uint64_t{kTwo - sum} * (kTwo + sum);
     const numeric::Normal ratio = numeric::quotient(distance(x, y).raw(), denominator);
-    // Wraps on the way where the quotient is small; the sum itself is within -31 .. 1.
-    const std::uint32_t log2_relative = (static_cast<std::uint32_t>(ratio.exponent) << 26) +
-                                        numeric::log2_mantissa(ratio.mantissa) +
-                                        static_cast<std::uint32_t>(log2_two_ultimate);
-    const std::int64_t product = std::int64_t{static_cast<std::int32_t>(log2_relative)} *
-                                 static_cast<std::int32_t>(exponent.raw());
+    // log2 T_eff in Q26; the exponent takes in 2 * 2^29. Never below -30.
+    constexpr std::int32_t kScale = Tension::kFractionBits + 1;
+    const std::int32_t log2_effective = numeric::log2({ratio.mantissa, ratio.exponent + kScale});
+    const std::int64_t product =
+        std::int64_t{log2_effective} * static_cast<std::int32_t>(exponent.raw());
     const std::int32_t log2_damage =
         static_cast<std::int32_t>(product >> 32) + log2_damage_at_ultimate;
     if (log2_damage >= 0) {
@@ -49,8 +46,8 @@ struct CycleLaw {
             (log2_damage >> numeric::kExpBits) + Damage::kFractionBits - 31};
   }
 
-  [[nodiscard]] constexpr bool overloads(Tension t) const {
-    return t.raw() >= ultimate.raw() || t.raw() <= -ultimate.raw();
+  static constexpr bool overloads(Tension t) {
+    return t.raw() >= kUltimate.raw() || t.raw() <= -kUltimate.raw();
   }
 };
 

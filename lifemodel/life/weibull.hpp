@@ -60,7 +60,7 @@ struct LifeDistribution {
         (std::int64_t{d.exponent} << numeric::kLogBits) + numeric::log2_mantissa(d.mantissa);
     constexpr int kDrop = WeibullShape::kFractionBits + numeric::kLogBits - numeric::kExpBits;
     const std::int64_t log2_y = (log2_damage * shape.raw()) >> kDrop;
-    constexpr std::int64_t kLog2Log2E = 1108824;  // log2(log2 e) in Q21
+    constexpr std::int64_t kLog2Log2E = 1108903;  // log2(log2 e) in Q21
     const std::int64_t log2_exponent = log2_y + kLog2Log2E;
     constexpr std::int64_t kOne = std::int64_t{1} << numeric::kExpBits;
     if (log2_exponent >= 6 * kOne) {

@@ -45,6 +45,23 @@ inline double to_double(CycleDamage damage) {
   return std::ldexp(static_cast<double>(damage.mantissa), damage.position - Damage::kFractionBits);
 }
 
+/// Tension relative to the ultimate tension.
+inline Tension tension(double tension_N, double ultimate_tension_N) {
+  return from_double<Tension>(tension_N / ultimate_tension_N);
+}
+
+/// The factor nearest to this one, or nothing where it cannot be represented.
+inline std::optional<Factor> factor(double value) {
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);
+  if (!std::isfinite(value)) {
+    return std::nullopt;
+  }
+  const double scaled = std::nearbyint(std::ldexp(mantissa, 31));
+  const Factor result{static_cast<std::int32_t>(std::min(scaled, 2147483647.0)), 31 - exponent};
+  return result.plausible() ? std::optional(result) : std::nullopt;
+}
+
 /// The model in physical units; see the ranges of BlockError.
 struct Constants {
   double ultimate_tension_N = 0;
@@ -65,10 +82,10 @@ inline Result<Parameters, BlockError> parameters(const Constants& c) {
   const auto within = [](double value, double low, double high) {
     return value >= low && value <= high;
   };
-  if (!within(c.ultimate_tension_N, 5, 1000)) {
+  if (!within(c.ultimate_tension_N, 1, 1e5)) {
     return BlockError::ultimate_tension;
   }
-  if (!within(c.hysteresis_N, 0, c.ultimate_tension_N)) {
+  if (!within(c.hysteresis_N, 0, c.ultimate_tension_N * (1 - 1e-9))) {
     return BlockError::hysteresis;
   }
   if (!within(c.ipl_exponent, 1, 12)) {
@@ -94,14 +111,15 @@ inline Result<Parameters, BlockError> parameters(const Constants& c) {
 
   Parameters p{};
   p.model_digest = c.model_digest;
-  p.law.ultimate = from_double<UltimateTension>(c.ultimate_tension_N);
+  p.ultimate_mN = static_cast<std::uint32_t>(std::lround(c.ultimate_tension_N * 1e3));
+  p.scale.steps_per_mN = *factor(std::ldexp(1e-3 / c.ultimate_tension_N, Tension::kFractionBits));
   // Both ends of a range are rounded by up to half a step, so a range of just the hysteresis may
   // come out one step short: it is counted all the same.
-  const double hysteresis = std::floor(std::ldexp(c.hysteresis_N, TensionRange::kFractionBits)) - 1;
+  const double hysteresis =
+      std::floor(std::ldexp(c.hysteresis_N / c.ultimate_tension_N, TensionRange::kFractionBits)) -
+      1;
   p.hysteresis = TensionRange::from_raw(static_cast<std::uint32_t>(std::max(hysteresis, 1.0)));
   p.law.exponent = from_double<IplExponent>(c.ipl_exponent);
-  p.law.log2_two_ultimate = static_cast<std::int32_t>(
-      std::lround(std::ldexp(std::log2(2.0 * p.law.ultimate.raw()), numeric::kLogBits)));
   p.law.log2_damage_at_ultimate = static_cast<std::int32_t>(
       std::lround(std::ldexp(log2_damage_at_ultimate, numeric::kExpBits)));
   p.life.shape = from_double<WeibullShape>(c.weibull_shape);
@@ -118,20 +136,14 @@ inline Result<Parameters, BlockError> parameters(const Constants& c) {
   p.life.b90 = broken(0.90);
   p.capstan.friction = from_double<FrictionExponent>(c.friction_coefficient * std::numbers::log2e);
   p.bend = from_double<Angle>(c.bend_angle_rad);
-  p.drive = {MotorCurrent{}, 0, MotorDrive::kLowestShift};
+  p.drive = {};
   if (c.tension_per_current_N_A) {
-    constexpr int kStepsRatio = Tension::kFractionBits - MotorCurrent::kFractionBits;
-    int exponent = 0;
-    const double mantissa =
-        std::frexp(std::ldexp(*c.tension_per_current_N_A, kStepsRatio), &exponent);
-    const int shift = 31 - exponent;
-    if (!(mantissa > 0) || shift < MotorDrive::kLowestShift || shift > MotorDrive::kHighestShift ||
-        !within(c.current_offset_A, -127, 127)) {
+    const auto gain = factor(std::ldexp(*c.tension_per_current_N_A / c.ultimate_tension_N,
+                                        Tension::kFractionBits - MotorCurrent::kFractionBits));
+    if (!gain || !within(c.current_offset_A, -127, 127)) {
       return BlockError::drive;
     }
-    const double scaled = std::floor(std::ldexp(mantissa, 31));
-    p.drive = {from_double<MotorCurrent>(c.current_offset_A),
-               static_cast<std::int32_t>(std::min(scaled, 2147483647.0)), shift};
+    p.drive = {from_double<MotorCurrent>(c.current_offset_A), *gain};
   }
   p.sample_period_us = static_cast<std::uint32_t>(std::lround(c.sample_period_s * 1e6));
   return p;

@@ -7,7 +7,7 @@
 
 namespace lifemodel {
 
-struct Newton {};
+struct UltimateTension {};  ///< the tension at which the wire breaks is 1
 struct Ampere {};
 struct Radian {};
 struct One {};        ///< a ratio
@@ -16,15 +16,16 @@ struct Binary {};     ///< a logarithm to base 2
 
 inline constexpr std::int32_t kInt32Max = std::numeric_limits<std::int32_t>::max();
 
-/// Tension of the wire, Q11.20: resolution 0.95 uN, closed range +-2048 N less one step.
-using Tension = Quantity<Newton, std::int32_t, 20, -kInt32Max, kInt32Max, SaturateFlagged>;
+/// Tension of the wire relative to its ultimate tension, Q2.29: the same relative resolution
+/// of 1.9e-9 for every wire, closed range +-4 less one step.
+using Tension = Quantity<UltimateTension, std::int32_t, 29, -kInt32Max, kInt32Max, SaturateFlagged>;
 
-/// Distance of two tensions, Q12.20, 0 .. 4096 N.
-using TensionRange =
-    Quantity<Newton, std::uint32_t, 20, 0, std::numeric_limits<std::uint32_t>::max(), Refuse>;
+/// Distance of two tensions, Q3.29, 0 .. 8.
+using TensionRange = Quantity<UltimateTension, std::uint32_t, 29, 0,
+                              std::numeric_limits<std::uint32_t>::max(), Refuse>;
 
-/// Tension at which the wire breaks, Q11.20, 5 .. 1000 N.
-using UltimateTension = Quantity<Newton, std::int32_t, 20, 5 << 20, 1000 << 20, Refuse>;
+/// The tension at which the wire breaks.
+inline constexpr Tension kUltimate = Tension::from_raw(1 << 29);
 
 /// Motor current, Q7.24: resolution 60 nA, closed range +-128 A less one step.
 using MotorCurrent = Quantity<Ampere, std::int32_t, 24, -kInt32Max, kInt32Max, SaturateFlagged>;

@@ -1,0 +1,69 @@
+#include <gtest/gtest.h>
+
+#include <cstring>
+
+#include "c_interface_in_c.h"
+#include "lifemodel/block/parameter_block.hpp"
+#include "support.hpp"
+
+namespace lifemodel {
+namespace {
+
+TEST(CInterface, CountsAsTheEstimatorDoes) {
+  const Parameters p = lifemodel_test::parameters_of(lifemodel_test::paper_constants());
+  const ParameterBlock block = encode(p);
+  const auto signal = lifemodel_test::white_noise(12, 5000, 0, 120);
+  std::vector<std::int32_t> raw;
+  for (const Tension t : signal) {
+    raw.push_back(t.raw());
+  }
+  lm_reading in_c{};
+  ASSERT_EQ(count_in_c(block.data(), block.size(), raw.data(), raw.size(), &in_c), nullptr);
+
+  Estimator<1> estimator({p});
+  estimator.replay(0, signal);
+  const Reading r = estimator.reading(0);
+  EXPECT_EQ(std::memcmp(in_c.total.words, r.total.words().data(), 16), 0);
+  EXPECT_EQ(std::memcmp(in_c.closed.words, r.closed.words().data(), 16), 0);
+  EXPECT_EQ(in_c.closed_cycles, r.closed_cycles.raw());
+  EXPECT_EQ(in_c.open_half_cycles, r.open_half_cycles.raw());
+  EXPECT_EQ(in_c.flags, r.flags.bits());
+  EXPECT_EQ(in_c.survival_q30, p.life.survival(r.total).raw());
+  EXPECT_EQ(in_c.damage_ppb, r.total.parts_per_billion());
+}
+
+TEST(CInterface, RefusesADamagedBlockWithTheReason) {
+  ParameterBlock block = encode(lifemodel_test::parameters_of(lifemodel_test::paper_constants()));
+  block[20] ^= std::byte{4};
+  lm_estimator estimator;
+  EXPECT_STREQ(lm_init(&estimator, block.data(), block.size()), "damaged: the CRC-32 does not fit");
+}
+
+TEST(CInterface, CurrentAndMillinewtons) {
+  const auto block = encode(lifemodel_test::parameters_of(lifemodel_test::paper_constants()));
+  lm_estimator by_current;
+  lm_estimator by_tension;
+  ASSERT_EQ(lm_init(&by_current, block.data(), block.size()), nullptr);
+  ASSERT_EQ(lm_init(&by_tension, block.data(), block.size()), nullptr);
+  for (int i = 0; i < 11; ++i) {
+    // 20.592 N/A: 1 A and 4 A are 20.592 N and 82.368 N.
+    lm_push_current_mA(&by_current, i % 2 == 0 ? 1000 : 4000);
+    lm_push_tension_mN(&by_tension, i % 2 == 0 ? 20592 : 82368);
+  }
+  lm_push_missing(&by_current);
+  lm_reading current{};
+  lm_reading tension{};
+  lm_read(&by_current, &current);
+  lm_read(&by_tension, &tension);
+  EXPECT_EQ(current.closed_cycles, 4u);
+  EXPECT_EQ(current.flags, std::uint32_t{LM_GAP});
+  EXPECT_NEAR(current.damage_ppb, tension.damage_ppb, 5);
+  // 10 half cycles of T_a 30.888, T_m 51.48: T_eff 33.727, 1.53e5 / 33.727^1.38 = 1191.3
+  EXPECT_NEAR(tension.damage_ppb, 5 / 1191.3 * 1e9, 2e3);
+  const lm_damage nothing{};
+  // D at B10 is 0.684648: 0.684648 / (5 / 1191.3) = 163.1
+  EXPECT_EQ(lm_repeats_to_b10(&by_tension, &nothing, &tension.total), 163u);
+}
+
+}  // namespace
+}  // namespace lifemodel

@@ -1,0 +1,113 @@
+#include "lifemodel/damage/damage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "support.hpp"
+
+namespace lifemodel {
+namespace {
+
+using pack::to_double;
+
+std::vector<CycleDamage> random_cycles(std::uint32_t seed, int count) {
+  std::mt19937 random(seed);
+  std::vector<CycleDamage> cycles;
+  for (int i = 0; i < count; ++i) {
+    cycles.push_back({static_cast<std::uint32_t>(random()) | 0x80000000u,
+                      static_cast<std::int32_t>(random() % 110) - 36});
+  }
+  return cycles;
+}
+
+Damage sum_of(const std::vector<CycleDamage>& cycles) {
+  Damage sum;
+  Flags flags;
+  for (const CycleDamage& cycle : cycles) {
+    sum.add(cycle, flags);
+  }
+  EXPECT_TRUE(flags.none());
+  return sum;
+}
+
+TEST(Damage, SumsAreExactWhateverTheirOrder) {
+  auto cycles = random_cycles(3, 20000);
+  const Damage forwards = sum_of(cycles);
+  std::reverse(cycles.begin(), cycles.end());
+  EXPECT_EQ(sum_of(cycles), forwards);
+  std::sort(cycles.begin(), cycles.end(),
+            [](const auto& a, const auto& b) { return a.position < b.position; });
+  EXPECT_EQ(sum_of(cycles), forwards);
+}
+
+TEST(Damage, EachCycleAddsItsValue) {
+  Flags flags;
+  Damage sum;
+  sum.add(kWholeLife, flags);
+  EXPECT_EQ(to_double(sum), 1);
+  sum.add(kWholeLife.half(), flags);
+  EXPECT_EQ(to_double(sum), 1.5);
+  sum.add({0xffffffffu, -1}, flags);
+  EXPECT_EQ(sum.words(), (Damage::Words{0x7fffffffu, 0, 0, 0x180}));
+  sum.add({0x80000000u, 1}, flags);
+  EXPECT_EQ(sum.words(), (Damage::Words{0x7fffffffu, 1, 0, 0x180}));
+}
+
+TEST(Damage, ACycleBelowTheResolutionAddsOneStep) {
+  for (const std::int32_t position : {-31, -32, -33, -1000}) {
+    Flags flags;
+    Damage sum;
+    sum.add({0x80000000u, position}, flags);
+    EXPECT_EQ(sum.words(), (Damage::Words{1, 0, 0, 0})) << position;
+  }
+}
+
+TEST(Damage, CarriesRunThroughAllWords) {
+  Flags flags;
+  Damage sum = Damage::from_words({0xffffffffu, 0xffffffffu, 0xffffffffu, 0});
+  sum.add({0x80000000u, -31}, flags);
+  EXPECT_EQ(sum.words(), (Damage::Words{0, 0, 0, 1}));
+}
+
+TEST(Damage, SaturatesAfterSixteenMillionLives) {
+  Flags flags;
+  Damage sum = Damage::from_words({0, 0, 0, 0xffffff00u});
+  sum.add(kWholeLife.half(), flags);
+  EXPECT_TRUE(flags.none());
+  sum.add(kWholeLife, flags);
+  EXPECT_TRUE(flags.has(Flag::saturated));
+  EXPECT_EQ(sum.words(), (Damage::Words{~0u, ~0u, ~0u, ~0u}));
+  sum.add(kWholeLife, flags);
+  EXPECT_EQ(sum.words(), (Damage::Words{~0u, ~0u, ~0u, ~0u}));
+}
+
+TEST(Damage, AddingSumsSaturatesToo) {
+  Flags flags;
+  Damage sum = Damage::from_words({5, 0, 0, 0x80000000u});
+  sum.add(Damage::from_words({7, 1, 2, 0x7fffffffu}), flags);
+  EXPECT_EQ(sum.words(), (Damage::Words{12, 1, 2, 0xffffffffu}));
+  EXPECT_TRUE(flags.none());
+  sum.add(Damage::from_words({0, 0, 0, 1}), flags);
+  EXPECT_TRUE(flags.has(Flag::saturated));
+}
+
+TEST(Damage, PartsPerBillion) {
+  Flags flags;
+  Damage sum;
+  EXPECT_EQ(sum.parts_per_billion(), 0u);
+  sum.add(kWholeLife, flags);
+  EXPECT_EQ(sum.parts_per_billion(), 1'000'000'000u);
+  sum.add(kWholeLife.half().half(), flags);
+  EXPECT_EQ(sum.parts_per_billion(), 1'250'000'000u);
+  for (int i = 0; i < 4; ++i) {
+    sum.add(kWholeLife, flags);
+  }
+  EXPECT_EQ(sum.parts_per_billion(), 4294967295u);
+}
+
+}  // namespace
+}  // namespace lifemodel

@@ -1,0 +1,169 @@
+#include "lifemodel/block/parameter_block.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <string_view>
+
+#include "support.hpp"
+
+namespace lifemodel {
+namespace {
+
+using lifemodel_test::paper_constants;
+using lifemodel_test::parameters_of;
+
+TEST(Crc32, CheckValueOfThePolynomial) {
+  // CRC-32/ISO-HDLC of "123456789".
+  constexpr std::string_view digits = "123456789";
+  std::array<std::byte, 9> bytes{};
+  std::transform(digits.begin(), digits.end(), bytes.begin(),
+                 [](char c) { return static_cast<std::byte>(c); });
+  EXPECT_EQ(crc32(bytes), 0xCBF43926u);
+}
+
+TEST(ParameterBlock, ComesBackAsItWas) {
+  const Parameters p = parameters_of(paper_constants());
+  const ParameterBlock block = encode(p);
+  const auto back = decode(block);
+  ASSERT_TRUE(back) << to_string(back.error());
+  EXPECT_EQ(encode(*back), block);
+  EXPECT_EQ(back->model_digest, 0x12345678u);
+  EXPECT_EQ(back->sample_period_us, 1000u);
+  EXPECT_TRUE(back->has_drive());
+}
+
+TEST(ParameterBlock, IsLittleEndianWithTheCrcLast) {
+  const ParameterBlock block = encode(parameters_of(paper_constants()));
+  EXPECT_EQ(block[0], std::byte{'T'});
+  EXPECT_EQ(block[1], std::byte{'L'});
+  EXPECT_EQ(block[2], std::byte{'P'});
+  EXPECT_EQ(block[3], std::byte{'B'});
+  EXPECT_EQ(block[8], std::byte{0x78});
+  EXPECT_EQ(ByteReader(std::span(block).last(4)).u32(), crc32(std::span(block).first(80)));
+}
+
+TEST(ParameterBlock, EverySingleBitErrorIsRefused) {
+  const ParameterBlock block = encode(parameters_of(paper_constants()));
+  for (std::size_t bit = 0; bit < 8 * block.size(); ++bit) {
+    ParameterBlock damaged = block;
+    damaged[bit / 8] ^= std::byte{1} << (bit % 8);
+    EXPECT_FALSE(decode(damaged)) << "bit " << bit;
+  }
+}
+
+TEST(ParameterBlock, OtherSizesAreRefused) {
+  const ParameterBlock block = encode(parameters_of(paper_constants()));
+  for (std::size_t size = 0; size < block.size(); ++size) {
+    const auto result = decode(std::span(block).first(size));
+    ASSERT_FALSE(result);
+    EXPECT_EQ(result.error(), BlockError::wrong_size);
+  }
+  std::array<std::byte, kBlockBytes + 1> longer{};
+  std::copy(block.begin(), block.end(), longer.begin());
+  EXPECT_EQ(decode(longer).error(), BlockError::wrong_size);
+}
+
+BlockError error_of(const std::function<void(Parameters&)>& change) {
+  Parameters p = parameters_of(paper_constants());
+  change(p);
+  const auto result = decode(encode(p));
+  return result ? BlockError::none : result.error();
+}
+
+TEST(ParameterBlock, WhatIsOutOfRangeIsRefusedWithTheReason) {
+  EXPECT_EQ(error_of([](Parameters&) {}), BlockError::none);
+  EXPECT_EQ(error_of([](Parameters& p) { p.ultimate_mN = 999; }), BlockError::ultimate_tension);
+  EXPECT_EQ(error_of([](Parameters& p) { p.ultimate_mN += 1; }), BlockError::ultimate_tension);
+  EXPECT_EQ(error_of([](Parameters& p) { ++p.scale.steps_per_mN.shift; }),
+            BlockError::ultimate_tension);
+  EXPECT_EQ(error_of([](Parameters& p) { p.hysteresis = TensionRange{}; }), BlockError::hysteresis);
+  EXPECT_EQ(error_of([](Parameters& p) { p.hysteresis = TensionRange::from_raw(1u << 29); }),
+            BlockError::hysteresis);
+  EXPECT_EQ(error_of([](Parameters& p) { p.law.exponent = IplExponent::from_raw(13u << 27); }),
+            BlockError::ipl_exponent);
+  EXPECT_EQ(error_of([](Parameters& p) { p.law.log2_damage_at_ultimate = 501 << 21; }),
+            BlockError::ipl_scale);
+  EXPECT_EQ(error_of([](Parameters& p) { p.life.shape = WeibullShape::from_raw(1u << 23); }),
+            BlockError::weibull_shape);
+  EXPECT_EQ(error_of([](Parameters& p) { p.life.b10 = p.life.b90; }), BlockError::life_points);
+  EXPECT_EQ(error_of([](Parameters& p) { p.life.mean.raw = 0; }), BlockError::life_points);
+  EXPECT_EQ(
+      error_of([](Parameters& p) { p.capstan.friction = FrictionExponent::from_raw(1549082006u); }),
+      BlockError::friction_coefficient);
+  EXPECT_EQ(error_of([](Parameters& p) { p.bend = Angle::from_raw(-1); }), BlockError::bend_angle);
+  EXPECT_EQ(error_of([](Parameters& p) { p.drive.gain.shift = 0; }), BlockError::drive);
+  EXPECT_EQ(error_of([](Parameters& p) { p.drive.gain.mantissa = -1; }), BlockError::drive);
+  EXPECT_EQ(error_of([](Parameters& p) { p.sample_period_us = 0; }), BlockError::sample_period);
+}
+
+TEST(ParameterBlock, MagicAndVersionComeFirst) {
+  ParameterBlock block = encode(parameters_of(paper_constants()));
+  block[0] = std::byte{'X'};
+  EXPECT_EQ(decode(block).error(), BlockError::not_a_block);
+  block = encode(parameters_of(paper_constants()));
+  block[4] = std::byte{2};
+  EXPECT_EQ(decode(block).error(), BlockError::unknown_version);
+  block = encode(parameters_of(paper_constants()));
+  block[40] ^= std::byte{1};
+  EXPECT_EQ(decode(block).error(), BlockError::damaged);
+}
+
+BlockError packing_error(const std::function<void(pack::Constants&)>& change) {
+  auto constants = paper_constants();
+  change(constants);
+  const auto result = pack::parameters(constants);
+  return result ? BlockError::none : result.error();
+}
+
+TEST(Pack, WhatIsOutOfRangeIsRefusedWithTheReason) {
+  using pack::Constants;
+  const double nan = std::nan("");
+  EXPECT_EQ(packing_error([](Constants&) {}), BlockError::none);
+  for (const double bad : {0.9, 100'001.0, nan}) {
+    EXPECT_EQ(packing_error([&](Constants& c) { c.ultimate_tension_N = bad; }),
+              BlockError::ultimate_tension);
+  }
+  for (const double bad : {-0.1, 178.0, nan}) {
+    EXPECT_EQ(packing_error([&](Constants& c) { c.hysteresis_N = bad; }), BlockError::hysteresis);
+  }
+  for (const double bad : {0.99, 12.01, nan}) {
+    EXPECT_EQ(packing_error([&](Constants& c) { c.ipl_exponent = bad; }), BlockError::ipl_exponent);
+  }
+  for (const double bad : {0.0, -1.0, 1e-300, nan, 1e300 * 1e10}) {
+    EXPECT_EQ(packing_error([&](Constants& c) { c.ipl_scale = bad; }), BlockError::ipl_scale);
+  }
+  for (const double bad : {0.49, 50.1, nan}) {
+    EXPECT_EQ(packing_error([&](Constants& c) { c.weibull_shape = bad; }),
+              BlockError::weibull_shape);
+  }
+  EXPECT_EQ(packing_error([](Constants& c) { c.friction_coefficient = 1.01; }),
+            BlockError::friction_coefficient);
+  EXPECT_EQ(packing_error([](Constants& c) { c.bend_angle_rad = 31.5; }), BlockError::bend_angle);
+  EXPECT_EQ(packing_error([](Constants& c) { c.sample_period_s = 0; }), BlockError::sample_period);
+  EXPECT_EQ(packing_error([](Constants& c) { c.tension_per_current_N_A = 0; }), BlockError::drive);
+  EXPECT_EQ(packing_error([](Constants& c) { c.current_offset_A = 200; }), BlockError::drive);
+}
+
+TEST(Pack, EveryModelWithinTheRangesIsAccepted) {
+  for (const double ultimate_N : {1.0, 177.4, 100'000.0}) {
+    for (const double exponent : {1.0, 1.38, 12.0}) {
+      for (const double shape : {0.5, 5.94, 50.0}) {
+        auto constants = paper_constants();
+        constants.ultimate_tension_N = ultimate_N;
+        constants.ipl_exponent = exponent;
+        constants.weibull_shape = shape;
+        constants.friction_coefficient = 1;
+        constants.bend_angle_rad = 10 * M_PI;
+        const auto p = pack::parameters(constants);
+        ASSERT_TRUE(p) << to_string(p.error());
+        EXPECT_TRUE(decode(encode(*p)));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace lifemodel
