@@ -12,7 +12,7 @@ namespace host_sim {
 std::string printable(std::string_view text, std::size_t limit = std::string_view::npos);
 
 /// `'text'`, printable and at most 40 characters long: for quoting a value in a message.
-std::string quoted(std::string_view text);
+std::string in_quotes(std::string_view text);
 
 /// Number of UTF-8 characters in `text`; a byte that does not continue a character counts as one.
 std::size_t character_count(std::string_view text);

@@ -1,0 +1,28 @@
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include <iterator>
+#include <string>
+
+#include "host_sim/io/model.hpp"
+#include "host_sim/io/model_keys.hpp"
+
+namespace host_sim {
+
+std::string model_digest(const Model& model) {
+  Model values = model;
+  std::string text = "schema=1\n";
+  for (const ModelKey& key : model_keys()) {
+    if (key.table == "drive" && !values.drive) {
+      continue;
+    }
+    const double without_negative_zero = key.value(values) + 0.0;
+    fmt::format_to(std::back_inserter(text), "{}.{}={:.17g}\n", key.table, key.key,
+                   without_negative_zero);
+  }
+  text += "life.mean_stress=gerber\n";
+  const auto* const bytes = reinterpret_cast<const Bytef*>(text.data());
+  return fmt::format("{:08x}", crc32(0, bytes, static_cast<uInt>(text.size())));
+}
+
+}  // namespace host_sim

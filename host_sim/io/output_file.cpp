@@ -1,0 +1,205 @@
+#include "host_sim/io/output_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstdio>
+#include <optional>
+#include <streambuf>
+#include <system_error>
+#include <utility>
+
+#include "host_sim/io/printable.hpp"
+
+namespace host_sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string reason(int error) {
+  return std::generic_category().message(error);
+}
+
+class DescriptorBuffer final : public std::streambuf {
+ public:
+  DescriptorBuffer(int descriptor, std::string path)
+      : descriptor_(descriptor), path_(std::move(path)) {
+    setp(bytes_.data(), bytes_.data() + bytes_.size());
+  }
+
+ protected:
+  int_type overflow(int_type c) override {
+    flush();
+    if (!traits_type::eq_int_type(c, traits_type::eof())) {
+      *pptr() = traits_type::to_char_type(c);
+      pbump(1);
+    }
+    return traits_type::not_eof(c);
+  }
+
+  int sync() override {
+    flush();
+    return 0;
+  }
+
+ private:
+  void flush() {
+    const char* at = pbase();
+    while (at != pptr()) {
+      const ssize_t count = ::write(descriptor_, at, static_cast<std::size_t>(pptr() - at));
+      if (count >= 0) {
+        at += count;
+      } else if (errno != EINTR) {
+        throw OutputError(path_, reason(errno));
+      }
+    }
+    setp(bytes_.data(), bytes_.data() + bytes_.size());
+  }
+
+  int descriptor_;
+  std::string path_;
+  std::array<char, 65536> bytes_{};
+};
+
+/// Where the bytes go, and the rename that is left to do.
+struct Destination {
+  int descriptor;
+  bool owned;
+  fs::path partial;  ///< empty if written directly
+  fs::path target;
+};
+
+Destination open_directly(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+  if (descriptor < 0) {
+    throw OutputError(path.string(), reason(errno));
+  }
+  return {descriptor, true, {}, path};
+}
+
+// The lock tells a file that is being written from one left over by a process that was killed.
+int open_partial(const fs::path& partial, const fs::path& path) {
+  const int descriptor = ::open(partial.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (descriptor < 0) {
+    throw OutputError(path.string(), reason(errno));
+  }
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+    ::close(descriptor);
+    throw OutputError(path.string(), "it is being written already");
+  }
+  if (::ftruncate(descriptor, 0) != 0) {
+    const int error = errno;
+    ::close(descriptor);
+    throw OutputError(path.string(), reason(error));
+  }
+  return descriptor;
+}
+
+Destination open_destination(const fs::path& path) {
+  if (path == "-") {
+    return {STDOUT_FILENO, false, {}, path};
+  }
+  if (!path.has_filename()) {
+    throw OutputError(path.string(), "it names no file");
+  }
+  struct stat status {};
+  const bool exists = ::stat(path.c_str(), &status) == 0;
+  if (exists && S_ISDIR(status.st_mode)) {
+    throw OutputError(path.string(), reason(EISDIR));
+  }
+  if (exists && !S_ISREG(status.st_mode)) {
+    return open_directly(path);
+  }
+  std::error_code failure;
+  const fs::path target = exists ? fs::canonical(path, failure) : path;
+  if (failure) {
+    throw OutputError(path.string(), failure.message());
+  }
+  if (exists && ::access(path.c_str(), W_OK) != 0) {
+    throw OutputError(path.string(), reason(errno));
+  }
+  fs::path partial = target;
+  partial += fmt::format(".partial-{}", ::getpid());
+  const int descriptor = open_partial(partial, path);
+  if (exists) {
+    static_cast<void>(::fchmod(descriptor, status.st_mode & 07777));
+  }
+  return {descriptor, true, std::move(partial), target};
+}
+
+}  // namespace
+
+OutputError::OutputError(std::string_view path, std::string_view reason)
+    : std::runtime_error(
+          fmt::format("{}: cannot be written: {}", printable(path), printable(reason))),
+      path_(printable(path)),
+      reason_(printable(reason)) {}
+
+class OutputFile::Impl {
+ public:
+  explicit Impl(const fs::path& path)
+      : name_(path == "-" ? "standard output" : path.string()),
+        destination_(open_destination(path)),
+        buffer_(destination_.descriptor, name_),
+        stream_(&buffer_) {
+    stream_.exceptions(std::ios::badbit | std::ios::failbit);
+  }
+
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  ~Impl() {
+    if (!destination_.partial.empty()) {
+      ::unlink(destination_.partial.c_str());
+    }
+    if (destination_.owned) {
+      ::close(destination_.descriptor);
+    }
+  }
+
+  std::ostream& stream() noexcept { return stream_; }
+
+  void commit() {
+    stream_.flush();
+    if (!destination_.partial.empty()) {
+      if (::fsync(destination_.descriptor) != 0 ||
+          ::rename(destination_.partial.c_str(), destination_.target.c_str()) != 0) {
+        throw OutputError(name_, reason(errno));
+      }
+      destination_.partial.clear();
+    }
+    if (std::exchange(destination_.owned, false) && ::close(destination_.descriptor) != 0) {
+      throw OutputError(name_, reason(errno));
+    }
+  }
+
+ private:
+  std::string name_;
+  Destination destination_;
+  DescriptorBuffer buffer_;
+  std::ostream stream_;
+};
+
+OutputFile::OutputFile(const fs::path& path) : impl_(std::make_unique<Impl>(path)) {}
+OutputFile::OutputFile(OutputFile&&) noexcept = default;
+OutputFile& OutputFile::operator=(OutputFile&&) noexcept = default;
+OutputFile::~OutputFile() = default;
+
+void OutputFile::write(std::string_view text) {
+  stream().write(text.data(), static_cast<std::streamsize>(text.size()));
+}
+
+std::ostream& OutputFile::stream() noexcept {
+  return impl_->stream();
+}
+
+void OutputFile::commit() {
+  impl_->commit();
+}
+
+}  // namespace host_sim
