@@ -43,8 +43,10 @@ class Estimator {
     push(tendon, parameters_[tendon].capstan.input_tension(output_tension, bend, direction,
                                                            tendons_[tendon].input_flags()));
   }
-  /// One sample is missing: the sensor dropped out, or the loop was late.
-  void push_missing(std::size_t tendon) { tendons_[tendon].push_missing(); }
+  /// Samples are missing: the sensor dropped out, or the loop was late.
+  void push_missing(std::size_t tendon, std::uint32_t samples = 1) {
+    tendons_[tendon].push_missing(samples);
+  }
   /// Flags of the tendon, for a caller that converts its samples itself.
   Flags& input_flags(std::size_t tendon) { return tendons_[tendon].input_flags(); }
 
@@ -72,9 +74,11 @@ class Estimator {
     tendons_[tendon].replay(samples, parameters_[tendon], observer);
   }
 
-  /// Life used at this instant. Settles first. Bounded by the residue's capacity.
-  [[nodiscard]] Reading reading(std::size_t tendon) {
-    return tendons_[tendon].reading(parameters_[tendon]);
+  /// Life used at this instant. Settles first; `observer` hears of the cycles that are still open.
+  /// Bounded by the residue's capacity.
+  template <class Observer = NoObserver>
+  [[nodiscard]] Reading reading(std::size_t tendon, Observer&& observer = {}) {
+    return tendons_[tendon].reading(parameters_[tendon], observer);
   }
 
   [[nodiscard]] const Parameters& parameters(std::size_t tendon) const {

@@ -87,14 +87,14 @@ class Tendon {
     }
   }
 
-  /// Producer: one sample that is missing. The count goes on across the gap with the next sample.
-  void push_missing() {
+  /// Producer: `samples` that are missing. The count goes on across the gap with the next sample.
+  void push_missing(std::uint32_t samples) {
     if (!intake_.dropout) {
       intake_.dropout = true;
       intake_.gaps.add(1, intake_.flags);
       intake_.flags.raise(Flag::gap);
     }
-    intake_.missing_samples.add(1, intake_.flags);
+    intake_.missing_samples.add(samples, intake_.flags);
   }
 
   /// Producer: flags for conversions of samples on their way in.
@@ -125,7 +125,8 @@ class Tendon {
 
   /// Consumer: settles what is pending, then reads. Time is bounded by the places of the queue and
   /// of the residue.
-  [[nodiscard]] Reading reading(const Parameters& parameters) {
+  template <class Observer>
+  [[nodiscard]] Reading reading(const Parameters& parameters, Observer&& observer) {
     Last last{};
     do {
       while (pending()) {
@@ -149,7 +150,7 @@ class Tendon {
     r.gaps = intake_.gaps;
     r.missing_samples = intake_.missing_samples;
     if (last.known) {
-      residue_.open(last.tension, ReadingSink{r, parameters.law});
+      residue_.open(last.tension, ReadingSink<Observer>{r, parameters.law, observer});
       note_extremes(last.tension, parameters, r.flags, r.overloads, r.negatives);
     }
     r.total = r.closed;
@@ -257,17 +258,23 @@ class Tendon {
     }
   };
 
+  template <class Observer>
   struct ReadingSink {
     Reading& reading;
     const CycleLaw& law;
+    Observer& observer;
 
     void full(Tension from, Tension to) {
-      reading.closed.add(law(from, to), reading.flags);
+      const CycleDamage damage = law(from, to);
+      reading.closed.add(damage, reading.flags);
       reading.closed_cycles.add(1, reading.flags);
+      observer.full(from, to, damage);
     }
     void half(Tension from, Tension to) {
-      reading.open.add(law(from, to).half(), reading.flags);
+      const CycleDamage damage = law(from, to).half();
+      reading.open.add(damage, reading.flags);
       reading.open_half_cycles.add(1, reading.flags);
+      observer.half(from, to, damage);
     }
   };
 
