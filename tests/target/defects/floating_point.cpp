@@ -1,0 +1,3 @@
+int scaled(int value) {
+  return static_cast<int>(static_cast<float>(value) * 1.5f);
+}

@@ -1,0 +1,3 @@
+int* one_more() {
+  return new int(1);
+}

@@ -1,0 +1,3 @@
+long long divided(long long a, long long b) {
+  return a / b;
+}

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "lifemodel/estimator.hpp"
+
+/// The estimator as functions of C linkage, so that each can be measured, sized and followed as
+/// one. They are compiled on their own and never inlined into what measures them.
+namespace target {
+
+using One = lifemodel::Estimator<1>;
+using Four = lifemodel::Estimator<4>;
+
+}  // namespace target
+
+extern "C" {
+
+void push_one(target::One* estimator, std::int32_t tension_q29);
+bool settle_one(target::One* estimator);
+void reading_one(target::One* estimator, lifemodel::Reading* out);
+std::size_t snapshot_one(const target::One* estimator, std::byte* out);
+bool restore_one(target::One* estimator, const std::byte* bytes, std::size_t size);
+
+void push_four(target::Four* estimator, std::size_t tendon, std::int32_t tension_q29);
+bool settle_four(target::Four* estimator);
+void reading_four(target::Four* estimator, std::size_t tendon, lifemodel::Reading* out);
+
+/// Takes a parameter block into use; false where it is refused.
+bool decode_block(const std::byte* block, std::size_t size, lifemodel::Parameters* out);
+
+}  // extern "C"

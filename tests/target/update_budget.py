@@ -1,0 +1,26 @@
+"""Takes the numbers that the last test run measured into budget.json; budgets stay as they are.
+
+usage: python3 tests/target/update_budget.py [BUILD_DIRECTORY]
+"""
+
+import json
+import pathlib
+import sys
+
+here = pathlib.Path(__file__).resolve().parent
+build = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else here.parents[1] / "build" / "qemu-m4"
+
+path = here / "budget.json"
+budget = json.loads(path.read_text())
+for section, entries in budget.items():
+    if not isinstance(entries, dict):
+        continue
+    measured = json.loads((build / "tests" / "target" / f"{section}.json").read_text())
+    for name in entries.keys() - measured.keys():
+        del entries[name]
+    for name, value in measured.items():
+        entry = entries.setdefault(name, {})
+        before, entry["measured"] = entry.get("measured"), value
+        if before != value:
+            print(f"{section} {name}: {before} -> {value}")
+path.write_text(json.dumps(budget, indent=2) + "\n")
