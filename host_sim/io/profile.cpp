@@ -153,11 +153,11 @@ class ProfileReader::Impl {
     for (std::size_t i = 0; i <= last; ++i) {
       const ProfileColumnId id = header_.columns[i];
       const ProfileColumn& column = profile_columns()[id];
-      const bool in_quotes = *at == '"';
-      at += in_quotes ? 1 : 0;
+      const bool has_quotes = *at == '"';
+      at += has_quotes ? 1 : 0;
       double value = 0.0;
       if (!parse_number(at, end, value) || !(value >= column.minimum) ||
-          !(value <= column.maximum) || (in_quotes && *at++ != '"')) {
+          !(value <= column.maximum) || (has_quotes && *at++ != '"')) {
         return false;
       }
       values_[id] = value;
