@@ -1,0 +1,118 @@
+#!/usr/bin/env bash
+# Installs what is missing, then runs everything that has to hold. Stops at the first failure; the
+# last line counts stages and tests: N passed, N failed.
+#
+# Logs of the stages lie in build/logs.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+jobs="$(nproc)"
+logs=build/logs
+passed=0
+failed=0
+
+# What ctest says in its summary, added to the counts.
+count_tests() {
+  local not_passed total
+  while read -r not_passed total; do
+    failed=$((failed + not_passed))
+    passed=$((passed + total - not_passed))
+  done < <(sed -n 's/^[0-9]*% tests passed, \([0-9]*\) tests* failed out of \([0-9]*\)$/\1 \2/p' "$1")
+}
+
+stage() {
+  local name="$1" log="$logs/${1//[^a-z0-9]/_}.log" began="$SECONDS" result
+  shift
+  printf '%-46s' "$name"
+  # In a subshell and not in a condition, where set -e would mean nothing.
+  set +e
+  (set -e; "$@") > "$log" 2>&1 < /dev/null
+  result=$?
+  set -e
+  count_tests "$log"
+  if [ "$result" -ne 0 ]; then
+    echo "FAILED after $((SECONDS - began)) s"
+    tail -n 100 "$log"
+    echo "The whole output is in $log"
+    echo "$passed passed, $((failed + 1)) failed"
+    exit 1
+  fi
+  passed=$((passed + 1))
+  echo "passed in $((SECONDS - began)) s"
+  # What was left out is part of the result.
+  sed -n 's/^ *[0-9]*\/[0-9]* Test .*: \(.*\) \.*\*\*\*Skipped.*/  skipped: \1/p' "$log"
+}
+
+check_format() {
+  git ls-files -z '*.c' '*.h' '*.cpp' '*.hpp' | xargs -0 clang-format --dry-run --Werror
+}
+
+build() {
+  cmake --preset "$1"
+  cmake --build --preset "$1" -j "$jobs"
+}
+
+run_tests() {
+  ctest --preset "$1" -j "$jobs"
+}
+
+build_fuzzers() {
+  cmake --preset host-fuzz
+  local -a fuzzers
+  mapfile -t fuzzers < <(ninja -C build/host-fuzz -t targets all |
+    sed -n 's/^\(fuzz_[a-z0-9_]*\): phony$/\1/p')
+  if [ "${#fuzzers[@]}" -eq 0 ]; then
+    echo "there are no fuzz targets"
+    return 1
+  fi
+  cmake --build --preset host-fuzz -j "$jobs" --target "${fuzzers[@]}"
+}
+
+compare_trails() {
+  local host
+  for host in host-release host-asan-ubsan; do
+    tests/target/trail/compare.sh "build/$host/tests/target/host/trail" \
+      build/qemu-m4/tests/target/trail/run_trail
+  done
+}
+
+# lifemodel from its installed package alone, as others use it.
+use_package() {
+  local stage="$PWD/build/package" example
+  rm -rf "$stage"
+  cmake --install build/host-release --prefix "$stage/prefix" --component lifemodel
+  for example in control_loop control_loop_c; do
+    cmake -G Ninja -S "lifemodel/examples/$example" -B "$stage/$example" \
+      -DCMAKE_PREFIX_PATH="$stage/prefix" -DCMAKE_BUILD_TYPE=Release
+    cmake --build "$stage/$example" -j "$jobs"
+  done
+  "$stage/control_loop/control_loop" | grep '^life used: 0\.[0-9]*[1-9]'
+  build/host-release/host_sim/host_sim pack host_sim/examples/upper_arm.toml --out "$stage/block"
+  "$stage/control_loop_c/control_loop_c" "$stage/block" | grep '^life used: [1-9][0-9]* ppb$'
+}
+
+check_with_clang_tidy() {
+  run-clang-tidy -quiet -j "$jobs" -p build/host-release "^$PWD/(lifemodel|host_sim)/"
+}
+
+try_example() {
+  toolchains/try.sh
+  test -s build/try/upper_arm.html
+}
+
+mkdir -p "$logs"
+stage "set-up" toolchains/setup.sh test
+stage "format" check_format
+stage "first command of the README" try_example
+stage "host-asan-ubsan: build" build host-asan-ubsan
+stage "host-asan-ubsan: tests" run_tests host-asan-ubsan
+stage "host-release: build" build host-release
+stage "host-release: tests" run_tests host-release
+stage "host-fuzz: build" build_fuzzers
+stage "host-fuzz: short runs" ctest --preset host-fuzz -R fuzz -j "$jobs"
+stage "qemu-m4: build" build qemu-m4
+stage "qemu-m4: tests" run_tests qemu-m4
+stage "bit-identical on host and target" compare_trails
+stage "lifemodel installed and used" use_package
+stage "clang-tidy" check_with_clang_tidy
+echo "$passed passed, $failed failed"

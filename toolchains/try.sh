@@ -1,0 +1,15 @@
+#!/usr/bin/env bash
+# Installs what is missing, builds host_sim and replays the shipped example.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+
+toolchains/setup.sh run
+# The tests need more than host_sim does, and stay out.
+build=build/try
+cmake -G Ninja -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DTENDONLIFE_TESTS=OFF > /dev/null
+cmake --build "$build" --target host_sim
+echo
+"$build/host_sim/host_sim" replay host_sim/examples/upper_arm.csv \
+  --model host_sim/examples/upper_arm.toml --report "$build/upper_arm.html"
+echo
+echo "Report: $PWD/$build/upper_arm.html"
