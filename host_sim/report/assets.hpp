@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string_view>
+
+/// Files that are part of every page, embedded when the program is built.
+namespace host_sim::assets {
+
+extern const std::string_view page_html;
+extern const std::string_view page_css;
+extern const std::string_view guard_js;
+extern const std::string_view page_js;
+extern const std::string_view uplot_js;
+extern const std::string_view uplot_css;
+extern const std::string_view uplot_licence;
+
+}  // namespace host_sim::assets

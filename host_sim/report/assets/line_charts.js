@@ -1,0 +1,260 @@
+'use strict';
+
+const CHART_FONT = '12px system-ui, sans-serif';
+
+function chartHeight(width) {
+  return Math.round(Math.min(Math.max(width * 0.38, 240), 360));
+}
+
+function axis(label, extra) {
+  return {
+    label,
+    labelFont: CHART_FONT,
+    font: CHART_FONT,
+    labelSize: 22,
+    stroke: () => colour('ink-soft'),
+    grid: { stroke: () => colour('grid'), width: 1 },
+    ticks: { stroke: () => colour('rule'), width: 1, size: 5 },
+    values: (chart, splits) => splits.map((split) => numberText(split, 6)),
+    ...extra,
+  };
+}
+
+/** A range that has a width even when all values are equal. */
+function widened(chart, low, high) {
+  if (low === null || low < high) {
+    return [low, high];
+  }
+  const half = Math.abs(low) * 0.01 || 0.5;
+  return [low - half, high + half];
+}
+
+function valueText(chart, value) {
+  return value === null || value === undefined ? '–' : numberText(value, 4);
+}
+
+/** Cursor and zoom by keyboard: arrows move, + and - zoom about the cursor, 0 shows all. */
+function addKeys(holder, chart) {
+  const xs = chart.data[0];
+  const whole = { min: xs[0], max: xs[xs.length - 1] };
+  const move = (fraction) => {
+    const width = chart.over.clientWidth;
+    const start = chart.cursor.left >= 0 ? chart.cursor.left : 0;
+    const left = Math.min(Math.max(start + fraction * width, 0), width);
+    chart.setCursor({ left, top: chart.over.clientHeight / 2 });
+  };
+  const zoom = (factor) => {
+    const { min, max } = chart.scales.x;
+    const centre = chart.cursor.left >= 0 ? chart.posToVal(chart.cursor.left, 'x') : (min + max) / 2;
+    chart.setScale('x', {
+      min: Math.max(whole.min, centre - (centre - min) * factor),
+      max: Math.min(whole.max, centre + (max - centre) * factor),
+    });
+  };
+  const actions = {
+    ArrowLeft: () => move(-0.01),
+    ArrowRight: () => move(0.01),
+    Home: () => move(-1),
+    End: () => move(1),
+    '+': () => zoom(0.5),
+    '-': () => zoom(2),
+    0: () => chart.setScale('x', whole),
+  };
+  holder.addEventListener('keydown', (event) => {
+    const action = actions[event.key];
+    if (action && !event.ctrlKey && !event.metaKey && !event.altKey) {
+      event.preventDefault();
+      action();
+    }
+  });
+}
+
+/** Draws a line chart into its holder and returns a function that tells whether it was drawn. */
+function lineChart(holder, { data, series, bands, xAxis, yAxis, yRange, onDraw }) {
+  let drawn = 0;
+  const width = holder.clientWidth;
+  const chart = new uPlot(
+    {
+      width,
+      height: chartHeight(width),
+      series,
+      bands,
+      scales: {
+        x: { time: false, range: widened },
+        y: yRange ? { range: yRange } : {},
+      },
+      axes: [axis(xAxis), axis(yAxis, { size: 62 })],
+      padding: [12, 14, 0, 0],
+      cursor: { y: false, hover: { skip: [null, undefined] } },
+      legend: { show: true },
+      hooks: {
+        drawSeries: [() => { drawn += 1; }],
+        draw: onDraw ? [onDraw] : [],
+      },
+    },
+    data,
+    holder,
+  );
+  const canvas = holder.querySelector('canvas');
+  canvas.setAttribute('role', 'img');
+  canvas.setAttribute('aria-label', holder.dataset.summary);
+  holder.querySelector('.u-legend').setAttribute('aria-live', 'polite');
+  addKeys(holder, chart);
+  keepDrawn(holder, (newWidth) => {
+    chart.setSize({ width: newWidth, height: chartHeight(newWidth) });
+    chart.redraw(true, true);
+  });
+  return () => drawn > 0 && chart.bbox.width > 0;
+}
+
+function tensionChart(holder, data) {
+  const { tension, turning_points: turning } = data;
+  const time = timeScale(data.summary.duration_s);
+  const force = axisScale(largestMagnitude([...tension.high_N, ...tension.low_N]));
+  const banded = tension.samples_per_bucket > 1;
+  const bandTimes = divided(tension.time_s, time.divisor);
+  const high = divided(tension.high_N, force.divisor);
+  const low = divided(tension.low_N, force.divisor);
+  const line = {
+    stroke: () => colour('line'),
+    width: 1,
+    spanGaps: true,
+    value: valueText,
+    points: { show: tension.time_s.length < 100, size: 4, fill: () => colour('line') },
+  };
+  const turningPoints = {
+    label: 'Turning point',
+    stroke: () => colour('mark'),
+    paths: () => null,
+    value: valueText,
+    points: {
+      show: true,
+      size: turning.time_s.length > 300 ? 2.5 : 5,
+      width: 0,
+      fill: () => colour('mark'),
+    },
+  };
+  const lines = banded
+    ? [{ ...line, label: 'Highest' }, { ...line, label: 'Lowest' }]
+    : [{ ...line, label: 'Tension' }];
+  return lineChart(holder, {
+    data: uPlot.join([
+      banded ? [bandTimes, high, low] : [bandTimes, high],
+      [divided(turning.time_s, time.divisor), divided(turning.tension_N, force.divisor)],
+    ]),
+    series: [{ label: time.label, value: valueText }, ...lines, turningPoints],
+    bands: banded ? [{ series: [1, 2], fill: () => colour('band') }] : [],
+    xAxis: time.label,
+    yAxis: `Input tension, N${force.suffix}`,
+  });
+}
+
+function trajectoryChart(holder, data) {
+  const { trajectory } = data;
+  const time = timeScale(data.summary.duration_s);
+  const damage = axisScale(largestMagnitude(trajectory.damage));
+  return lineChart(holder, {
+    data: [
+      divided(trajectory.time_s, time.divisor),
+      divided(trajectory.damage, damage.divisor),
+    ],
+    series: [
+      { label: time.label, value: valueText },
+      {
+        label: `Damage${damage.suffix}`,
+        stroke: () => colour('line'),
+        width: 2,
+        value: valueText,
+        points: { show: trajectory.time_s.length < 100, size: 4, fill: () => colour('line') },
+      },
+    ],
+    xAxis: time.label,
+    yAxis: `Damage, 1${damage.suffix}`,
+    yRange: (chart, low, high) => [0, (high || 1) * 1.08],
+  });
+}
+
+/**
+ * Marks B10, B50, the mean and B90 on the curve of broken wires. Of the two in the middle, which
+ * can lie close together, the earlier has its name to the left of the curve.
+ */
+function lifeMarks(marks) {
+  const middle = marks.filter(({ name }) => name === 'B50' || name === 'mean');
+  const leftOne = middle.reduce((a, b) => (a.repeats <= b.repeats ? a : b)).name;
+  return (chart) => {
+    const { ctx, bbox } = chart;
+    const pixel = uPlot.pxRatio;
+    ctx.save();
+    ctx.font = `600 ${12 * pixel}px system-ui, sans-serif`;
+    ctx.textBaseline = 'middle';
+    for (const { name, repeats, broken, text } of marks) {
+      const x = chart.valToPos(repeats, 'x', true);
+      const y = chart.valToPos(broken, 'y', true);
+      if (x < bbox.left || x > bbox.left + bbox.width) {
+        continue;
+      }
+      ctx.strokeStyle = colour('mark');
+      ctx.setLineDash([3 * pixel, 3 * pixel]);
+      ctx.lineWidth = pixel;
+      ctx.beginPath();
+      ctx.moveTo(x, bbox.top + bbox.height);
+      ctx.lineTo(x, y);
+      ctx.stroke();
+      ctx.fillStyle = colour('mark');
+      ctx.beginPath();
+      ctx.arc(x, y, 4 * pixel, 0, 2 * Math.PI);
+      ctx.fill();
+      const label = `${name} ${text}`;
+      const gap = 10 * pixel;
+      const length = ctx.measureText(label).width;
+      const fitsLeft = x - gap - length > bbox.left;
+      const fitsRight = x + gap + length < bbox.left + bbox.width;
+      const toLeft = (name === leftOne && fitsLeft) || !fitsRight;
+      ctx.textAlign = toLeft ? 'right' : 'left';
+      ctx.fillStyle = colour('ink');
+      ctx.fillText(label, toLeft ? x - gap : x + gap, y);
+    }
+    ctx.restore();
+  };
+}
+
+function lifeChart(holder, data) {
+  const { life, summary } = data;
+  const percent = 100;
+  const scale = axisScale(largestMagnitude(life.repeats));
+  const brokenAt = (repeats) => {
+    const after = life.repeats.findIndex((value) => value >= repeats);
+    if (after <= 0) {
+      return life.broken[after === 0 ? 0 : life.broken.length - 1];
+    }
+    const [from, to] = [life.repeats[after - 1], life.repeats[after]];
+    const part = (repeats - from) / (to - from);
+    return life.broken[after - 1] + part * (life.broken[after] - life.broken[after - 1]);
+  };
+  const marks = Object.entries(summary.repeats_to)
+    .filter(([, repeats]) => repeats !== null)
+    .map(([name, repeats]) => ({
+      name,
+      repeats: repeats / scale.divisor,
+      broken: percent * brokenAt(repeats),
+      text: numberText(repeats),
+    }));
+  return lineChart(holder, {
+    data: [divided(life.repeats, scale.divisor), life.broken.map((share) => percent * share)],
+    series: [
+      { label: `Repeats${scale.suffix}`, value: valueText },
+      {
+        label: 'Broken wires, %',
+        stroke: () => colour('line'),
+        fill: () => colour('band'),
+        width: 2,
+        value: valueText,
+        points: { show: false },
+      },
+    ],
+    xAxis: `Repeats of this profile${scale.suffix}`,
+    yAxis: 'Broken wires, %',
+    yRange: () => [0, percent],
+    onDraw: marks.length > 0 ? lifeMarks(marks) : undefined,
+  });
+}

@@ -1,0 +1,23 @@
+# cmake -DOUTPUT=<cpp> -DHEADER=<include> -DNAMESPACE=<ns> "-DASSETS=name=file,name=file1+file2" -P embed_assets.cmake
+# Writes a C++ file that defines one std::string_view for each name, holding its files in order.
+set(code "#include \"${HEADER}\"\n\nnamespace ${NAMESPACE} {\n")
+string(REPLACE "," ";" assets "${ASSETS}")
+foreach(asset IN LISTS assets)
+  string(REGEX MATCH "^([a-z_]+)=(.+)$" matched "${asset}")
+  if(NOT matched)
+    message(FATAL_ERROR "embed_assets: '${asset}' is not name=file")
+  endif()
+  set(name "${CMAKE_MATCH_1}")
+  string(REPLACE "+" ";" files "${CMAKE_MATCH_2}")
+  set(bytes "")
+  foreach(file IN LISTS files)
+    file(READ "${file}" hex HEX)
+    string(REGEX REPLACE "(..)" "'\\\\x\\1'," part "${hex}")
+    string(APPEND bytes "${part}\n")
+  endforeach()
+  string(APPEND code
+    "static constexpr char ${name}_bytes[] = {\n${bytes}};\n"
+    "constinit const std::string_view ${name}(${name}_bytes, sizeof ${name}_bytes);\n")
+endforeach()
+string(APPEND code "}  // namespace ${NAMESPACE}\n")
+file(WRITE "${OUTPUT}" "${code}")
