@@ -51,8 +51,8 @@ Model read_model(const std::filesystem::path& path);
 Model parse_model(std::string_view text, std::string_view name);
 
 /// Eight hexadecimal digits that identify the values of a model whatever the formatting of its
-/// file: the CRC-32 (ISO-HDLC) of one `table.key=value` line per value in the order of the file
-/// format, values with 17 significant digits.
+/// file: the CRC-32 (ISO-HDLC) of the lines `schema=1`, `table.key=value` for each number in the
+/// order of model_keys() with 17 significant digits, and `life.mean_stress=gerber`.
 std::string model_digest(const Model& model);
 
 }  // namespace host_sim

@@ -1,6 +1,15 @@
 #include "host_sim/io/unit_suffix.hpp"
 
+#include <algorithm>
+
 namespace host_sim {
+namespace {
+
+bool is_name_character(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+}
+
+}  // namespace
 
 std::optional<std::string_view> other_unit(std::string_view name, std::string_view known,
                                            std::string_view unit) {
@@ -15,7 +24,7 @@ std::optional<std::string_view> other_unit(std::string_view name, std::string_vi
   if (name.empty()) {
     return name;
   }
-  if (name.front() != '_') {
+  if (name.front() != '_' || !std::all_of(name.begin(), name.end(), is_name_character)) {
     return std::nullopt;
   }
   return name.substr(1);

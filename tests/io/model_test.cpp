@@ -1,0 +1,303 @@
+#include "host_sim/io/model.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host_sim/io/model_keys.hpp"
+#include "tests/io/support.hpp"
+
+namespace host_sim {
+namespace {
+
+using testing::StartsWith;
+
+constexpr std::string_view kGood = R"(schema = 1
+[cable]
+diameter_mm = 0.457
+ultimate_tension_N = 177.4
+[sheath]
+friction_coefficient = 0.128
+bend_angle_deg = 270.0
+[drive]
+torque_constant_Nm_per_A = 0.0325
+gear_ratio = 9.0
+gear_efficiency = 0.88
+spool_radius_mm = 12.5
+current_offset_A = -0.25
+[counting]
+sample_rate_Hz = 1000.0
+hysteresis_N = 0.2
+[life]
+mean_stress = "gerber"
+ipl_scale = 1.53e5
+ipl_exponent = 1.38
+weibull_shape = 5.94
+)";
+
+std::string with(std::string_view from, std::string_view to) {
+  std::string text(kGood);
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+std::string complaint(std::string_view text) {
+  return test::complaint_of([&] { parse_model(text, "m.toml"); });
+}
+
+TEST(Model, ReadsEveryValue) {
+  const Model model = parse_model(kGood, "m.toml");
+  EXPECT_EQ(model.cable.diameter_mm, 0.457);
+  EXPECT_EQ(model.cable.ultimate_tension_N, 177.4);
+  EXPECT_EQ(model.sheath.friction_coefficient, 0.128);
+  EXPECT_EQ(model.sheath.bend_angle_deg, 270.0);
+  ASSERT_TRUE(model.drive.has_value());
+  EXPECT_EQ(model.drive->torque_constant_Nm_per_A, 0.0325);
+  EXPECT_EQ(model.drive->gear_ratio, 9.0);
+  EXPECT_EQ(model.drive->gear_efficiency, 0.88);
+  EXPECT_EQ(model.drive->spool_radius_mm, 12.5);
+  EXPECT_EQ(model.drive->current_offset_A, -0.25);
+  EXPECT_EQ(model.counting.sample_rate_Hz, 1000.0);
+  EXPECT_EQ(model.counting.hysteresis_N, 0.2);
+  EXPECT_EQ(model.life.mean_stress, Model::MeanStress::kGerber);
+  EXPECT_EQ(model.life.ipl_scale, 1.53e5);
+  EXPECT_EQ(model.life.ipl_exponent, 1.38);
+  EXPECT_EQ(model.life.weibull_shape, 5.94);
+}
+
+TEST(Model, DoesWithoutADriveAndTakesIntegers) {
+  std::string text = with("bend_angle_deg = 270.0", "bend_angle_deg = 270");
+  const std::size_t drive = text.find("[drive]");
+  text.erase(drive, text.find("[counting]") - drive);
+  const Model model = parse_model(text, "m.toml");
+  EXPECT_FALSE(model.drive.has_value());
+  EXPECT_EQ(model.sheath.bend_angle_deg, 270.0);
+}
+
+struct BadModel {
+  std::string name;
+  std::string_view from;
+  std::string_view to;
+  std::string complaint;
+};
+
+void PrintTo(const BadModel& bad, std::ostream* out) {
+  *out << bad.name;
+}
+
+class BadModels : public testing::TestWithParam<BadModel> {};
+
+TEST_P(BadModels, AreRefusedWithPlaceFoundAndAccepted) {
+  const BadModel& bad = GetParam();
+  EXPECT_EQ(complaint(with(bad.from, bad.to)), "m.toml" + bad.complaint);
+}
+
+const std::vector<BadModel> kBadModels{
+    {"UnknownKey", "gear_ratio = 9.0", "gear_ratio = 9.0\n  colour = 3",
+     ":11:3: unknown key 'colour' in [drive]; accepted: torque_constant_Nm_per_A, gear_ratio, "
+     "gear_efficiency, spool_radius_mm, current_offset_A"},
+    {"UnknownKeyOfLife", "ipl_scale", "ipl_scala",
+     ":19:1: unknown key 'ipl_scala' in [life]; accepted: ipl_scale, ipl_exponent, weibull_shape, "
+     "mean_stress"},
+    {"OtherUnit", "ultimate_tension_N = 177.4", "ultimate_tension_kN = 0.1774",
+     ":4:1: unknown unit 'kN' of key 'ultimate_tension_kN'; accepted: ultimate_tension_N 5..1000"},
+    {"NoUnit", "ultimate_tension_N", "ultimate_tension",
+     ":4:1: key 'ultimate_tension' without its unit; accepted: ultimate_tension_N 5..1000"},
+    {"UnitWhereThereIsNone", "gear_ratio", "gear_ratio_percent",
+     ":10:1: unknown unit 'percent' of key 'gear_ratio_percent'; accepted: gear_ratio "
+     "0.001..10000"},
+    {"UnknownTable", "[life]", "[extension.heat]\nx = 1\n[life]",
+     ":17:2: unknown table 'extension'; accepted: schema, cable, sheath, drive, counting, life"},
+    {"UnknownKeyAtTop", "schema = 1", "schema = 1\nname = \"a\"",
+     ":2:1: unknown key 'name'; accepted: schema, cable, sheath, drive, counting, life"},
+    {"TableThatIsAValue", "schema = 1", "schema = 1\nlif = 1",
+     ":2:1: unknown key 'lif'; accepted: schema, cable, sheath, drive, counting, life"},
+    {"MissingKey", "weibull_shape = 5.94\n", "",
+     ":17:2: no key weibull_shape in [life]; accepted: weibull_shape 0.5..50"},
+    {"MissingKeyOfDrive", "gear_efficiency = 0.88\n", "",
+     ":8:2: no key gear_efficiency in [drive]; accepted: gear_efficiency 0.01..1"},
+    {"MissingMeanStress", "mean_stress = \"gerber\"\n", "",
+     ":17:2: no key mean_stress in [life]; accepted: mean_stress \"gerber\""},
+    {"MissingTable", "[sheath]\nfriction_coefficient = 0.128\nbend_angle_deg = 270.0\n", "",
+     ": no table [sheath]; accepted: [sheath] with friction_coefficient"},
+    {"MissingSchema", "schema = 1\n", "", ": no key schema; accepted: schema = 1"},
+    {"OtherSchema", "schema = 1", "schema = 2", ":1:1: schema is 2; accepted: schema = 1"},
+    {"SchemaOfWrongType", "schema = 1", "schema = 1.0",
+     ":1:1: schema is 1.0; accepted: schema = 1"},
+    {"Text", "diameter_mm = 0.457", "diameter_mm = \"thin\"",
+     ":3:1: diameter_mm is 'thin'; accepted: diameter_mm 0.01..10"},
+    {"Boolean", "diameter_mm = 0.457", "diameter_mm = true",
+     ":3:1: diameter_mm is true; accepted: diameter_mm 0.01..10"},
+    {"Array", "diameter_mm = 0.457", "diameter_mm = [0.457]",
+     ":3:1: diameter_mm is an array; accepted: diameter_mm 0.01..10"},
+    {"TableAsValue", "diameter_mm = 0.457", "diameter_mm = {}",
+     ":3:1: diameter_mm is a table; accepted: diameter_mm 0.01..10"},
+    {"NotANumber", "diameter_mm = 0.457", "diameter_mm = nan",
+     ":3:1: diameter_mm is nan; accepted: diameter_mm 0.01..10"},
+    {"Infinite", "ipl_scale = 1.53e5", "ipl_scale = inf",
+     ":19:1: ipl_scale is inf; accepted: ipl_scale above 0 up to 1e+300"},
+    {"Zero", "ipl_scale = 1.53e5", "ipl_scale = 0.0",
+     ":19:1: ipl_scale is 0.0; accepted: ipl_scale above 0 up to 1e+300"},
+    {"MeanStress", "\"gerber\"", "\"goodman\"",
+     ":18:1: mean_stress is 'goodman'; accepted: mean_stress \"gerber\""},
+    {"MeanStressOfWrongType", "\"gerber\"", "1",
+     ":18:1: mean_stress is 1; accepted: mean_stress \"gerber\""},
+};
+
+INSTANTIATE_TEST_SUITE_P(Model, BadModels, testing::ValuesIn(kBadModels),
+                         [](const auto& bad) { return bad.param.name; });
+
+TEST(Model, RefusesAHysteresisOfTheUltimateTension) {
+  std::string text = with("ultimate_tension_N = 177.4", "ultimate_tension_N = 50");
+  text.replace(text.find("hysteresis_N = 0.2"), 18, "hysteresis_N = 50");
+  EXPECT_EQ(complaint(text),
+            "m.toml:16:1: hysteresis_N is 50; accepted: less than ultimate_tension_N, which is 50");
+}
+
+TEST(Model, RefusesATableThatIsAValue) {
+  std::string text(kGood);
+  const std::size_t drive = text.find("[drive]");
+  text.erase(drive, text.find("[counting]") - drive);
+  text.replace(0, 10, "schema = 1\ndrive = \"on\"");
+  EXPECT_EQ(complaint(text), "m.toml:2:1: drive is 'on'; accepted: a table [drive]");
+}
+
+TEST(Model, RefusesWhatIsNotToml) {
+  EXPECT_THAT(complaint(with("gear_ratio = 9.0", "gear_ratio = ")), StartsWith("m.toml:10:"));
+  EXPECT_THAT(complaint(with("gear_ratio", "gear_ratio = 9.0\ngear_ratio")),
+              StartsWith("m.toml:11:"));
+  EXPECT_THAT(complaint("\x01"), StartsWith("m.toml:1:1: "));
+  EXPECT_EQ(complaint(""), "m.toml: no key schema; accepted: schema = 1");
+  EXPECT_EQ(complaint("a = \"\n\x1b[2J").find('\x1b'), std::string::npos);
+}
+
+// Each number at the ends of its range and just outside; the ranges are those of the format.
+struct Range {
+  std::string_view key;
+  double minimum;
+  double maximum;
+};
+
+constexpr std::array<Range, 13> kRanges{{
+    {"diameter_mm", 0.01, 10},
+    {"ultimate_tension_N", 5, 1000},
+    {"friction_coefficient", 0, 1},
+    {"bend_angle_deg", 0, 1800},
+    {"torque_constant_Nm_per_A", 1e-6, 100},
+    {"gear_ratio", 0.001, 10000},
+    {"gear_efficiency", 0.01, 1},
+    {"spool_radius_mm", 0.1, 1000},
+    {"current_offset_A", -100, 100},
+    {"sample_rate_Hz", 0.1, 100000},
+    {"hysteresis_N", 0, 100},
+    {"ipl_exponent", 1, 12},
+    {"weibull_shape", 0.5, 50},
+}};
+
+std::string with_value(std::string_view key, double value) {
+  std::string text(kGood);
+  const std::size_t at = text.find(key);
+  const std::size_t end = text.find('\n', at);
+  return text.replace(at, end - at, fmt::format("{} = {:.17e}", key, value));
+}
+
+TEST(Model, AcceptsTheEndsOfEachRangeAndNothingBeyond) {
+  for (const Range& range : kRanges) {
+    SCOPED_TRACE(range.key);
+    EXPECT_EQ(complaint(with_value(range.key, range.minimum)), "");
+    EXPECT_EQ(complaint(with_value(range.key, range.maximum)), "");
+    const double below = std::nextafter(range.minimum, -INFINITY);
+    const double above = std::nextafter(range.maximum, INFINITY);
+    EXPECT_NE(complaint(with_value(range.key, below)).find(range.key), std::string::npos);
+    EXPECT_NE(complaint(with_value(range.key, above)).find(range.key), std::string::npos);
+  }
+  EXPECT_EQ(complaint(with_value("ipl_scale", 1e300)), "");
+  EXPECT_EQ(complaint(with_value("ipl_scale", 5e-324)), "");
+  EXPECT_NE(complaint(with_value("ipl_scale", 1.0001e300)), "");
+}
+
+TEST(ModelKeys, NameTheirUnits) {
+  for (const ModelKey& key : model_keys()) {
+    EXPECT_TRUE(key.unit.empty() || key.key.ends_with(fmt::format("_{}", key.unit))) << key.key;
+  }
+}
+
+TEST(ModelFile, RefusesMissingDirectoryAndEndless) {
+  const test::TemporaryFolder folder;
+  const std::string missing = (folder / "none.toml").string();
+  const auto complaint_about = [](const std::string& path) {
+    return test::complaint_of([&] { read_model(path); });
+  };
+  EXPECT_EQ(complaint_about(missing),
+            missing +
+                ": cannot be opened: No such file or directory; accepted: a model file "
+                "(TOML) of at most 1 MiB");
+  EXPECT_THAT(complaint_about((folder / "").string()), testing::HasSubstr(": is a directory; "));
+  EXPECT_THAT(complaint_about("/dev/zero"), StartsWith("/dev/zero: larger than 1 MiB; "));
+}
+
+TEST(ModelFile, IsRead) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "m.toml", kGood);
+  EXPECT_EQ(read_model(folder / "m.toml").life.ipl_exponent, 1.38);
+}
+
+// CRC-32 by Python's zlib.crc32 over the text that model_digest() is documented to use.
+TEST(ModelDigest, IsTheDocumentedChecksum) {
+  EXPECT_EQ(model_digest(parse_model(kGood, "m.toml")), "26657f3c");
+  std::string text(kGood);
+  const std::size_t drive = text.find("[drive]");
+  text.erase(drive, text.find("[counting]") - drive);
+  EXPECT_EQ(model_digest(parse_model(text, "m.toml")), "e3428793");
+}
+
+TEST(ModelDigest, DoesNotDependOnFormatting) {
+  const std::string reformatted = R"(# The same values in another order
+life = { weibull_shape = 594e-2, ipl_exponent = 1.380, ipl_scale = 153_000, mean_stress = 'gerber' }
+schema = 0x1
+sheath.bend_angle_deg = 270
+sheath.friction_coefficient = 0.128
+[counting]
+hysteresis_N = 0.20
+sample_rate_Hz = 1e3
+[drive]
+gear_ratio = 9
+gear_efficiency = 0.88
+spool_radius_mm = 12.5
+current_offset_A = -0.25
+torque_constant_Nm_per_A = 32.5e-3
+[cable]
+diameter_mm = 0.457
+ultimate_tension_N = 177.4
+)";
+  EXPECT_EQ(model_digest(parse_model(reformatted, "m.toml")),
+            model_digest(parse_model(kGood, "m.toml")));
+}
+
+TEST(ModelDigest, ChangesWithEachValue) {
+  const std::string digest = model_digest(parse_model(kGood, "m.toml"));
+  for (const ModelKey& key : model_keys()) {
+    Model model = parse_model(kGood, "m.toml");
+    key.value(model) = std::nextafter(key.value(model), INFINITY);
+    EXPECT_NE(model_digest(model), digest) << key.key;
+  }
+}
+
+TEST(ModelDigest, TakesNegativeZeroForZero) {
+  Model model = parse_model(kGood, "m.toml");
+  model.drive->current_offset_A = 0.0;
+  const std::string digest = model_digest(model);
+  model.drive->current_offset_A = -0.0;
+  EXPECT_EQ(model_digest(model), digest);
+}
+
+}  // namespace
+}  // namespace host_sim

@@ -1,0 +1,107 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <optional>
+#include <sstream>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "host_sim/io/byte_source.hpp"
+#include "host_sim/io/input_error.hpp"
+#include "host_sim/io/profile.hpp"
+
+namespace host_sim::test {
+
+/// What `act` complains about; an empty text if it does not.
+template <typename Act>
+std::string complaint_of(Act act) {
+  try {
+    act();
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+/// All rows of a profile in memory, read `chunk` at a time.
+inline std::vector<ProfileRow> rows_of(std::unique_ptr<ByteSource> source,
+                                       ProfileOptions options = {}, std::size_t chunk = 64) {
+  ProfileReader reader(std::move(source), "p.csv", options);
+  std::vector<ProfileRow> rows;
+  std::vector<ProfileRow> part(chunk);
+  while (const std::size_t count = reader.read(part)) {
+    rows.insert(rows.end(), part.begin(), part.begin() + static_cast<std::ptrdiff_t>(count));
+  }
+  return rows;
+}
+
+inline std::vector<ProfileRow> rows_of(std::string_view text, ProfileOptions options = {}) {
+  return rows_of(memory_source(text), options);
+}
+
+inline std::string profile_complaint(std::string_view text, ProfileOptions options = {}) {
+  return complaint_of([&] { rows_of(text, options); });
+}
+
+inline bool same(const ProfileRow& a, const ProfileRow& b) {
+  return a.time_s == b.time_s && a.value == b.value &&
+         a.tendon_velocity_m_s == b.tendon_velocity_m_s && a.bend_angle_deg == b.bend_angle_deg;
+}
+
+inline bool same(const std::vector<ProfileRow>& a, const std::vector<ProfileRow>& b) {
+  if (a.size() != b.size()) {
+    return false;
+  }
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (!same(a[i], b[i])) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// A folder of its own, removed at the end.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (std::filesystem::temp_directory_path() / "tendonlife-XXXXXX").string();
+    if (::mkdtemp(name.data()) == nullptr) {
+      throw std::runtime_error("no temporary folder");
+    }
+    path_ = name;
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+
+  std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
+
+  std::size_t file_count() const {
+    const std::filesystem::directory_iterator files(path_);
+    return static_cast<std::size_t>(std::distance(begin(files), end(files)));
+  }
+
+ private:
+  std::filesystem::path path_;
+};
+
+inline void write_text(const std::filesystem::path& path, std::string_view text) {
+  std::ofstream(path, std::ios::binary) << text;
+}
+
+inline std::string text_of(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+}  // namespace host_sim::test
