@@ -120,7 +120,7 @@ Destination open_destination(const fs::path& path) {
   if (failure) {
     throw OutputError(path.string(), failure.message());
   }
-  if (exists && ::access(path.c_str(), W_OK) != 0) {
+  if (exists && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) {
     throw OutputError(path.string(), reason(errno));
   }
   fs::path partial = target;

@@ -19,6 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::TemporaryFolder;
 using test::text_of;
+using test::WithoutPrivileges;
 using test::write_text;
 
 template <typename Act>
@@ -130,12 +131,19 @@ TEST(OutputFile, FindsAtOnceWhatCannotBeWritten) {
 }
 
 TEST(OutputFile, RespectsPermissions) {
-  if (::geteuid() == 0) {
-    GTEST_SKIP() << "root may write every file";
-  }
   const TemporaryFolder folder;
-  write_text(folder / "out.json", "old");
-  fs::permissions(folder / "out.json", fs::perms::owner_read);
+  const WithoutPrivileges nobody;
+  const fs::path path = folder / "out.json";
+  write_text(path, "old");
+  fs::permissions(path, fs::perms::owner_read);
+  EXPECT_EQ(opening_complaint(path), path.string() + ": cannot be written: Permission denied");
+  EXPECT_EQ(folder.file_count(), 1U);
+}
+
+TEST(OutputFile, FindsAtOnceAFolderThatCannotBeWritten) {
+  const TemporaryFolder folder;
+  fs::permissions(folder / "", fs::perms::owner_read | fs::perms::owner_exec);
+  const WithoutPrivileges nobody;
   EXPECT_NE(opening_complaint(folder / "out.json").find("Permission denied"), std::string::npos);
 }
 

@@ -10,6 +10,7 @@
 #include <memory>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -69,7 +70,24 @@ inline bool same(const std::vector<ProfileRow>& a, const std::vector<ProfileRow>
   return true;
 }
 
-/// A folder of its own, removed at the end.
+/// While it lives the process has the rights of nobody, even if it was started by root.
+class WithoutPrivileges {
+ public:
+  WithoutPrivileges() : before_(::geteuid()) {
+    if (before_ == 0 && ::seteuid(kNobody) != 0) {
+      throw std::runtime_error("root cannot give up its rights");
+    }
+  }
+  WithoutPrivileges(const WithoutPrivileges&) = delete;
+  WithoutPrivileges& operator=(const WithoutPrivileges&) = delete;
+  ~WithoutPrivileges() { EXPECT_EQ(::seteuid(before_), 0); }
+
+ private:
+  static constexpr uid_t kNobody = 65534;
+  uid_t before_;
+};
+
+/// A folder of its own, removed at the end, that everybody may use.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -78,6 +96,7 @@ class TemporaryFolder {
       throw std::runtime_error("no temporary folder");
     }
     path_ = name;
+    std::filesystem::permissions(path_, std::filesystem::perms::all);
   }
   TemporaryFolder(const TemporaryFolder&) = delete;
   TemporaryFolder& operator=(const TemporaryFolder&) = delete;
