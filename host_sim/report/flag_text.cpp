@@ -15,8 +15,9 @@ constexpr std::array kTexts = {
            "It was counted as the nearest value that can be held, so the true value lay beyond."}},
     Entry{"overload",
           {"The tension reached the strength of the wire",
-           "A turning point was at or above the ultimate tension. The life model says nothing "
-           "there: take the wire as broken."}},
+           "A turning point was at or above the ultimate tension; it was counted as a whole life "
+           "used. "
+           "Take the wire as broken."}},
     Entry{"negative_tension",
           {"The tension fell below zero",
            "A wire cannot push. Look for a wrong sensor zero, current offset or direction."}},

@@ -101,7 +101,7 @@ std::string quantity_text(double value, std::string_view unit, int significant) 
 
 std::string percent_text(double fraction) {
   constexpr double kPercent = 100;
-  if (fraction > 0.9995 && fraction < 1) {
+  if (fraction > 0.999 && fraction < 1) {
     return fmt::format("more than 99.9{}%", kUnitSpace);
   }
   return quantity_text(kPercent * fraction, "%");

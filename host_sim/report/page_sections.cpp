@@ -69,7 +69,7 @@ std::string tiles(const ReplayReport& report) {
 }
 
 std::string flags(const ReplayReport& report) {
-  if (report.flags.empty()) {
+  if (report.flags.empty() && report.warnings.empty()) {
     return "<p class=\"clear\">None: every sample was in range and every cycle was counted "
            "exactly.</p>\n";
   }
@@ -78,6 +78,9 @@ std::string flags(const ReplayReport& report) {
     const FlagText text = flag_text(flag);
     html += fmt::format("<li><strong>{}.</strong> {}</li>\n", html_escape(text.title),
                         html_escape(text.meaning));
+  }
+  for (const std::string& warning : report.warnings) {
+    html += fmt::format("<li>{}</li>\n", html_escape(warning));
   }
   return html + "</ul>\n";
 }

@@ -90,7 +90,8 @@ struct ReplayReport {
   double equivalent_effective_tension_N = 0;
   double survival_probability = 1;  ///< after one pass, 0..1
   RepeatsTo repeats_to;
-  std::vector<std::string> flags;  ///< names as in lifemodel::Flag; empty when nothing happened
+  std::vector<std::string> flags;     ///< names as in lifemodel::Flag; empty when nothing happened
+  std::vector<std::string> warnings;  ///< sentences for people, shown after the flags
 
   Envelope tension;
   TurningPoints turning_points;

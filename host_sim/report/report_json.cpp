@@ -31,9 +31,7 @@ json range_mean_json(const RangeMeanMatrix& matrix) {
           {"damage", matrix.damage}};
 }
 
-}  // namespace
-
-json replay_summary_json(const ReplayReport& report) {
+json summary_json(const ReplayReport& report) {
   const RepeatsTo& to = report.repeats_to;
   return {{"samples", report.samples},
           {"duration_s", report.duration_s},
@@ -45,13 +43,16 @@ json replay_summary_json(const ReplayReport& report) {
           {"survival_probability", report.survival_probability},
           {"repeats_to", {{"B10", to.B10}, {"B50", to.B50}, {"mean", to.mean}, {"B90", to.B90}}},
           {"flags", report.flags},
+          {"warnings", report.warnings},
           {"model_digest", report.model_digest}};
 }
+
+}  // namespace
 
 json replay_page_json(const ReplayReport& report) {
   const LifeCurve life = life_curve(report.damage.total, report.weibull_shape);
   return {
-      {"summary", replay_summary_json(report)},
+      {"summary", summary_json(report)},
       {"profile_name", report.profile_name},
       {"model_name", report.model_name},
       {"program_version", report.program_version},

@@ -6,10 +6,8 @@
 
 namespace host_sim {
 
-/// The results of a replay without the plots; these are the fields of `replay --json`.
-[[nodiscard]] nlohmann::json replay_summary_json(const ReplayReport& report);
-
-/// What the page draws from: the results under `summary`, and the data of every plot.
+/// What the page draws from and a reader of the page may take from it: the results under `summary`,
+/// named as in `replay --json`, and the data of every plot.
 [[nodiscard]] nlohmann::json replay_page_json(const ReplayReport& report);
 
 }  // namespace host_sim

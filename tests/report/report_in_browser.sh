@@ -1,0 +1,44 @@
+#!/usr/bin/env bash
+# report_in_browser.sh MAKE_PAGES FOLDER
+# Loads every sample page in headless Chromium. Passes when each page says that it has drawn as many
+# plots as it should and met no error, and the drawn elements are in the document.
+set -euo pipefail
+
+make_pages=$1
+folder=$2
+skipped=77
+
+browser=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
+if [[ -z $browser ]]; then
+  echo "SKIPPED: no Chromium found, the page was NOT tried in a browser" >&2
+  exit "$skipped"
+fi
+
+rm -rf "$folder"
+"$make_pages" "$folder"
+profile=$(mktemp -d)
+trap 'rm -rf "$profile"' EXIT
+
+failures=0
+complain() {
+  echo "FAILED $1: $2" >&2
+  failures=$((failures + 1))
+}
+
+while read -r name charts; do
+  dom=$folder/$name.dom.html
+  timeout 60 "$browser" --headless --no-sandbox --disable-gpu --disable-quic --no-first-run \
+    --disable-background-networking --disable-component-update --disable-sync \
+    --user-data-dir="$profile" --window-size=1280,2400 --virtual-time-budget=5000 \
+    --dump-dom "file://$(realpath "$folder")/$name.html" >"$dom" 2>"$dom.log" ||
+    complain "$name" "the browser did not load the page: $(tail -n 3 "$dom.log")"
+  root=$(grep -o -m 1 '<html[^>]*>' "$dom" || true)
+  [[ $root == *'data-ready="true"'* ]] || complain "$name" "the page is not ready: $root"
+  [[ $root == *"data-charts=\"$charts\""* ]] || complain "$name" "expected $charts plots: $root"
+  [[ $root != *data-error* ]] || complain "$name" "an error in the page: $root"
+  lines=$(grep -o '<canvas' "$dom" | wc -l)
+  maps=$(grep -c 'class="frame"' "$dom" || true)
+  ((lines + maps == charts)) || complain "$name" "$lines line charts and $maps heat maps"
+  echo "$name: $lines line charts, $maps heat maps"
+done <"$folder/charts.txt"
+exit "$((failures > 0))"
