@@ -9,6 +9,7 @@
 namespace host_sim {
 namespace {
 
+constexpr std::size_t kUsualSize = std::size_t{1} << 16;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 }  // namespace
@@ -16,7 +17,7 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 LineBuffer::LineBuffer(std::unique_ptr<ByteSource> source, std::string name)
     : source_(std::move(source)),
       name_(std::move(name)),
-      buffer_(kLineLimit + 1),
+      buffer_(kUsualSize + 1),
       position_(buffer_.data()),
       lines_end_(position_),
       data_end_(buffer_.data()) {
@@ -52,12 +53,11 @@ bool LineBuffer::refill() {
   lines_end_ = front;
   data_end_ = front + kept;
   for (;;) {
-    const auto used = static_cast<std::size_t>(data_end_ - front);
-    if (used == kLineLimit) {
-      throw InputError(name_, line_number_, 0, "a line that does not end",
-                       "lines of at most 1 MiB");
+    const auto used = static_cast<std::size_t>(data_end_ - buffer_.data());
+    if (used == buffer_.size() - 1) {
+      grow();
     }
-    const std::size_t count = source_->read({data_end_, kLineLimit - used});
+    const std::size_t count = source_->read({data_end_, buffer_.size() - 1 - used});
     if (count == 0) {
       if (used != 0) {
         *data_end_++ = '\n';
@@ -74,6 +74,18 @@ bool LineBuffer::refill() {
     }
     data_end_ += count;
   }
+}
+
+// A line fills the buffer.
+void LineBuffer::grow() {
+  const std::size_t used = buffer_.size() - 1;
+  if (used == kLineLimit) {
+    throw InputError(name_, line_number_, 0, "a line that does not end", "lines of at most 1 MiB");
+  }
+  buffer_.resize(2 * used + 1);
+  position_ = buffer_.data();
+  lines_end_ = position_;
+  data_end_ = buffer_.data() + used;
 }
 
 void LineBuffer::skip_byte_order_mark() {

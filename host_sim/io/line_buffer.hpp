@@ -11,8 +11,9 @@
 
 namespace host_sim {
 
-/// Gives the lines of a source in constant memory: a window of whole lines, each ended by `\n` (the
-/// last one of a source that lacks it gets one). A UTF-8 byte order mark at the front is skipped.
+/// Gives the lines of a source in constant memory (64 KiB, more for longer lines only): a window of
+/// whole lines, each ended by `\n` (the last one of a source that lacks it gets one). A UTF-8 byte
+/// order mark at the front is skipped.
 class LineBuffer {
  public:
   /// The longest line, with its end, in bytes.
@@ -50,11 +51,12 @@ class LineBuffer {
 
  private:
   bool refill();
+  void grow();
   void skip_byte_order_mark();
 
   std::unique_ptr<ByteSource> source_;
   std::string name_;
-  std::vector<char> buffer_;  ///< one byte over the limit, for an end of line that the file lacks
+  std::vector<char> buffer_;  ///< one byte more than is read, for an end of line that is lacking
   const char* position_;
   const char* lines_end_;
   char* data_end_;

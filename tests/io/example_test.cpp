@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <limits>
 #include <vector>
 
 #include "host_sim/io/model.hpp"
@@ -15,6 +16,7 @@ namespace {
 const std::filesystem::path kExamples = TENDONLIFE_EXAMPLES;
 
 constexpr double kPi = 3.14159265358979323846;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNoise_N = 0.1;  // five standard deviations of the example's noise
 
 std::vector<ProfileRow> example_rows() {
@@ -58,8 +60,8 @@ TEST(UpperArmExample, FollowsTheStrokeOfThePaper) {
 TEST(UpperArmExample, GivesTheEffectiveTensionOfThePaper) {
   const Model model = read_model(kExamples / "upper_arm.toml");
   const double efficiency = std::exp(-0.128 * 1.5 * kPi);  // eq. (14)
-  double highest_N = -INFINITY;
-  double lowest_N = INFINITY;
+  double highest_N = -kInfinity;
+  double lowest_N = kInfinity;
   ProfileRow at_highest{};
   ProfileRow at_lowest{};
   bool pulling = true;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -15,6 +16,8 @@
 
 namespace host_sim {
 namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 using test::rows_of;
 using test::same;
@@ -89,7 +92,7 @@ RC_GTEST_PROP(ProfileProperty, NeverGivesRowsThatCannotBeTrusted, ()) {
     text.replace(at, *rc::gen::inRange<std::size_t>(0, 3), other);
   }
   try {
-    double last_s = -INFINITY;
+    double last_s = -kInfinity;
     for (const ProfileRow& row : rows_of(text)) {
       RC_ASSERT(std::isfinite(row.value));
       RC_ASSERT(std::isfinite(row.tendon_velocity_m_s));

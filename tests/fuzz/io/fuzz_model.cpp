@@ -1,0 +1,31 @@
+// Whatever the bytes: a model with every value in its range or an InputError.
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "host_sim/io/input_error.hpp"
+#include "host_sim/io/model.hpp"
+#include "host_sim/io/model_keys.hpp"
+#include "tests/fuzz/io/require.hpp"
+
+using host_sim::fuzz::require;
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  try {
+    host_sim::Model model = host_sim::parse_model(text, "fuzz");
+    for (const host_sim::ModelKey& key : host_sim::model_keys()) {
+      if (key.table != "drive" || model.drive) {
+        const double value = key.value(model);
+        require(value >= key.minimum && value <= key.maximum);
+        require(!key.above_minimum || value > key.minimum);
+      }
+    }
+    require(model.counting.hysteresis_N < model.cable.ultimate_tension_N);
+    require(host_sim::model_digest(model).size() == 8);
+  } catch (const host_sim::InputError& error) {
+    host_sim::fuzz::require_one_line(error.what());
+  }
+  return 0;
+}
