@@ -90,6 +90,13 @@ std::string count_text(std::uint64_t value) {
   return grouped(std::to_string(value));
 }
 
+std::string counted_text(std::uint64_t value, std::string_view noun) {
+  constexpr std::uint64_t kFirstRounded = 1'000'000'000;
+  const std::string count =
+      value < kFirstRounded ? count_text(value) : number_text(static_cast<double>(value));
+  return fmt::format("{}{}{}{}", count, kUnitSpace, noun, value == 1 ? "" : "s");
+}
+
 std::string quantity_text(double value, std::string_view unit, int significant) {
   std::string text = number_text(value, significant);
   if (std::isfinite(value) && !unit.empty()) {
@@ -102,7 +109,7 @@ std::string quantity_text(double value, std::string_view unit, int significant) 
 std::string percent_text(double fraction) {
   constexpr double kPercent = 100;
   if (fraction > 0.999 && fraction < 1) {
-    return fmt::format("more than 99.9{}%", kUnitSpace);
+    return fmt::format(">{0}99.9{0}%", kUnitSpace);
   }
   return quantity_text(kPercent * fraction, "%");
 }

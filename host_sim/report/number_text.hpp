@@ -13,6 +13,9 @@ namespace host_sim {
 /// A whole number in full, thousands grouped.
 [[nodiscard]] std::string count_text(std::uint64_t value);
 
+/// A count with its noun, which takes an s unless there is one; rounded from a thousand million on.
+[[nodiscard]] std::string counted_text(std::uint64_t value, std::string_view noun);
+
 /// `number_text` with its unit; the unit is left out when the value is not finite or it is empty.
 [[nodiscard]] std::string quantity_text(double value, std::string_view unit, int significant = 3);
 

@@ -9,8 +9,8 @@
 namespace host_sim::captions {
 
 std::string origin(const ReplayReport& report) {
-  return fmt::format("{} samples over {}, input: {}. Model: {}, digest {}.",
-                     count_text(report.samples), duration_text(report.duration_s),
+  return fmt::format("{} over {}, input: {}. Model: {}, digest {}.",
+                     counted_text(report.samples, "sample"), duration_text(report.duration_s),
                      report.input_kind, report.model_name, report.model_digest);
 }
 
@@ -33,18 +33,22 @@ std::string tension(const ReplayReport& report) {
         " {} of {} turning points are drawn: the lowest and the highest of each run of neighbours.",
         count_text(turning.points.size()), count_text(turning.total));
   } else {
-    text += fmt::format(" {} turning points at a hysteresis of {}.", count_text(turning.total),
+    text += fmt::format(" {} at a hysteresis of {}.", counted_text(turning.total, "turning point"),
                         quantity_text(report.hysteresis_N, "N"));
   }
   return text;
 }
 
 std::string range_mean(const ReplayReport& report) {
+  if (report.range_mean.count.empty()) {
+    return "Every counted cycle by its range and its mean.";
+  }
   return fmt::format(
-      "Every counted cycle by its range and its mean, {} closed and {} half cycles still open "
-      "(counting 0.5 each). Classes are {} of range by {} of mean; damage is worked out from the "
+      "Every counted cycle by its range and its mean: {} and {} still open (counting 0.5 each). "
+      "Classes are {} of range by {} of mean; damage is worked out from the "
       "exact turning points, not from the classes.",
-      count_text(report.cycles.closed), count_text(report.cycles.open_half),
+      counted_text(report.cycles.closed, "closed cycle"),
+      counted_text(report.cycles.open_half, "half cycle"),
       quantity_text(report.range_mean.range_step_N, "N"),
       quantity_text(report.range_mean.mean_step_N, "N"));
 }

@@ -59,12 +59,12 @@ std::string tiles(const ReplayReport& report) {
                quantity_text(report.equivalent_effective_tension_N, "N"),
                std::isfinite(of_ultimate) ? percent_text(of_ultimate) + " of the ultimate tension"
                                           : "no cycle to compare");
-  html += tile("Cycles counted", count_text(report.cycles.closed),
-               fmt::format("closed, and {} half cycles open", count_text(report.cycles.open_half)));
+  html += tile("Cycles counted", counted_text(report.cycles.closed, "cycle"),
+               "closed, and " + counted_text(report.cycles.open_half, "half cycle") + " open");
   html += tile("Error against the reference", number_text(report.relative_error, 2),
                "relative, of the total damage");
   html += tile("Length of the profile", duration_text(report.duration_s),
-               count_text(report.samples) + " samples");
+               counted_text(report.samples, "sample"));
   return html;
 }
 
@@ -104,10 +104,9 @@ std::string range_mean_chart(const ReplayReport& report) {
       "<label><input type=\"radio\" name=\"quantity\" value=\"count\" checked> cycles</label>"
       "<label><input type=\"radio\" name=\"quantity\" value=\"damage\"> damage</label></fieldset>\n"
       "<svg tabindex=\"0\" role=\"img\" aria-label=\"Heat map of the range-mean matrix; the table "
-      "below lists its most damaging classes\" aria-describedby=\"matrix-hint\"></svg>\n"
-      "<p class=\"readout\" aria-live=\"polite\"></p>\n"
-      "<p class=\"hint\" id=\"matrix-hint\">Point at a class to read it; by keyboard, the arrows "
-      "move from class to class.</p>\n</div>\n"
+      "below lists its most damaging classes\" aria-describedby=\"matrix-readout\">"
+      "</svg>\n<p class=\"readout\" id=\"matrix-readout\" aria-live=\"polite\">Point at a class to "
+      "read it; by keyboard, the arrows move from class to class.</p>\n</div>\n"
       "<details><summary>Classes that do the most damage</summary>\n{}</details>\n",
       tables::worst_classes(report.range_mean));
 }

@@ -11,10 +11,11 @@ namespace host_sim {
 namespace {
 
 constexpr double kSmallestPercent = 1e-3;
+constexpr double kLargestPercent = 10;
 
 std::string share_of_life(double damage) {
-  if (damage >= 1) {
-    return fmt::format("{} times the wire's whole life", number_text(damage));
+  if (damage >= kLargestPercent) {
+    return fmt::format("{} times the wire's life", number_text(damage));
   }
   if (damage >= kSmallestPercent) {
     return fmt::format("{} of the wire's life", percent_text(damage));
@@ -57,7 +58,7 @@ std::string verdict(const ReplayReport& report) {
     return fmt::format("{}; it can be repeated {} until 10\u00a0% of wires have broken (B10).", use,
                        times(report.repeats_to.B10));
   }
-  return fmt::format("{}; {} of wires survive it a single time.", use,
+  return fmt::format("{}; only {} of wires survive one pass.", use,
                      percent_text(report.survival_probability));
 }
 

@@ -29,6 +29,13 @@ TEST(NumberText, GroupsThousands) {
             "18\u202f446\u202f744\u202f073\u202f709\u202f551\u202f615");
 }
 
+TEST(NumberText, CountsWithTheirNoun) {
+  EXPECT_EQ(counted_text(0, "sample"), "0\u00a0samples");
+  EXPECT_EQ(counted_text(1, "sample"), "1\u00a0sample");
+  EXPECT_EQ(counted_text(999'999'999, "sample"), "999\u202f999\u202f999\u00a0samples");
+  EXPECT_EQ(counted_text(4'120'000'000'000, "sample"), "4.12×10¹²\u00a0samples");
+}
+
 TEST(NumberText, UsesPowersOfTenOutsideThePlainRange) {
   EXPECT_EQ(number_text(2.1e-7), "2.1×10⁻⁷");
   EXPECT_EQ(number_text(0.0009996), "0.001");
@@ -52,8 +59,8 @@ TEST(NumberText, PercentagesDoNotRoundUpToCertainty) {
   EXPECT_EQ(percent_text(0.021), "2.1\u00a0%");
   EXPECT_EQ(percent_text(0), "0\u00a0%");
   EXPECT_EQ(percent_text(1), "100\u00a0%");
-  EXPECT_EQ(percent_text(0.9996), "more than 99.9\u00a0%");
-  EXPECT_EQ(percent_text(1 - 1e-12), "more than 99.9\u00a0%");
+  EXPECT_EQ(percent_text(0.9996), ">\u00a099.9\u00a0%");
+  EXPECT_EQ(percent_text(1 - 1e-12), ">\u00a099.9\u00a0%");
   EXPECT_EQ(percent_text(1e-9), "1×10⁻⁷\u00a0%");
 }
 

@@ -64,7 +64,7 @@ TEST(ReplayPage, ShowsTheKeyNumbers) {
   EXPECT_THAT(page, HasSubstr("<td class=\"number\">54.125</td>"));
   EXPECT_THAT(page, HasSubstr("<td class=\"number\">39.875\u00a0N</td>"));
   EXPECT_THAT(page, HasSubstr("<dd class=\"value\">75\u00a0%</dd>"));
-  EXPECT_THAT(page, HasSubstr("<dd class=\"value\">98\u202f765</dd>"));
+  EXPECT_THAT(page, HasSubstr("<dd class=\"value\">98\u202f765\u00a0cycles</dd>"));
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">ultimate tension</th>"
                               "<td class=\"number\">177.4\u00a0N</td>"));
 }

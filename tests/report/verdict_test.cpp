@@ -35,8 +35,13 @@ TEST(Verdict, SaysWhenOnePassIsTooMuch) {
   ReplayReport report = worn(1.25, 0.5);
   report.survival_probability = 0.023;
   EXPECT_EQ(verdict(report),
-            "This profile, 60\u00a0s long, uses 1.25 times the wire's whole life; 2.3\u00a0% of "
-            "wires survive it a single time.");
+            "This profile, 60\u00a0s long, uses 125\u00a0% of the wire's life; only 2.3\u00a0% of "
+            "wires survive one pass.");
+  report.damage.total = 1250;
+  report.survival_probability = 0;
+  EXPECT_EQ(verdict(report),
+            "This profile, 60\u00a0s long, uses 1250 times the wire's life; only 0\u00a0% of wires "
+            "survive one pass.");
 }
 
 TEST(Verdict, SaysWhenNothingIsUsed) {

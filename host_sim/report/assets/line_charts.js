@@ -20,15 +20,6 @@ function axis(label, extra) {
   };
 }
 
-/** A range that has a width even when all values are equal. */
-function widened(chart, low, high) {
-  if (low === null || low < high) {
-    return [low, high];
-  }
-  const half = Math.abs(low) * 0.01 || 0.5;
-  return [low - half, high + half];
-}
-
 function valueText(chart, value) {
   return value === null || value === undefined ? '–' : numberText(value, 4);
 }
@@ -36,7 +27,6 @@ function valueText(chart, value) {
 /** Cursor and zoom by keyboard: arrows move, + and - zoom about the cursor, 0 shows all. */
 function addKeys(holder, chart) {
   const xs = chart.data[0];
-  const whole = { min: xs[0], max: xs[xs.length - 1] };
   const move = (fraction) => {
     const width = chart.over.clientWidth;
     const start = chart.cursor.left >= 0 ? chart.cursor.left : 0;
@@ -44,11 +34,14 @@ function addKeys(holder, chart) {
     chart.setCursor({ left, top: chart.over.clientHeight / 2 });
   };
   const zoom = (factor) => {
+    if (xs.length < 2) {
+      return;
+    }
     const { min, max } = chart.scales.x;
     const centre = chart.cursor.left >= 0 ? chart.posToVal(chart.cursor.left, 'x') : (min + max) / 2;
     chart.setScale('x', {
-      min: Math.max(whole.min, centre - (centre - min) * factor),
-      max: Math.min(whole.max, centre + (max - centre) * factor),
+      min: Math.max(xs[0], centre - (centre - min) * factor),
+      max: Math.min(xs[xs.length - 1], centre + (max - centre) * factor),
     });
   };
   const actions = {
@@ -58,7 +51,7 @@ function addKeys(holder, chart) {
     End: () => move(1),
     '+': () => zoom(0.5),
     '-': () => zoom(2),
-    0: () => chart.setScale('x', whole),
+    0: () => chart.setData(chart.data),
   };
   holder.addEventListener('keydown', (event) => {
     const action = actions[event.key];
@@ -77,13 +70,14 @@ function lineChart(holder, { data, series, bands, xAxis, yAxis, yRange, onDraw }
     {
       width,
       height: chartHeight(width),
+      pxAlign: false,
       series,
       bands,
       scales: {
-        x: { time: false, range: widened },
+        x: { time: false },
         y: yRange ? { range: yRange } : {},
       },
-      axes: [axis(xAxis), axis(yAxis, { size: 62 })],
+      axes: [axis(xAxis, { size: 34 }), axis(yAxis, { size: 54 })],
       padding: [12, 14, 0, 0],
       cursor: { y: false, hover: { skip: [null, undefined] } },
       legend: { show: true },
@@ -169,7 +163,7 @@ function trajectoryChart(holder, data) {
       },
     ],
     xAxis: time.label,
-    yAxis: `Damage, 1${damage.suffix}`,
+    yAxis: `Damage${damage.suffix}`,
     yRange: (chart, low, high) => [0, (high || 1) * 1.08],
   });
 }
