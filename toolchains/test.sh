@@ -21,7 +21,7 @@ count_tests() {
 }
 
 stage() {
-  local name="$1" log="$logs/${1//[^a-z0-9]/_}.log" began="$SECONDS" result
+  local name="$1" log="$logs/${1//[^A-Za-z0-9]/_}.log" began="$SECONDS" result
   shift
   printf '%-46s' "$name"
   # In a subshell and not in a condition, where set -e would mean nothing.
@@ -53,7 +53,14 @@ build() {
 }
 
 run_tests() {
-  ctest --preset "$1" -j "$jobs"
+  ctest --preset "$1" -j "$jobs" --timeout 900
+}
+
+show_budgets() {
+  local section
+  for section in instructions size stack; do
+    python3 tests/target/checks/check_budget.py "$section" "build/qemu-m4/tests/target/$section.json"
+  done
 }
 
 build_fuzzers() {
@@ -109,9 +116,10 @@ stage "host-asan-ubsan: tests" run_tests host-asan-ubsan
 stage "host-release: build" build host-release
 stage "host-release: tests" run_tests host-release
 stage "host-fuzz: build" build_fuzzers
-stage "host-fuzz: short runs" ctest --preset host-fuzz -R fuzz -j "$jobs"
+stage "host-fuzz: short runs" ctest --preset host-fuzz -R fuzz -j "$jobs" --timeout 900
 stage "qemu-m4: build" build qemu-m4
 stage "qemu-m4: tests" run_tests qemu-m4
+show_budgets
 stage "bit-identical on host and target" compare_trails
 stage "lifemodel installed and used" use_package
 stage "clang-tidy" check_with_clang_tidy
