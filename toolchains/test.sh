@@ -116,7 +116,7 @@ stage "host-asan-ubsan: tests" run_tests host-asan-ubsan
 stage "host-release: build" build host-release
 stage "host-release: tests" run_tests host-release
 stage "host-fuzz: build" build_fuzzers
-stage "host-fuzz: short runs" ctest --preset host-fuzz -R fuzz -j "$jobs" --timeout 900
+stage "host-fuzz: short runs" ctest --preset host-fuzz -L fuzz -j "$jobs" --timeout 900
 stage "qemu-m4: build" build qemu-m4
 stage "qemu-m4: tests" run_tests qemu-m4
 show_budgets
