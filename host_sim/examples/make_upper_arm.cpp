@@ -17,12 +17,12 @@ namespace {
 
 constexpr int kSamplesPerTurn = 600;  // 200 Hz, crank at 20 rpm
 constexpr int kTurns = 20;
-constexpr int kTimeStep_ms = 5;
+constexpr int kTimeStepMs = 5;
 
-constexpr std::int64_t kTensionMean_100uN = 385'000;       // (28.5 + 48.5) / 2 N
-constexpr std::int64_t kTensionAmplitude_100uN = 100'000;  // (48.5 - 28.5) / 2 N
-constexpr std::int64_t kNoise_100uN = 200;                 // standard deviation
-constexpr std::int64_t kVelocityAmplitude_um_s = 52'360;   // 25 mm * 2 pi / 3 s
+constexpr std::int64_t kTensionMean100uN = 385'000;        // (28.5 + 48.5) / 2 N
+constexpr std::int64_t kTensionAmplitude100uN = 100'000;   // (48.5 - 28.5) / 2 N
+constexpr std::int64_t kNoise100uN = 200;                  // standard deviation
+constexpr std::int64_t kVelocityAmplitudeUmPerS = 52'360;  // 25 mm * 2 pi / 3 s
 
 constexpr int kFractionBits = 30;
 constexpr std::int64_t kOne = std::int64_t{1} << kFractionBits;
@@ -50,7 +50,7 @@ class Noise {
  public:
   std::int64_t next(std::int64_t standard_deviation) {
     constexpr int kNumbers = 12;
-    std::int64_t sum = -(kNumbers / 2) * 65'536;
+    std::int64_t sum = -std::int64_t{kNumbers / 2} * 65'536;
     for (int i = 0; i < kNumbers; ++i) {
       state_ = state_ * 6'364'136'223'846'793'005U + 1'442'695'040'888'963'407U;
       sum += static_cast<std::int64_t>(state_ >> 48);
@@ -76,11 +76,11 @@ std::string profile() {
     if (sample % kSamplesPerTurn == 0) {
       crank = Crank{};
     }
-    const int time_ms = sample * kTimeStep_ms;
-    const std::int64_t tension_100uN = kTensionMean_100uN -
-                                       rounded_product(kTensionAmplitude_100uN, crank.cosine) +
-                                       noise.next(kNoise_100uN);
-    const std::int64_t velocity_um_s = rounded_product(kVelocityAmplitude_um_s, crank.sine);
+    const int time_ms = sample * kTimeStepMs;
+    const std::int64_t tension_100uN = kTensionMean100uN -
+                                       rounded_product(kTensionAmplitude100uN, crank.cosine) +
+                                       noise.next(kNoise100uN);
+    const std::int64_t velocity_um_s = rounded_product(kVelocityAmplitudeUmPerS, crank.sine);
     fmt::format_to(std::back_inserter(text), "{}.{:03},{}.{:04},{}0.{:06},270.0\n", time_ms / 1000,
                    time_ms % 1000, tension_100uN / 10'000, tension_100uN % 10'000,
                    velocity_um_s < 0 ? "-" : "", std::abs(velocity_um_s));

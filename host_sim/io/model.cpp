@@ -171,8 +171,9 @@ class ModelReader {
     const std::string accepted = fmt::format("{} {}", key.key, range_text(key));
     const toml::node& node = node_of(key.table, key.key, accepted);
     const auto value = node.is_number() ? node.value<double>() : std::nullopt;
-    const bool inside = value && (key.above_minimum ? *value > key.minimum : *value >= key.minimum);
-    if (!inside || !(*value <= key.maximum)) {
+    const bool inside = value && *value <= key.maximum &&
+                        (key.above_minimum ? *value > key.minimum : *value >= key.minimum);
+    if (!inside) {
       fail(place(table_of(key.table, key.key), key.key),
            fmt::format("{} is {}", key.key, describe(node)), accepted);
     }

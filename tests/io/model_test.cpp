@@ -244,6 +244,19 @@ TEST(ModelFile, RefusesMissingDirectoryAndEndless) {
   EXPECT_THAT(complaint_about("/dev/zero"), StartsWith("/dev/zero: larger than 1 MiB; "));
 }
 
+TEST(ModelFile, HasALimitedSize) {
+  const test::TemporaryFolder folder;
+  const std::string path = (folder / "m.toml").string();
+  const std::size_t limit = std::size_t{1} << 20;
+  std::string text(kGood);
+  text += "#" + std::string(limit - text.size() - 1, 'x');
+  test::write_text(path, text);
+  EXPECT_EQ(read_model(path).life.ipl_exponent, 1.38);
+  test::write_text(path, text + "x");
+  EXPECT_THAT(test::complaint_of([&] { read_model(path); }),
+              StartsWith(path + ": larger than 1 MiB; accepted: "));
+}
+
 TEST(ModelFile, IsRead) {
   const test::TemporaryFolder folder;
   test::write_text(folder / "m.toml", kGood);
