@@ -23,18 +23,17 @@ Direction direction_of(double tendon_velocity_m_s, Direction last) {
   return tendon_velocity_m_s < 0.0 ? Direction::kReleasing : last;
 }
 
-double input_tension_from_output_N(double output_tension_N, double efficiency,
-                                   Direction direction) {
+double input_tension_from_output(double output_tension_N, double efficiency, Direction direction) {
   return direction == Direction::kPulling ? output_tension_N / efficiency
                                           : output_tension_N * efficiency;
 }
 
-double input_tension_from_current_N(double motor_current_A, const Drive& drive) {
+double input_tension_from_current(double motor_current_A, const Drive& drive) {
   return drive.torque_constant_Nm_per_A * (motor_current_A - drive.current_offset_A) *
          drive.gear_ratio * drive.gear_efficiency / drive.spool_radius_m;
 }
 
-double gerber_effective_tension_N(const MeanAmplitude& input, double ultimate_tension_N) {
+double gerber_effective_tension(const MeanAmplitude& input, double ultimate_tension_N) {
   if (input.amplitude_N == 0.0) {
     return 0.0;
   }

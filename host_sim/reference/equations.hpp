@@ -27,7 +27,7 @@ Direction direction_of(double tendon_velocity_m_s, Direction last);
 
 /// Input tension that goes with an output tension, (4) solved for T_in at full slip: the output
 /// tension over the efficiency while pulling, times the efficiency while releasing.
-double input_tension_from_output_N(double output_tension_N, double efficiency, Direction direction);
+double input_tension_from_output(double output_tension_N, double efficiency, Direction direction);
 
 struct Drive {
   double torque_constant_Nm_per_A;
@@ -38,11 +38,11 @@ struct Drive {
 };
 
 /// Input tension from motor current: K_t * (I - I_0) * N * eta_g / r_spool, in both directions.
-double input_tension_from_current_N(double motor_current_A, const Drive& drive);
+double input_tension_from_current(double motor_current_A, const Drive& drive);
 
 /// Gerber's effective tension, (8) and (11): T_a / (1 - (T_m / T_u)^2).
 /// Zero for zero amplitude; +infinity for a positive amplitude where |T_m| >= T_u.
-double gerber_effective_tension_N(const MeanAmplitude& input, double ultimate_tension_N);
+double gerber_effective_tension(const MeanAmplitude& input, double ultimate_tension_N);
 
 /// Weibull scale in cycles at an effective tension, the inverse power law (19): A / T_eff^gamma.
 /// +infinity at zero tension.

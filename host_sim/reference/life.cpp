@@ -8,7 +8,7 @@
 namespace host_sim::reference {
 namespace {
 
-double power_mean_N(std::span<const TensionShare> mix, double order) {
+double power_mean(std::span<const TensionShare> mix, double order) {
   double sum = 0.0;
   for (const TensionShare& part : mix) {
     sum += part.share * std::pow(part.effective_tension_N, order);
@@ -42,7 +42,7 @@ double equivalent_cycles(const Reading& reading) {
          static_cast<double>(reading.open_half_cycles) / 2.0;
 }
 
-double equivalent_effective_tension_N(const Reading& reading, const Constants& constants) {
+double equivalent_effective_tension(const Reading& reading, const Constants& constants) {
   const double cycles = equivalent_cycles(reading);
   if (cycles == 0.0) {
     return 0.0;
@@ -51,12 +51,12 @@ double equivalent_effective_tension_N(const Reading& reading, const Constants& c
                   1.0 / constants.ipl_exponent);
 }
 
-double mix_by_damage_N(std::span<const TensionShare> mix, double ipl_exponent) {
-  return power_mean_N(mix, ipl_exponent);
+double mix_by_damage(std::span<const TensionShare> mix, double ipl_exponent) {
+  return power_mean(mix, ipl_exponent);
 }
 
-double mix_by_life_N(std::span<const TensionShare> mix, double ipl_exponent) {
-  return power_mean_N(mix, -ipl_exponent);
+double mix_by_life(std::span<const TensionShare> mix, double ipl_exponent) {
+  return power_mean(mix, -ipl_exponent);
 }
 
 }  // namespace host_sim::reference

@@ -28,7 +28,7 @@ double equivalent_cycles(const Reading& reading);
 
 /// The constant effective tension that does the same damage in the same number of cycles:
 /// (D * A / n)^(1/gamma). Zero where nothing was counted.
-double equivalent_effective_tension_N(const Reading& reading, const Constants& constants);
+double equivalent_effective_tension(const Reading& reading, const Constants& constants);
 
 /// A part of the running time at one effective tension; the shares of a mix sum to one.
 struct TensionShare {
@@ -38,10 +38,10 @@ struct TensionShare {
 
 /// The constant effective tension that stands for a mix whose shares are of the cycles, by Miner's
 /// rule: equal average damage, so the power mean of order gamma.
-double mix_by_damage_N(std::span<const TensionShare> mix, double ipl_exponent);
+double mix_by_damage(std::span<const TensionShare> mix, double ipl_exponent);
 
 /// The same by the paper's section 4.3: equal average life, so the power mean of order -gamma.
 /// It is Miner's rule only if the shares are of the damage.
-double mix_by_life_N(std::span<const TensionShare> mix, double ipl_exponent);
+double mix_by_life(std::span<const TensionShare> mix, double ipl_exponent);
 
 }  // namespace host_sim::reference

@@ -43,16 +43,16 @@ RC_GTEST_PROP(Equations, InputTensionRangeAgreesWithTheDirections, ()) {
   const double efficiency = 0.01 * *rc::gen::inRange(1, 101);
   const MeanAmplitude input = input_tension_range({mean_N, amplitude_N}, efficiency);
   const double peak_N =
-      input_tension_from_output_N(mean_N + amplitude_N, efficiency, Direction::kPulling);
+      input_tension_from_output(mean_N + amplitude_N, efficiency, Direction::kPulling);
   const double trough_N =
-      input_tension_from_output_N(mean_N - amplitude_N, efficiency, Direction::kReleasing);
+      input_tension_from_output(mean_N - amplitude_N, efficiency, Direction::kReleasing);
   RC_ASSERT(std::abs(input.mean_N + input.amplitude_N - peak_N) <= 1e-13 * (1 + peak_N));
   RC_ASSERT(std::abs(input.mean_N - input.amplitude_N - trough_N) <= 1e-13 * (1 + peak_N));
 }
 
 TEST(Equations, FrictionAddsWhilePullingAndHelpsWhileReleasing) {
-  EXPECT_DOUBLE_EQ(input_tension_from_output_N(40, 0.8, Direction::kPulling), 50.0);
-  EXPECT_DOUBLE_EQ(input_tension_from_output_N(40, 0.8, Direction::kReleasing), 32.0);
+  EXPECT_DOUBLE_EQ(input_tension_from_output(40, 0.8, Direction::kPulling), 50.0);
+  EXPECT_DOUBLE_EQ(input_tension_from_output(40, 0.8, Direction::kReleasing), 32.0);
 }
 
 TEST(Equations, DirectionFollowsTheVelocityAndStaysAtRest) {
@@ -69,23 +69,23 @@ TEST(Equations, InputTensionFromCurrent) {
                     .gear_efficiency = 0.8,
                     .spool_radius_m = 0.02,
                     .current_offset_A = 1};
-  EXPECT_DOUBLE_EQ(input_tension_from_current_N(3, drive), 40.0);
-  EXPECT_EQ(input_tension_from_current_N(1, drive), 0.0);
-  EXPECT_DOUBLE_EQ(input_tension_from_current_N(-1, drive), -40.0);
+  EXPECT_DOUBLE_EQ(input_tension_from_current(3, drive), 40.0);
+  EXPECT_EQ(input_tension_from_current(1, drive), 0.0);
+  EXPECT_DOUBLE_EQ(input_tension_from_current(-1, drive), -40.0);
 }
 
 // 32 / (1 - 0.6^2) = 32 / 0.64 = 50.
 TEST(Equations, GerberRaisesTheAmplitudeByTheMean) {
-  EXPECT_DOUBLE_EQ(gerber_effective_tension_N({60, 32}, 100), 50.0);
-  EXPECT_DOUBLE_EQ(gerber_effective_tension_N({-60, 32}, 100), 50.0);
-  EXPECT_EQ(gerber_effective_tension_N({0, 32}, 100), 32.0);
+  EXPECT_DOUBLE_EQ(gerber_effective_tension({60, 32}, 100), 50.0);
+  EXPECT_DOUBLE_EQ(gerber_effective_tension({-60, 32}, 100), 50.0);
+  EXPECT_EQ(gerber_effective_tension({0, 32}, 100), 32.0);
 }
 
 TEST(Equations, GerberIsZeroWithoutAmplitudeAndInfiniteAtTheUltimateMean) {
-  EXPECT_EQ(gerber_effective_tension_N({60, 0}, 100), 0.0);
-  EXPECT_EQ(gerber_effective_tension_N({100, 0}, 100), 0.0);
-  EXPECT_EQ(gerber_effective_tension_N({100, 1}, 100), kInfinity);
-  EXPECT_EQ(gerber_effective_tension_N({-120, 1}, 100), kInfinity);
+  EXPECT_EQ(gerber_effective_tension({60, 0}, 100), 0.0);
+  EXPECT_EQ(gerber_effective_tension({100, 0}, 100), 0.0);
+  EXPECT_EQ(gerber_effective_tension({100, 1}, 100), kInfinity);
+  EXPECT_EQ(gerber_effective_tension({-120, 1}, 100), kInfinity);
 }
 
 TEST(Equations, InversePowerLaw) {

@@ -50,10 +50,10 @@ TEST(Life, AHarmlessProfileCanBeRepeatedForEver) {
 TEST(Life, EquivalentTensionOfOneKindOfCycleIsItsOwn) {
   Reference reference(kRound);
   reference.push(28);
-  EXPECT_EQ(equivalent_effective_tension_N(reference.reading(), kRound), 0.0);
+  EXPECT_EQ(equivalent_effective_tension(reference.reading(), kRound), 0.0);
   for (const double tension_N : {92.0, 28.0, 92.0, 28.0, 92.0, 28.0}) {
     reference.push(tension_N);
-    EXPECT_DOUBLE_EQ(equivalent_effective_tension_N(reference.reading(), kRound), 50.0);
+    EXPECT_DOUBLE_EQ(equivalent_effective_tension(reference.reading(), kRound), 50.0);
   }
   EXPECT_EQ(equivalent_cycles(reference.reading()), 3.0);
 }
@@ -61,8 +61,8 @@ TEST(Life, EquivalentTensionOfOneKindOfCycleIsItsOwn) {
 // gamma = 2: sqrt((30^2 + 40^2) / 2) and 1 / sqrt((1/30^2 + 1/40^2) / 2) = 1200 / sqrt(1250).
 TEST(Life, MixesArePowerMeans) {
   const std::array<TensionShare, 2> mix{{{30, 0.5}, {40, 0.5}}};
-  EXPECT_DOUBLE_EQ(mix_by_damage_N(mix, 2), std::sqrt(1250.0));
-  EXPECT_DOUBLE_EQ(mix_by_life_N(mix, 2), 1200.0 / std::sqrt(1250.0));
+  EXPECT_DOUBLE_EQ(mix_by_damage(mix, 2), std::sqrt(1250.0));
+  EXPECT_DOUBLE_EQ(mix_by_life(mix, 2), 1200.0 / std::sqrt(1250.0));
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace host_sim::reference::testing {
 namespace {
 
 constexpr double kFriction = 0.128;
-constexpr double kUltimate_N = 177.4;
+constexpr double kUltimateNewton = 177.4;
 constexpr double kIplScale = 1.53e5;
 constexpr double kIplExponent = 1.38;
 constexpr double kWeibullShape = 5.94;
@@ -22,12 +22,12 @@ double radians(double angle_deg) {
   return angle_deg * std::numbers::pi / 180.0;
 }
 
-double effective_N(const MeanAmplitude& input) {
-  return gerber_effective_tension_N(input, kUltimate_N);
+double effective(const MeanAmplitude& input) {
+  return gerber_effective_tension(input, kUltimateNewton);
 }
 
-double effective_N(const MeanAmplitude& output, double bend_deg, double friction_coefficient) {
-  return effective_N(
+double effective(const MeanAmplitude& output, double bend_deg, double friction_coefficient) {
+  return effective(
       input_tension_range(output, capstan_efficiency(friction_coefficient, radians(bend_deg))));
 }
 
@@ -50,7 +50,7 @@ double percent_above(double value, double base) {
 /// Scale and shape of each level in Table 4, 270 degrees first.
 constexpr std::array<double, 5> kTable4Scale{1060, 854, 675, 551, 407};
 constexpr std::array<double, 5> kTable4Shape{6.94, 4.79, 7.70, 5.09, 7.64};
-constexpr std::array<double, 5> kTable4Tension_N{35.1, 42.5, 50.7, 60.0, 70.8};
+constexpr std::array<double, 5> kTable4TensionNewton{35.1, 42.5, 50.7, 60.0, 70.8};
 
 std::vector<double> table_4_means() {
   std::vector<double> means;
@@ -66,10 +66,10 @@ std::vector<double> effective_tensions_N(double friction_coefficient) {
   std::vector<double> tensions_N;
   for (const double bend_deg : {270.0, 315.0, 360.0, 405.0, 450.0, 540.0}) {
     tensions_N.push_back(
-        effective_N({.mean_N = 49.0, .amplitude_N = 0.0}, bend_deg, friction_coefficient));
+        effective({.mean_N = 49.0, .amplitude_N = 0.0}, bend_deg, friction_coefficient));
   }
   tensions_N.push_back(
-      effective_N({.mean_N = 38.5, .amplitude_N = 10.0}, 270.0, friction_coefficient));
+      effective({.mean_N = 38.5, .amplitude_N = 10.0}, 270.0, friction_coefficient));
   return tensions_N;
 }
 
@@ -79,7 +79,7 @@ LeastSquares fit_table_4() {
     double numerator = 0.0;
     double denominator = 0.0;
     for (std::size_t i = kFirst; i < kTable4Scale.size(); ++i) {
-      const double unit_life = ipl_life_cycles(kTable4Tension_N[i], 1.0, exponent);
+      const double unit_life = ipl_life_cycles(kTable4TensionNewton[i], 1.0, exponent);
       numerator += kTable4Scale[i] * unit_life;
       denominator += unit_life * unit_life;
     }
@@ -89,7 +89,8 @@ LeastSquares fit_table_4() {
     const double scale = best_scale(exponent);
     double sum = 0.0;
     for (std::size_t i = kFirst; i < kTable4Scale.size(); ++i) {
-      const double error = kTable4Scale[i] - ipl_life_cycles(kTable4Tension_N[i], scale, exponent);
+      const double error =
+          kTable4Scale[i] - ipl_life_cycles(kTable4TensionNewton[i], scale, exponent);
       sum += error * error;
     }
     return sum;
@@ -107,10 +108,10 @@ std::vector<PaperRow> paper_rows() {
   const double application_N = levels_N.back();
   levels_N.pop_back();
 
-  const double exo_glove_N = effective_N({.mean_N = 25.0, .amplitude_N = 25.0});
+  const double exo_glove_N = effective({.mean_N = 25.0, .amplitude_N = 25.0});
   const MeanAmplitude sdm_hand = input_tension_range({.mean_N = 14.0, .amplitude_N = 14.0},
                                                      capstan_efficiency(kFriction, radians(250.0)));
-  const double sdm_hand_N = effective_N(sdm_hand);
+  const double sdm_hand_N = effective(sdm_hand);
 
   const LeastSquares fit = fit_table_4();
   const std::array<TensionShare, 2> mix{{{40.0, 0.5}, {50.0, 0.5}}};
@@ -148,10 +149,10 @@ std::vector<PaperRow> paper_rows() {
        {life_cycles(sdm_hand_N, 0.1), mean_cycles(sdm_hand_N), life_cycles(sdm_hand_N, 0.9)}},
       {"40 and 50 N in equal parts: average of lives (N)",
        {44.34},
-       {mix_by_life_N(mix, kIplExponent)}},
+       {mix_by_life(mix, kIplExponent)}},
       {"40 and 50 N in equal parts: average of damage (N)",
        {44.34},
-       {mix_by_damage_N(mix, kIplExponent)}},
+       {mix_by_damage(mix, kIplExponent)}},
   };
 }
 

@@ -69,10 +69,10 @@ TEST(Paper, TheApplicationCountedFromItsSamples) {
   reference.push(28.5 * efficiency);
   for (int cycle = 0; cycle < kCycles; ++cycle) {
     for (int step = 0; step <= 20; ++step) {
-      reference.push(input_tension_from_output_N(28.5 + step, efficiency, Direction::kPulling));
+      reference.push(input_tension_from_output(28.5 + step, efficiency, Direction::kPulling));
     }
     for (int step = 20; step >= 0; --step) {
-      reference.push(input_tension_from_output_N(28.5 + step, efficiency, Direction::kReleasing));
+      reference.push(input_tension_from_output(28.5 + step, efficiency, Direction::kReleasing));
     }
   }
   const double life_cycles = 1.53e5 / std::pow(39.9834, 1.38);

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <cstddef>
 #include <random>
 
@@ -22,6 +23,15 @@ TEST(AstmRainflow, FullCyclesAreThoseWithoutTheStart) {
   EXPECT_EQ(count.entries[2].count, 0.5);
   EXPECT_EQ(count.entries[3].cycle, (Cycle{0, 12}));
   EXPECT_EQ(count.entries[3].count, 0.5);
+}
+
+TEST(AstmRainflow, ARangeEqualToTheOneBeforeItCountsIt) {
+  const AstmCount rising = count_astm(Signal{10, 0, 8, 2, 8});
+  EXPECT_EQ(rising.entries.front().cycle, (Cycle{8, 2}));
+  EXPECT_EQ(rising.entries.front().count, 1.0);
+  const AstmCount falling = count_astm(Signal{0, 10, 2, 8, 2});
+  EXPECT_EQ(falling.entries.front().cycle, (Cycle{2, 8}));
+  EXPECT_EQ(falling.entries.front().count, 1.0);
 }
 
 TEST(FourPointRainflow, ClosesTheNestedPairAndKeepsTheRest) {

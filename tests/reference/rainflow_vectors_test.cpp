@@ -96,6 +96,7 @@ TEST(RainflowVectors, FourPointWithHalfCyclesAgreesWithTheAstmVectors) {
 
 std::vector<std::pair<double, double>> sorted(const std::vector<Cycle>& cycles) {
   std::vector<std::pair<double, double>> pairs;
+  pairs.reserve(cycles.size());
   for (const Cycle& cycle : cycles) {
     pairs.emplace_back(cycle.from_N, cycle.to_N);
   }
@@ -106,6 +107,7 @@ std::vector<std::pair<double, double>> sorted(const std::vector<Cycle>& cycles) 
 std::vector<std::pair<double, double>> expected_cycles(const json& expected) {
   std::vector<std::pair<double, double>> pairs;
   if (expected.contains("cycles_from_to")) {
+    pairs.reserve(expected["cycles_from_to"].size());
     for (const json& row : expected["cycles_from_to"]) {
       pairs.emplace_back(row[0], row[1]);
     }
