@@ -7,6 +7,7 @@
 
 #include "lifemodel/block/parameters.hpp"
 #include "lifemodel/state/snapshot.hpp"
+#include "lifemodel/support/shared_word.hpp"
 #include "lifemodel/tendon.hpp"
 
 namespace lifemodel {
@@ -26,66 +27,96 @@ class Estimator {
   using Layout = LayoutT;
   static constexpr std::size_t tendons() { return kTendons; }
 
-  explicit Estimator(const std::array<Parameters, kTendons>& parameters)
-      : parameters_(parameters) {}
+  explicit Estimator(const std::array<Parameters, kTendons>& parameters) {
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      channels_[tendon].parameters = parameters[tendon];
+    }
+  }
 
   /// Takes one sample of input tension. Constant time; may interrupt every other member of the same
   /// estimator but the ones that say otherwise.
   void push(std::size_t tendon, Tension input_tension) {
-    tendons_[tendon].push(input_tension, parameters_[tendon]);
+    Channel& channel = channels_[tendon];
+    channel.state.push(input_tension, channel.parameters, [this](std::uint32_t left) {
+      if (kTendons > 1) {
+        arrived_.set_relaxed(arrived_.own() + left);
+      }
+    });
   }
   /// Takes one sample of motor current.
   void push(std::size_t tendon, MotorCurrent current) {
-    push(tendon, parameters_[tendon].drive.tension(current, tendons_[tendon].input_flags()));
+    push(tendon, channels_[tendon].parameters.drive.tension(current,
+                                                            channels_[tendon].state.input_flags()));
   }
   /// Takes one sample of output tension, with the direction of the tendon and the bend angle.
   void push(std::size_t tendon, Tension output_tension, Direction direction, Angle bend) {
-    push(tendon, parameters_[tendon].capstan.input_tension(output_tension, bend, direction,
-                                                           tendons_[tendon].input_flags()));
+    push(tendon, channels_[tendon].parameters.capstan.input_tension(
+                     output_tension, bend, direction, channels_[tendon].state.input_flags()));
   }
-  /// Samples are missing: the sensor dropped out, or the loop was late.
+  /// Samples are missing: the sensor dropped out, or the loop was late. Each call counts as one
+  /// gap.
   void push_missing(std::size_t tendon, std::uint32_t samples = 1) {
-    tendons_[tendon].push_missing(samples);
+    channels_[tendon].state.push_missing(samples);
   }
   /// Flags of the tendon, for a caller that converts its samples itself.
-  Flags& input_flags(std::size_t tendon) { return tendons_[tendon].input_flags(); }
+  Flags& input_flags(std::size_t tendon) { return channels_[tendon].state.input_flags(); }
 
-  /// Counts what push() has left of one tendon, at most Tendon::kSettleSteps steps. True while any
-  /// tendon has more.
+  /// Counts what push() has left of one tendon, in bounded time, once enough of it waits to be
+  /// worth the call: a few turning points a tendon. True while there is more. A reading takes in
+  /// the rest.
   bool settle() { return settle(NoObservers{}); }
 
   /// The same; `observers(tendon)` hears of each cycle, see NoObserver.
   template <class Observers>
   bool settle(Observers&& observers) {
-    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-      if (tendons_[tendon].pending()) {
-        tendons_[tendon].template settle<Tendon<Layout>::kSettleSteps>(parameters_[tendon],
-                                                                       observers(tendon));
-        return tendon + 1 < kTendons || tendons_[tendon].pending();
+    if constexpr (kTendons > 1) {
+      const std::uint32_t arrived = arrived_.relaxed();
+      if (arrived - taken_ < kTendons * kEnough) {
+        return false;
       }
+      for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+        if (settle_one(tendon, observers)) {
+          return true;
+        }
+      }
+      taken_ = arrived;
+      return false;
+    } else {
+      return settle_one(0, observers);
     }
-    return false;
+  }
+
+  /// Counts all that push() has left of a tendon; `observer` hears of each cycle.
+  template <class Observer = NoObserver>
+  void flush(std::size_t tendon, Observer observer = {}) {
+    Channel& channel = channels_[tendon];
+    took(channel.state.template flush<kCycles>(channel.parameters, observer));
   }
 
   /// Takes many samples of one tendon at once: the same as push() and settle() for each, and faster
   /// where there is a large queue. push() must not interrupt it.
   template <class Observer = NoObserver>
-  void replay(std::size_t tendon, std::span<const Tension> samples, Observer&& observer = {}) {
-    tendons_[tendon].replay(samples, parameters_[tendon], observer);
+  void replay(std::size_t tendon, std::span<const Tension> samples, Observer observer = {}) {
+    flush(tendon, observer);
+    channels_[tendon].state.replay(samples, channels_[tendon].parameters, observer);
   }
 
-  /// Life used at this instant. Settles first; `observer` hears of the cycles that are still open.
-  /// Bounded by the residue's capacity.
+  /// Life used at this instant. Flushes first; `observer` hears of the cycles that are still open.
+  /// Bounded by the capacity of the queue and of the residue.
   template <class Observer = NoObserver>
-  [[nodiscard]] Reading reading(std::size_t tendon, Observer&& observer = {}) {
-    return tendons_[tendon].reading(parameters_[tendon], observer);
+  [[nodiscard]] Reading reading(std::size_t tendon, Observer observer = {}) {
+    Reading result;
+    do {
+      flush(tendon);
+    } while (!channels_[tendon].state.read(channels_[tendon].parameters, result, observer));
+    return result;
   }
 
   [[nodiscard]] const Parameters& parameters(std::size_t tendon) const {
-    return parameters_[tendon];
+    return channels_[tendon].parameters;
   }
   [[nodiscard]] std::span<const Tension> residue(std::size_t tendon) const {
-    return tendons_[tendon].residue();
+    return channels_[tendon].state.residue();
   }
 
   /// The largest snapshot.
@@ -97,8 +128,8 @@ class Estimator {
   std::span<const std::byte> snapshot(std::span<std::byte> out) const {
     ByteWriter body(out.subspan(kSnapshotHeaderBytes));
     for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-      body.u32(parameters_[tendon].model_digest);
-      tendons_[tendon].store(body);
+      body.u32(channels_[tendon].parameters.model_digest);
+      channels_[tendon].state.store(body);
     }
     const std::size_t size = kSnapshotHeaderBytes + body.size();
     ByteWriter header(out);
@@ -122,10 +153,11 @@ class Estimator {
     for (const bool replace : {false, true}) {
       ByteReader in(body);
       for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-        if (in.u32() != parameters_[tendon].model_digest && change == ModelChange::refuse) {
+        if (in.u32() != channels_[tendon].parameters.model_digest &&
+            change == ModelChange::refuse) {
           return SnapshotError::other_model;
         }
-        if (!tendons_[tendon].load(in, replace)) {
+        if (!channels_[tendon].state.load(in, replace)) {
           return SnapshotError::implausible;
         }
       }
@@ -133,16 +165,51 @@ class Estimator {
         return SnapshotError::implausible;
       }
     }
+    std::uint32_t waiting = 0;
+    for (const Channel& channel : channels_) {
+      waiting += channel.state.waiting();
+    }
+    took(arrived_.own() - waiting - taken_);
     return SnapshotError::none;
   }
 
  private:
+  /// Cycles that one settle() counts at most.
+  static constexpr std::uint32_t kCycles = 4;
+  /// Turning points of a tendon that make settle() worth its call.
+  static constexpr std::uint32_t kEnough = 6;
+  static_assert(2 * kEnough <= Layout::kQueue, "the queue has room while settle() waits");
+
+  template <class Observers>
+  bool settle_one(std::size_t tendon, Observers& observers) {
+    Channel& channel = channels_[tendon];
+    if (channel.state.waiting() < kEnough) {
+      return false;
+    }
+    took(channel.state.template settle<kCycles>(channel.parameters, observers(tendon)));
+    return true;
+  }
+
+  void took(std::uint32_t turning_points) {
+    if (kTendons > 1) {
+      taken_ += turning_points;
+    }
+  }
+
   struct NoObservers {
     constexpr NoObserver operator()(std::size_t) const { return {}; }
   };
 
-  std::array<Parameters, kTendons> parameters_;
-  std::array<Tendon<Layout>, kTendons> tendons_;
+  struct Channel {
+    Parameters parameters{};
+    Tendon<Layout> state;
+  };
+
+  // With one tendon its queue tells how much waits. With more, these do: turning points that push()
+  // has left, and that were taken in. A hint, mended where it is off.
+  SharedWord<std::uint32_t> arrived_;
+  std::uint32_t taken_ = 0;
+  std::array<Channel, kTendons> channels_;
 };
 
 }  // namespace lifemodel

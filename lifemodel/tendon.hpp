@@ -16,6 +16,7 @@
 #include "lifemodel/state/alternation.hpp"
 #include "lifemodel/state/ledger.hpp"
 #include "lifemodel/support/bytes.hpp"
+#include "lifemodel/support/inlining.hpp"
 
 namespace lifemodel {
 
@@ -40,7 +41,7 @@ struct Reading {
   Events negatives;          ///< turning points below zero by more than the hysteresis
   Events residue_overflows;  ///< cycles counted larger than they were, see Residue
   Events overruns;           ///< cycles counted larger than they were, see Overrun
-  Events gaps;               ///< runs of missing samples
+  Events gaps;
   MissingSamples missing_samples;
 };
 
@@ -56,88 +57,106 @@ struct NoObserver {
 template <class Layout = DefaultLayout>
 class Tendon {
  public:
-  /// Steps of one settle() on the target; a turning point takes 1.5 steps on average.
-  static constexpr std::uint32_t kSettleSteps = 4;
-
-  /// Producer: one sample. Constant time.
-  void push(Tension tension, const Parameters& parameters) {
-    intake_.dropout = false;
-    filter_.push(tension, parameters.hysteresis,
-                 [this](Tension turning_point) { put(turning_point); });
+  /// Producer: one sample. Constant time. `left(n)` hears how many turning points it leaves to
+  /// settle.
+  template <class Left>
+  void push(Tension tension, const Parameters& parameters, Left&& left) {
+    filter_.push(tension, parameters.hysteresis, [&](Tension turning_point) {
+      if (overrun_.leaving_out() || queue_.free() == 0) [[unlikely]] {
+        left(put_late(turning_point));
+      } else {
+        queue_.put(turning_point);
+        left(1);
+      }
+    });
   }
 
-  /// Producer and consumer at once: many samples, each pushed and settled.
+  /// Producer and consumer at once: many samples, each pushed and settled. Precondition: nothing is
+  /// pending.
   template <class Observer>
-  void replay(std::span<const Tension> samples, const Parameters& parameters, Observer&& observer) {
+  void replay(std::span<const Tension> samples, const Parameters& parameters, Observer observer) {
     while (!samples.empty()) {
-      while (pending()) {
-        settle<kBatchSteps>(parameters, observer);
-      }
       std::size_t count = 1;
-      if (filter_.directed() && !overrun_.running()) {
-        count = std::min<std::size_t>(samples.size(), queue_.free());
+      if (filter_.directed() && !overrun_.leaving_out()) {
+        count = std::min<std::size_t>(samples.size(), Layout::kQueue);
         fill_queue(samples.first(count), parameters.hysteresis);
       } else {
-        push(samples.front(), parameters);
+        push(samples.front(), parameters, [](std::uint32_t) {});
       }
       samples = samples.subspan(count);
-    }
-    while (pending()) {
-      settle<kBatchSteps>(parameters, observer);
+      flush<kBatchCycles>(parameters, observer);
     }
   }
 
-  /// Producer: `samples` that are missing. The count goes on across the gap with the next sample.
+  /// Producer: a gap of `samples` that are missing. The count goes on across it with the next
+  /// sample.
   void push_missing(std::uint32_t samples) {
-    if (!intake_.dropout) {
-      intake_.dropout = true;
-      intake_.gaps.add(1, intake_.flags);
-      intake_.flags.raise(Flag::gap);
-    }
+    intake_.flags.raise(Flag::gap);
+    intake_.gaps.add(1, intake_.flags);
     intake_.missing_samples.add(samples, intake_.flags);
   }
+
+  [[nodiscard]] std::uint32_t waiting() const { return queue_.size(); }
 
   /// Producer: flags for conversions of samples on their way in.
   Flags& input_flags() { return intake_.flags; }
 
-  /// Consumer: at most kSteps steps, each of which counts at most one cycle.
-  template <std::uint32_t kSteps, class Observer>
-  void settle(const Parameters& parameters, Observer&& observer) {
-    CycleSink<Observer> sink{ledger_, parameters.law, observer};
+  /// Consumer: counts at most kCycles cycles and takes in at most twice as many turning points.
+  /// Returns how many turning points it has taken in.
+  template <std::uint32_t kCycles, class Observer>
+  LIFEMODEL_ONE_COPY std::uint32_t settle(const Parameters& parameters, Observer observer) {
     if (paid_ != overrun_.owed()) [[unlikely]] {
-      pay(sink);
-      return;
+      pay(parameters.law, observer);
+      return 0;
     }
-    std::array<FullCycle, kSteps> closed;
-    const auto done = residue_.take([this](std::uint32_t i) { return queue_.at(i); }, queue_.size(),
-                                    kSteps, closed.data(), sink);
-    for (std::uint32_t i = 0; i < done.taken; ++i) {
-      note_extremes(queue_.at(i), parameters, ledger_.flags, ledger_.overloads, ledger_.negatives);
+    std::array<FullCycle, kCycles> closed;
+    Finals<Observer> finals{ledger_, parameters.law, observer};
+    const auto waiting = queue_.range();
+    const auto done = residue_.take(waiting, waiting.first, waiting.last,
+                                    static_cast<std::int32_t>(2 * kCycles), closed.data(), finals);
+    const std::uint32_t end = waiting.first + done.taken;
+    for (std::uint32_t i = waiting.first; i != end; ++i) {
+      note_extremes(waiting(i), parameters, ledger_.flags, ledger_.overloads, ledger_.negatives);
     }
     queue_.drop(done.taken);
+    // While no turning point ever reached the ultimate tension, none has to be asked again.
+    const bool overloaded = ledger_.flags.has(Flag::overload);
     for (std::uint32_t i = 0; i < done.closed; ++i) {
-      sink.full(closed[i].from, closed[i].to);
+      const Tension from = closed[i].from();
+      const Tension to = closed[i].to();
+      const CycleDamage damage =
+          overloaded ? parameters.law(from, to) : parameters.law.below_ultimate(from, to);
+      ledger_.closed.add(damage, ledger_.flags);
+      observer.full(from, to, damage);
     }
+    ledger_.cycles.add(done.closed, ledger_.flags);
+    return done.taken;
+  }
+
+  /// Consumer: all that is pending. Returns how many turning points it has taken in.
+  template <std::uint32_t kCycles, class Observer>
+  std::uint32_t flush(const Parameters& parameters, Observer observer) {
+    std::uint32_t taken = 0;
+    while (pending()) {
+      taken += settle<kCycles>(parameters, observer);
+    }
+    return taken;
   }
 
   /// Consumer: true while settle() has work. What an overrun owes comes before a turning point.
   [[nodiscard]] bool pending() const { return !queue_.empty(); }
 
-  /// Consumer: settles what is pending, then reads. Time is bounded by the places of the queue and
-  /// of the residue.
+  /// Consumer: reads; `observer` hears of the cycles that are in the reading but not counted for
+  /// good. Precondition: nothing was pending. False, and no reading, where push() came in between.
+  /// Time is bounded by the places of the residue.
   template <class Observer>
-  [[nodiscard]] Reading reading(const Parameters& parameters, Observer&& observer) {
-    Last last{};
-    do {
-      while (pending()) {
-        settle<kSettleSteps>(parameters, NoObserver{});
-      }
-      last = last_turning_point();
-      std::atomic_thread_fence(std::memory_order_acquire);
-      // A push() in between that changed the run has left a turning point.
-    } while (pending());
-
-    Reading r{};
+  [[nodiscard]] bool read(const Parameters& parameters, Reading& r, Observer observer) const {
+    const Last last = last_turning_point();
+    std::atomic_thread_fence(std::memory_order_acquire);
+    if (pending()) {
+      return false;  // and the last turning point may be of two runs
+    }
+    r = {};
     r.closed = ledger_.closed;
     r.open = ledger_.retired;
     r.closed_cycles = ledger_.cycles;
@@ -155,7 +174,7 @@ class Tendon {
     }
     r.total = r.closed;
     r.total.add(r.open, r.flags);
-    return r;
+    return true;
   }
 
   /// The points that nest, oldest first, without the unconfirmed last one.
@@ -232,20 +251,15 @@ class Tendon {
   }
 
  private:
-  static constexpr std::uint32_t kBatchSteps = 512;
+  static constexpr std::uint32_t kBatchCycles = 512;
 
+  /// Books what take() reports beside the full cycles.
   template <class Observer>
-  struct CycleSink {
+  struct Finals {
     Ledger& ledger;
     const CycleLaw& law;
-    Observer& observer;
+    Observer observer;
 
-    void full(Tension from, Tension to) {
-      const CycleDamage damage = law(from, to);
-      ledger.closed.add(damage, ledger.flags);
-      ledger.cycles.add(1, ledger.flags);
-      observer.full(from, to, damage);
-    }
     void half(Tension from, Tension to) {
       const CycleDamage damage = law(from, to).half();
       ledger.retired.add(damage, ledger.flags);
@@ -291,16 +305,7 @@ class Tendon {
     return filter_.directed() ? Last{true, filter_.run().candidate()} : Last{false, Tension{}};
   }
 
-  void put(Tension turning_point) {
-    if (overrun_.running() || queue_.free() == 0) [[unlikely]] {
-      put_late(turning_point);
-    } else {
-      queue_.put(turning_point);
-    }
-  }
-
   void fill_queue(std::span<const Tension> samples, TensionRange hysteresis) {
-    intake_.dropout = false;
     typename TurningPointQueue<Layout::kQueue>::Batch batch(queue_);
     TurningPoints::Run run = filter_.run();
     for (const Tension sample : samples) {
@@ -310,21 +315,34 @@ class Tendon {
     filter_.set_run(run);
   }
 
-  [[gnu::noinline]] void put_late(Tension turning_point) {
+  [[gnu::noinline]] std::uint32_t put_late(Tension turning_point) {
     intake_.flags.raise(Flag::overrun);
-    if (queue_.free() >= Overrun::kPlaces) {
-      overrun_.finish([this](Tension extreme) { queue_.put(extreme); });
-      queue_.put(turning_point);
-    } else {
+    if (queue_.free() < Overrun::kPlaces) {
       overrun_.leave_out(turning_point, turning_point < filter_.run().candidate());
+      return 0;
     }
+    std::uint32_t left = 1;
+    overrun_.finish([&](Tension extreme) {
+      queue_.put(extreme);
+      ++left;
+    });
+    queue_.put(turning_point);
+    return left;
   }
 
-  template <class Sink>
-  [[gnu::noinline]] void pay(Sink& sink) {
-    sink.full(overrun_.lowest(), overrun_.highest());
-    ledger_.overruns.add(1, ledger_.flags);
-    ++paid_;
+  /// Counts all cycles that overruns owe.
+  template <class Observer>
+  [[gnu::noinline]] void pay(const CycleLaw& law, Observer observer) {
+    const std::uint32_t owed = overrun_.owed();
+    const std::uint32_t times = owed - paid_;
+    paid_ = owed;
+    const CycleDamage damage = law(overrun_.lowest(), overrun_.highest());
+    ledger_.closed.add(damage, times, ledger_.flags);
+    ledger_.cycles.add(times, ledger_.flags);
+    ledger_.overruns.add(times, ledger_.flags);
+    for (std::uint32_t i = 0; i < times; ++i) {
+      observer.full(overrun_.lowest(), overrun_.highest(), damage);
+    }
   }
 
   static void note_extremes(Tension turning_point, const Parameters& parameters, Flags& flags,

@@ -21,6 +21,9 @@ class Overrun {
   /// Places in the queue that finish() needs, with one for the turning point that follows.
   static constexpr std::uint32_t kPlaces = 4;
 
+  /// Producer: whether a run is under way.
+  [[nodiscard]] bool leaving_out() const { return length_.own() != 0; }
+  /// Consumer: the same.
   [[nodiscard]] bool running() const { return length_.acquire() != 0; }
   /// The extreme of the current run on the side where it began: what is known to follow the queue.
   [[nodiscard]] Tension first_extreme() const { return began_low_ ? run_lowest_ : run_highest_; }

@@ -54,6 +54,15 @@ class TurningPointQueue {
   /// Consumer. Precondition: count <= size().
   void drop(std::uint32_t count) { tail_.release(tail_.own() + count); }
 
+  /// Consumer: what waits as indices first .. last - 1, modulo 2^32.
+  struct Range {
+    const Tension* points;
+    std::uint32_t first;
+    std::uint32_t last;
+    Tension operator()(std::uint32_t index) const { return points[index % kCapacity]; }
+  };
+  [[nodiscard]] Range range() const { return {points_.data(), tail_.own(), head_.acquire()}; }
+
   static constexpr std::size_t capacity() { return kCapacity; }
 
  private:

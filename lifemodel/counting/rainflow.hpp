@@ -9,10 +9,17 @@
 
 namespace lifemodel {
 
-/// A full cycle that has been counted: its two turning points.
-struct FullCycle {
-  Tension from;
-  Tension to;
+/// A full cycle that has been counted. Trivial, so that a buffer of them costs nothing.
+class FullCycle {
+ public:
+  FullCycle() = default;
+  constexpr FullCycle(Tension from, Tension to) : from_(from.raw()), to_(to.raw()) {}
+  [[nodiscard]] constexpr Tension from() const { return Tension::from_raw(from_); }
+  [[nodiscard]] constexpr Tension to() const { return Tension::from_raw(to_); }
+
+ private:
+  std::int32_t from_;
+  std::int32_t to_;
 };
 
 /// Streaming rainflow counting on exact turning points, in bounded steps.
@@ -37,33 +44,51 @@ class Residue {
     std::uint32_t closed;  ///< full cycles, written to the buffer
   };
 
-  /// Takes turning points in, at most `steps` steps; a step takes one point or closes one cycle.
-  /// `next(i)` gives the i-th of `count` points; `closed` has room for `steps` cycles;
-  /// `sink.half(from, to)` hears of half cycles that became final, `sink.overflow()` of a full
-  /// residue.
+  /// Takes in the turning points next(first) .. next(last - 1), indices modulo 2^32, until `effort`
+  /// is used up: a point takes 1, a full cycle 2, a half cycle that became final 2. `closed` has
+  /// room for (effort + 1) / 2 cycles; `sink.half(from, to)` hears of the half cycles,
+  /// `sink.overflow()` of a full residue.
   template <class Next, class Sink>
-  constexpr Progress take(Next&& next, std::uint32_t count, std::uint32_t steps, FullCycle* closed,
-                          Sink&& sink) {
-    Progress done{0, 0};
-    std::size_t size = size_;
-    while (steps != 0 && done.taken != count) {
-      --steps;
-      const Tension point = next(done.taken);
-      if (size < 3 || size == kCapacity) [[unlikely]] {
-        size = take_at_end(size, point, closed, done, sink);
-        continue;
+  [[gnu::always_inline]] constexpr Progress take(Next next, std::uint32_t first, std::uint32_t last,
+                                                 std::int32_t effort, FullCycle* closed,
+                                                 Sink&& sink) {
+    std::uint32_t index = first;
+    while (size_ < 2 && index != last)
+      [[unlikely]] {
+        points_[size_++] = next(index++);
       }
+    Tension* const low = points_.data() + 2;
+    Tension* const high = points_.data() + kCapacity;
+    Tension* end = points_.data() + size_;
+    FullCycle* out = closed;
+    std::int32_t mirror = mirror_at(size_);
+    while (effort > 0 && index != last) {
       // Without a branch: whether a cycle closes cannot be predicted. The point is written past the
       // end where it stays pending.
-      const std::uint32_t closes = reaches(size, point) ? 1 : 0;
-      closed[done.closed] = {points_[size - 2], points_[size - 1]};
-      points_[size] = point;
-      done.closed += closes;
-      done.taken += 1 - closes;
-      size += 1 - 3 * std::size_t{closes};
+      const Tension point = next(index);
+      const Tension b = end[-2];
+      const Tension c = end[-1];
+      const bool closes = (point.raw() ^ mirror) >= (b.raw() ^ mirror);
+      *out = {b, c};
+      *end = point;
+      end = closes ? end - 2 : end + 1;
+      out = closes ? out + 1 : out;
+      mirror = closes ? mirror : ~mirror;
+      index = closes ? index : index + 1;
+      effort -= closes ? 2 : 1;
+      if (end < low || end > high) [[unlikely]] {
+        --effort;
+        const auto size = static_cast<std::size_t>(end - points_.data());
+        out -= size == 0 ? 1 : 0;
+        const Edge edge = end > high ? overflow(*out, sink) : refill(size, point, sink);
+        out += edge.closed;
+        index += edge.taken;
+        end = points_.data() + edge.size;
+        mirror = mirror_at(edge.size);
+      }
     }
-    size_ = size;
-    return done;
+    size_ = static_cast<std::size_t>(end - points_.data());
+    return {index - first, static_cast<std::uint32_t>(out - closed)};
   }
 
   /// Reports what would be open if `candidate` were the last turning point, without taking it in:
@@ -94,38 +119,50 @@ class Residue {
   constexpr void append(Tension point) { points_[size_++] = point; }
 
  private:
+  /// -1 where the next point comes from above, so that ^ mirror makes it come from below.
+  [[nodiscard]] constexpr std::int32_t mirror_at(std::size_t size) const {
+    return size >= 2 && points_[size - 1] > points_[size - 2] ? -1 : 0;
+  }
+
   /// Whether the range from the last point to `next` is at least the last range. As directions
   /// alternate, that is where `next` reaches the point before the last.
   [[nodiscard]] constexpr bool reaches(std::size_t size, Tension next) const {
-    const Tension before = points_[size - 2];
-    return points_[size - 1] > before ? next <= before : next >= before;
+    const std::int32_t mirror = mirror_at(size);
+    return (next.raw() ^ mirror) >= (points_[size - 2].raw() ^ mirror);
   }
 
+  /// What is left to note where the residue was too short or too long.
+  struct Edge {
+    std::uint32_t size;
+    std::uint16_t taken;
+    std::uint16_t closed;
+  };
+
+  /// `point` has closed the range of the last two points where only `size` were left before them.
   template <class Sink>
-  constexpr std::size_t take_at_end(std::size_t size, Tension point, FullCycle* closed,
-                                    Progress& done, Sink& sink) {
-    if (size >= 3 && reaches(size, point)) {
-      closed[done.closed++] = {points_[size - 2], points_[size - 1]};
-      return size - 2;
-    }
-    ++done.taken;
-    if (size == kCapacity) {
-      sink.overflow();
-      closed[done.closed++] = {points_[size - 2], points_[size - 1]};
-      return size - 1;
-    }
-    if (size == 2 && reaches(size, point) && point != points_[0]) {
+  [[gnu::noinline]] constexpr Edge refill(std::size_t size, Tension point, Sink& sink) {
+    if (size == 1) {  // a full cycle on top of the first point, which the range now starts from
+      points_[1] = point;
+    } else if (point != points_[0]) {
       sink.half(points_[0], points_[1]);
       points_[0] = points_[1];
       points_[1] = point;
-      return size;
+    } else {
+      points_[2] = point;
+      return {3, 1, 0};
     }
-    points_[size] = point;
-    return size + 1;
+    return {2, 1, 0};
+  }
+
+  template <class Sink>
+  [[gnu::noinline]] constexpr Edge overflow(FullCycle& closed, Sink& sink) {
+    sink.overflow();
+    closed = {points_[kCapacity - 2], points_[kCapacity - 1]};
+    return {kCapacity - 1, 0, 1};
   }
 
   std::size_t size_ = 0;
-  std::array<Tension, kCapacity> points_{};
+  std::array<Tension, kCapacity + 1> points_{};  ///< one more for the point that overflows
 };
 
 }  // namespace lifemodel

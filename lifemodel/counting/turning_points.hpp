@@ -41,7 +41,11 @@ class TurningPoints {
   template <class Confirmed>
   void push(Tension sample, TensionRange hysteresis, Confirmed&& confirmed) {
     if (phase_.own() != kDirected) [[unlikely]] {
-      begin(sample, hysteresis, confirmed);
+      if (phase_.own() == kUndirected) {
+        seek_direction(sample.raw(), hysteresis, confirmed);
+      } else {
+        start(sample.raw());
+      }
       return;
     }
     Run now = run();
@@ -95,14 +99,9 @@ class TurningPoints {
   static constexpr std::uint32_t kDirected = 2;
 
   template <class Confirmed>
-  void begin(Tension sample, TensionRange hysteresis, Confirmed&& confirmed) {
-    const std::int32_t value = sample.raw();
+  void seek_direction(std::int32_t value, TensionRange hysteresis, Confirmed&& confirmed) {
     const std::int32_t highest = extremum_.own();
-    if (phase_.own() == kEmpty) {
-      phase_.set_relaxed(kUndirected);
-      extremum_.set_relaxed(value);
-      lowest_ = value;
-    } else if (value > highest) {
+    if (value > highest) {
       extremum_.set_relaxed(value);
       if (spread() >= hysteresis.raw()) {
         direct({0, value}, lowest_, confirmed);
@@ -113,6 +112,12 @@ class TurningPoints {
         direct({-1, -value}, highest, confirmed);
       }
     }
+  }
+
+  void start(std::int32_t value) {
+    phase_.set_relaxed(kUndirected);
+    extremum_.set_relaxed(value);
+    lowest_ = value;
   }
 
   template <class Confirmed>

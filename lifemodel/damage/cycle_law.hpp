@@ -7,6 +7,7 @@
 #include "lifemodel/numeric/log2.hpp"
 #include "lifemodel/numeric/quotient.hpp"
 #include "lifemodel/quantity/units.hpp"
+#include "lifemodel/support/inlining.hpp"
 
 namespace lifemodel {
 
@@ -24,9 +25,26 @@ struct CycleLaw {
   /// A cycle that reaches the ultimate tension, and one whose life is below one cycle, uses up a
   /// whole life: the largest damage of a cycle. Precondition: x != y.
   [[nodiscard]] constexpr CycleDamage operator()(Tension x, Tension y) const {
-    if (overloads(x) || overloads(y)) {
-      return kWholeLife;
-    }
+    return CycleDamage::unpack(packed_if_below(x, y));
+  }
+
+  /// The same where neither is known to reach the ultimate tension.
+  [[nodiscard]] constexpr CycleDamage below_ultimate(Tension x, Tension y) const {
+    return CycleDamage::unpack(packed(x, y));
+  }
+
+  static constexpr bool overloads(Tension t) {
+    return t.raw() >= kUltimate.raw() || t.raw() <= -kUltimate.raw();
+  }
+
+ private:
+  // Packed into a word pair, which comes back in registers.
+  [[nodiscard]] LIFEMODEL_ONE_COPY constexpr std::uint64_t packed_if_below(Tension x,
+                                                                           Tension y) const {
+    return overloads(x) || overloads(y) ? kWholeLife.pack() : packed(x, y);
+  }
+
+  [[nodiscard]] LIFEMODEL_ONE_COPY constexpr std::uint64_t packed(Tension x, Tension y) const {
     const auto sum = static_cast<std::uint32_t>(x.raw() + y.raw());
     constexpr std::uint32_t kTwo = 2u << Tension::kFractionBits;
     const std::uint64_t denominator = std::uint64_t{kTwo - sum} * (kTwo + sum);
@@ -39,15 +57,12 @@ struct CycleLaw {
     const std::int32_t log2_damage =
         static_cast<std::int32_t>(product >> 32) + log2_damage_at_ultimate;
     if (log2_damage >= 0) {
-      return kWholeLife;
+      return kWholeLife.pack();
     }
     const auto fraction = static_cast<std::uint32_t>(log2_damage) & ((1u << numeric::kExpBits) - 1);
-    return {numeric::exp2_fraction(fraction),
-            (log2_damage >> numeric::kExpBits) + Damage::kFractionBits - 31};
-  }
-
-  static constexpr bool overloads(Tension t) {
-    return t.raw() >= kUltimate.raw() || t.raw() <= -kUltimate.raw();
+    return CycleDamage{numeric::exp2_fraction(fraction),
+                       (log2_damage >> numeric::kExpBits) + Damage::kFractionBits - 31}
+        .pack();
   }
 };
 

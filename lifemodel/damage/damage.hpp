@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "lifemodel/state/flags.hpp"
+#include "lifemodel/support/inlining.hpp"
 
 namespace lifemodel {
 
@@ -17,6 +18,13 @@ struct CycleDamage {
   std::int32_t position;
 
   [[nodiscard]] constexpr CycleDamage half() const { return {mantissa, position - 1}; }
+
+  [[nodiscard]] constexpr std::uint64_t pack() const {
+    return (std::uint64_t{static_cast<std::uint32_t>(position)} << 32) | mantissa;
+  }
+  static constexpr CycleDamage unpack(std::uint64_t packed) {
+    return {static_cast<std::uint32_t>(packed), static_cast<std::int32_t>(packed >> 32)};
+  }
 };
 
 /// Miner damage, Q24.104 in 128 bits: 0 .. 2^24, resolution 5e-32. Sums are exact, so their order
@@ -30,31 +38,21 @@ class Damage {
   static constexpr Damage from_words(const Words& words) { return Damage(words); }
   [[nodiscard]] constexpr const Words& words() const { return words_; }
 
+  /// Adds the same cycle several times.
+  constexpr void add(CycleDamage cycle, std::uint32_t times, Flags& flags) {
+    const std::uint64_t product = std::uint64_t{cycle.mantissa} * times;
+    if (const auto low = static_cast<std::uint32_t>(product); low != 0) {
+      add(low, cycle.position, *this, flags);
+    }
+    if (const auto high = static_cast<std::uint32_t>(product >> 32); high != 0) {
+      add(high, cycle.position + 32, *this, flags);
+    }
+  }
+
   /// Adds a cycle. What lies below the resolution is rounded down, but a cycle adds at least one
   /// step: the smallest cycle is never lost.
   constexpr void add(CycleDamage cycle, Flags& flags) {
-    std::uint32_t mantissa = cycle.mantissa;
-    std::uint32_t position = 0;
-    if (cycle.position >= 0) {
-      position = static_cast<std::uint32_t>(cycle.position);
-    } else {
-      mantissa = cycle.position > -32 ? mantissa >> -cycle.position : 0;
-      mantissa += mantissa == 0 ? 1u : 0u;
-    }
-    std::size_t word = position / 32;
-    const std::uint64_t shifted = std::uint64_t{mantissa} << (position % 32);
-    std::uint64_t sum = std::uint64_t{words_[word]} + static_cast<std::uint32_t>(shifted);
-    words_[word] = static_cast<std::uint32_t>(sum);
-    sum = (sum >> 32) + (shifted >> 32);
-    while (sum != 0) {
-      if (++word == words_.size()) {
-        saturate(flags);
-        return;
-      }
-      sum += words_[word];
-      words_[word] = static_cast<std::uint32_t>(sum);
-      sum >>= 32;
-    }
+    add(cycle.mantissa, cycle.position, *this, flags);
   }
 
   constexpr void add(const Damage& other, Flags& flags) {
@@ -97,6 +95,36 @@ class Damage {
 
  private:
   constexpr explicit Damage(const Words& words) : words_(words) {}
+
+  // In the order in which a packed CycleDamage comes back from its law.
+  LIFEMODEL_ONE_COPY static constexpr void add(std::uint32_t mantissa, std::int32_t exponent,
+                                               Damage& sum, Flags& flags) {
+    std::uint32_t position = 0;
+    if (exponent >= 0) [[likely]] {
+      position = static_cast<std::uint32_t>(exponent);
+    } else {
+      mantissa = exponent > -32 ? mantissa >> -exponent : 0;
+      mantissa += mantissa == 0 ? 1u : 0u;
+    }
+    std::uint32_t* word = sum.words_.data() + position / 32;
+    const std::uint32_t shift = position % 32;
+    std::uint32_t addend = mantissa << shift;
+    std::uint32_t carry = (mantissa >> 1) >> (31 - shift);
+    for (;;) {
+      const std::uint32_t low = *word + addend;
+      carry += low < addend ? 1 : 0;
+      *word = low;
+      if (carry == 0) {
+        return;
+      }
+      if (++word == sum.words_.data() + sum.words_.size()) {
+        sum.saturate(flags);
+        return;
+      }
+      addend = carry;
+      carry = 0;
+    }
+  }
   constexpr void saturate(Flags& flags) {
     words_.fill(std::numeric_limits<std::uint32_t>::max());
     flags.raise(Flag::saturated);

@@ -18,11 +18,9 @@ class Count {
   [[nodiscard]] constexpr Rep raw() const { return raw_; }
 
   constexpr void add(Rep n, Flags& flags) {
-    if (n > std::numeric_limits<Rep>::max() - raw_) {
+    if (__builtin_add_overflow(raw_, n, &raw_)) [[unlikely]] {
       raw_ = std::numeric_limits<Rep>::max();
       flags.raise(Flag::saturated);
-    } else {
-      raw_ += n;
     }
   }
 

@@ -10,16 +10,14 @@ namespace lifemodel {
 /// What push() has noticed about the samples of one tendon.
 struct Intake {
   Flags flags;
-  Events gaps;  ///< runs of missing samples
+  Events gaps;
   MissingSamples missing_samples;
-  bool dropout = false;  ///< the last sample was missing
 
-  static constexpr std::size_t kWords = 4;
+  static constexpr std::size_t kWords = 3;
   constexpr void store(ByteWriter& out) const {
     out.u32(flags.bits());
     out.u32(gaps.raw());
     out.u32(missing_samples.raw());
-    out.u32(dropout ? 1 : 0);
   }
   /// False if nothing could have stored it.
   constexpr bool load(ByteReader& in) {
@@ -27,9 +25,7 @@ struct Intake {
     flags = Flags::from_bits(bits);
     gaps = Events::from_raw(in.u32());
     missing_samples = MissingSamples::from_raw(in.u32());
-    const std::uint32_t stored_dropout = in.u32();
-    dropout = stored_dropout != 0;
-    return (bits & ~kAllFlags) == 0 && stored_dropout <= 1;
+    return (bits & ~kAllFlags) == 0;
   }
 };
 

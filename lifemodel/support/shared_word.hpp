@@ -15,12 +15,34 @@ class SharedWord {
   constexpr explicit SharedWord(T value) : value_(value) {}
 
   [[nodiscard]] T relaxed() const { return ref().load(std::memory_order_relaxed); }
-  [[nodiscard]] T acquire() const { return ref().load(std::memory_order_acquire); }
   void set_relaxed(T value) { ref().store(value, std::memory_order_relaxed); }
-  void release(T value) { ref().store(value, std::memory_order_release); }
+
+#if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M' && !defined(LIFEMODEL_SEVERAL_CORES)
+  // A microcontroller has one core, which sees its own memory in order even across an interrupt:
+  // only the compiler has to be held back. Define LIFEMODEL_SEVERAL_CORES where another core
+  // pushes.
+  [[nodiscard]] T acquire() const {
+    const T value = relaxed();
+    std::atomic_signal_fence(std::memory_order_acquire);
+    return value;
+  }
+  void release(T value) {
+    std::atomic_signal_fence(std::memory_order_release);
+    set_relaxed(value);
+  }
+#else
+  [[nodiscard]] T acquire() const {
+    return ref().load(std::memory_order_acquire);
+  }
+  void release(T value) {
+    ref().store(value, std::memory_order_release);
+  }
+#endif
 
   /// For the side that writes it.
-  [[nodiscard]] constexpr T own() const { return value_; }
+  [[nodiscard]] constexpr T own() const {
+    return value_;
+  }
 
  private:
   // atomic_ref takes no const object before C++26.

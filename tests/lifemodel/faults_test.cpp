@@ -16,7 +16,7 @@ using pack::to_double;
 
 struct SmallLayout {
   static constexpr std::size_t kResidue = 8;
-  static constexpr std::size_t kQueue = 8;
+  static constexpr std::size_t kQueue = 16;
 };
 struct LargeLayout {
   static constexpr std::size_t kResidue = 4096;
@@ -85,9 +85,7 @@ TEST(Faults, AGapIsCountedOnceAndTheCountGoesOnAcrossIt) {
     gappy.push(0, signal[i]);
     whole.push(0, signal[i]);
     if (i % 500 == 250) {
-      for (int missing = 0; missing < 7; ++missing) {
-        gappy.push_missing(0);
-      }
+      { gappy.push_missing(0, 7); }
     }
     while (gappy.settle() || whole.settle()) {
     }
@@ -171,9 +169,9 @@ TEST(Faults, AShortOverrunLosesNothingAndAddsNothing) {
   const Parameters p = parameters_of(paper_constants());
   Estimator<1, SmallLayout> late({p});
   Estimator<1, LargeLayout> exact({p});
-  // 8 places; 10 turning points before the queue is settled again.
-  for (int i = 0; i < 11; ++i) {
-    const Tension t = newtons(50 + (i % 2 == 0 ? -1 : 1) * (5.0 + i));
+  // 16 places; 18 turning points before the queue is settled again.
+  for (int i = 0; i < 19; ++i) {
+    const Tension t = newtons(50 + (i % 2 == 0 ? -1 : 1) * (5.0 + 2 * i));
     late.push(0, t);
     exact.push(0, t);
   }

@@ -28,20 +28,20 @@ struct Counted {
 
 /// Counts turning points (neighbours must turn); the last one stays unconfirmed.
 template <std::size_t kCapacity>
-Counted count(const std::vector<double>& turning_points_N, std::uint32_t steps_a_call) {
+Counted count(const std::vector<double>& turning_points_N, std::int32_t effort) {
   Counted counted;
   Counted::Sink sink{counted};
   Residue<kCapacity> residue;
-  std::vector<FullCycle> closed(steps_a_call);
+  std::vector<FullCycle> closed(static_cast<std::size_t>(effort + 1) / 2);
   const auto points = newtons(turning_points_N);
   std::size_t position = 0;
   while (position + 1 < points.size()) {
-    const auto done = residue.take([&](std::uint32_t i) { return points[position + i]; },
-                                   static_cast<std::uint32_t>(points.size() - 1 - position),
-                                   steps_a_call, closed.data(), sink);
+    const auto done = residue.take(
+        [&](std::uint32_t i) { return points[i]; }, static_cast<std::uint32_t>(position),
+        static_cast<std::uint32_t>(points.size() - 1), effort, closed.data(), sink);
     position += done.taken;
     for (std::uint32_t i = 0; i < done.closed; ++i) {
-      sink.full(closed[i].from, closed[i].to);
+      sink.full(closed[i].from(), closed[i].to());
     }
   }
   residue.open(points.back(), sink);
@@ -69,11 +69,11 @@ TEST(Residue, OneTurningPointClosesManyCycles) {
   EXPECT_EQ(counted.half, (Pairs{{0, 12}, {12, 0}}));
 }
 
-TEST(Residue, TheStepsOfACallDoNotMatter) {
+TEST(Residue, TheEffortOfACallDoesNotMatter) {
   const std::vector<double> points{0, 10, 1, 9, 2, 8, 3, 12, -1, 5, 4, 13, 2, 6, 5, 6.5, 1};
   const auto one = count<16>(points, 1);
-  for (const std::uint32_t steps : {2u, 3u, 4u, 100u}) {
-    const auto other = count<16>(points, steps);
+  for (const std::int32_t effort : {2, 3, 4, 100}) {
+    const auto other = count<16>(points, effort);
     EXPECT_EQ(one.full, other.full);
     EXPECT_EQ(one.half, other.half);
   }

@@ -64,10 +64,10 @@ Count count_series(const std::vector<double>& series) {
     std::uint32_t taken = 0;
     while (taken == 0) {
       const auto done =
-          residue.take([&](std::uint32_t) { return point; }, 1, 1, closed.data(), finals);
+          residue.take([&](std::uint32_t) { return point; }, 0, 1, 1, closed.data(), finals);
       taken = done.taken;
       if (done.closed != 0) {
-        count.full_cycle(closed[0].from, closed[0].to);
+        count.full_cycle(closed[0].from(), closed[0].to());
       }
     }
   };

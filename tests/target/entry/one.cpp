@@ -1,5 +1,7 @@
 #include "tests/target/entry/entry.hpp"
 
+#include <new>
+
 using lifemodel::Tension;
 using target::One;
 
@@ -12,7 +14,7 @@ bool settle_one(One* estimator) {
 }
 
 void reading_one(One* estimator, lifemodel::Reading* out) {
-  *out = estimator->reading(0);
+  new (out) lifemodel::Reading(estimator->reading(0));
 }
 
 std::size_t snapshot_one(const One* estimator, std::byte* out) {
