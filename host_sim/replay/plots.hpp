@@ -1,0 +1,43 @@
+#pragma once
+
+#include "host_sim/io/model.hpp"
+#include "host_sim/report/envelope_builder.hpp"
+#include "host_sim/report/range_mean_builder.hpp"
+#include "host_sim/report/report_data.hpp"
+#include "host_sim/report/trajectory_builder.hpp"
+#include "host_sim/report/turning_point_builder.hpp"
+#include "lifemodel/block/parameters.hpp"
+#include "lifemodel/counting/turning_points.hpp"
+
+namespace host_sim {
+
+/// Gathers the plots of the report while the samples go by, in bounded memory.
+class Plots {
+ public:
+  Plots(const Model& model, const lifemodel::Parameters& parameters);
+
+  void sample(double time_s, lifemodel::Tension tension);
+  /// A counted cycle; `count` is 1 or 0.5.
+  void cycle(lifemodel::Tension from, lifemodel::Tension to, double count,
+             lifemodel::CycleDamage damage);
+  void damage(double time_s, double total) { trajectory_.push(time_s, total); }
+
+  /// Puts the plots into the report.
+  void finish(ReplayReport& report);
+
+ private:
+  [[nodiscard]] double newtons(lifemodel::Tension tension) const;
+
+  double ultimate_tension_N_;
+  lifemodel::TensionRange hysteresis_;
+  lifemodel::TurningPoints filter_;  ///< the estimator's filter once more, for the times
+  lifemodel::Tension candidate_;
+  double candidate_s_ = 0;
+  bool first_ = true;
+  EnvelopeBuilder envelope_;
+  TurningPointBuilder turning_points_;
+  RangeMeanBuilder range_mean_;
+  TrajectoryBuilder trajectory_;
+};
+
+}  // namespace host_sim

@@ -1,0 +1,174 @@
+#include "host_sim/replay/replay.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+
+#include "host_sim/io/input_error.hpp"
+#include "host_sim/replay/constants.hpp"
+#include "host_sim/replay/flag_names.hpp"
+#include "host_sim/replay/plots.hpp"
+#include "host_sim/replay/profile_input.hpp"
+#include "host_sim/replay/sample_clock.hpp"
+#include "host_sim/replay/trajectory_file.hpp"
+#include "lifemodel/estimator.hpp"
+#include "lifemodel/pack/pack.hpp"
+
+namespace host_sim {
+namespace {
+
+using lifemodel::CycleDamage;
+using lifemodel::Reading;
+using lifemodel::Tension;
+using lifemodel::pack::to_double;
+
+/// Hands counted cycles to the plots, where there are any.
+struct CyclesToPlots {
+  Plots* plots;
+  void full(Tension from, Tension to, CycleDamage damage) const { hand(from, to, 1, damage); }
+  void half(Tension from, Tension to, CycleDamage damage) const { hand(from, to, 0.5, damage); }
+  void hand(Tension from, Tension to, double count, CycleDamage damage) const {
+    if (plots != nullptr) {
+      plots->cycle(from, to, count, damage);
+    }
+  }
+};
+
+/// One pass of a profile.
+class Pass {
+ public:
+  Pass(const ProfileReader& profile, const Model& model, const ReplayOptions& options)
+      : model_(model),
+        options_(options),
+        parameters_(parameters_of(model)),
+        estimator_({parameters_}),
+        exact_(reference_constants_of(model)),
+        input_(profile, model, parameters_),
+        clock_(1 / model.counting.sample_rate_Hz) {
+    if (options.report != nullptr) {
+      plots_.emplace(model, parameters_);
+    }
+    if (options.trajectory != nullptr) {
+      trajectory_.emplace(*options.trajectory, model.cable.ultimate_tension_N);
+    }
+  }
+
+  void take(const ProfileRow& row) {
+    if (const std::uint32_t missing = clock_.missing_before(row.time_s); missing != 0) {
+      estimator_.push_missing(0, missing);
+    }
+    input_.take(row, estimator_.input_flags(0));
+    estimator_.push(0, input_.tension());
+    while (estimator_.settle([this](std::size_t) { return cycles_to_plots(); })) {
+    }
+    exact_.push(input_.tension_N());
+    if (plots_) {
+      plots_->sample(row.time_s, input_.tension());
+    }
+    time_s_ = row.time_s;
+    tell(row.time_s >= next_told_s_);
+  }
+
+  ReplayResult finish(InputKind kind) {
+    tell(true);
+    estimator_.flush(0, cycles_to_plots());
+    const Reading reading = estimator_.reading(0, cycles_to_plots());
+    const reference::Reading exact = exact_.reading();
+
+    ReplayResult result;
+    result.input = kind;
+    result.samples = clock_.samples();
+    result.duration_s = clock_.duration_s();
+    result.cycles = {reading.closed_cycles.raw(), reading.open_half_cycles.raw()};
+    result.damage = {to_double(reading.closed), to_double(reading.open), to_double(reading.total)};
+    result.reference_damage = {exact.damage.closed, exact.damage.open, exact.damage.total};
+    result.relative_error = result.damage.total == exact.damage.total
+                                ? 0
+                                : result.damage.total / exact.damage.total - 1;
+    const reference::Reading ours{
+        .damage = {result.damage.closed, result.damage.open, result.damage.total},
+        .closed_cycles = result.cycles.closed,
+        .open_half_cycles = result.cycles.open_half,
+        .peak_tension_N = exact.peak_tension_N,
+        .overload_cycles = exact.overload_cycles,
+        .overload_half_cycles = exact.overload_half_cycles};
+    result.equivalent_effective_tension_N =
+        reference::equivalent_effective_tension(ours, reference_constants_of(model_));
+    result.survival_probability = to_double(parameters_.life.survival(reading.total));
+    result.repeats_to = reference::repeats_to(result.damage.total, model_.life.weibull_shape);
+    result.flags = flag_names(reading.flags);
+    result.overloads = reading.overloads.raw();
+    result.missing_samples = reading.missing_samples.raw();
+    result.peak_tension_N = exact.peak_tension_N;
+    result.model_digest = model_digest(model_);
+    if (clock_.other_rate()) {
+      result.warnings.push_back(fmt::format(
+          "the profile was recorded at about {:.4g} Hz, the model says {:.4g} Hz; every interval "
+          "counts as a gap",
+          clock_.rate_Hz(), model_.counting.sample_rate_Hz));
+    }
+    if (plots_) {
+      plots_->finish(*options_.report);
+    }
+    return result;
+  }
+
+ private:
+  [[nodiscard]] CyclesToPlots cycles_to_plots() { return {plots_ ? &*plots_ : nullptr}; }
+
+  /// Reads and tells the trajectory, unless the last sample has been told.
+  void tell(bool wanted) {
+    if (!wanted || time_s_ == told_s_ || (!trajectory_ && !plots_)) {
+      return;
+    }
+    estimator_.flush(0, cycles_to_plots());
+    const Reading now = estimator_.reading(0);
+    if (trajectory_) {
+      trajectory_->write(time_s_, input_.tension(), now);
+    }
+    if (plots_) {
+      plots_->damage(time_s_, to_double(now.total));
+    }
+    told_s_ = time_s_;
+    next_told_s_ = time_s_ + options_.trajectory_step_s;
+  }
+
+  const Model& model_;
+  const ReplayOptions& options_;
+  lifemodel::Parameters parameters_;
+  lifemodel::Estimator<1> estimator_;
+  reference::Reference exact_;
+  ProfileInput input_;
+  SampleClock clock_;
+  std::optional<Plots> plots_;
+  std::optional<TrajectoryFile> trajectory_;
+  double time_s_ = 0;
+  double told_s_ = std::numeric_limits<double>::quiet_NaN();
+  double next_told_s_ = -std::numeric_limits<double>::infinity();
+};
+
+}  // namespace
+
+ReplayResult replay(ProfileReader& profile, const Model& model, const std::string& model_name,
+                    const ReplayOptions& options) {
+  if (profile.kind() == InputKind::kMotorCurrent && !model.drive) {
+    throw InputError(model_name, 0, 0, "no [drive], and the profile holds motor_current_A",
+                     "a [drive] table, or a profile with input_tension_N or output_tension_N");
+  }
+  Pass pass(profile, model, options);
+  std::array<ProfileRow, 4096> rows;
+  while (const std::size_t count = profile.read(rows)) {
+    for (const ProfileRow& row : std::span(rows).first(count)) {
+      pass.take(row);
+    }
+    if (options.progress) {
+      options.progress(profile.bytes_read());
+    }
+  }
+  return pass.finish(profile.kind());
+}
+
+}  // namespace host_sim

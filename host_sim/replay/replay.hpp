@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <vector>
+
+#include "host_sim/io/model.hpp"
+#include "host_sim/io/profile.hpp"
+#include "host_sim/reference/life.hpp"
+#include "host_sim/reference/reference.hpp"
+#include "host_sim/report/report_data.hpp"
+
+namespace host_sim {
+
+/// What one pass of a profile did to the wire, by the estimator and by the reference.
+struct ReplayResult {
+  InputKind input = InputKind::kInputTension;
+  std::uint64_t samples = 0;
+  double duration_s = 0;
+  CycleCounts cycles;
+  DamageSplit damage;
+  DamageSplit reference_damage;
+  double relative_error = 0;  ///< damage.total / reference_damage.total - 1
+  double equivalent_effective_tension_N = 0;
+  double survival_probability = 1;
+  reference::LifePoints repeats_to{};
+  std::vector<std::string> flags;
+  std::vector<std::string> warnings;
+  std::uint64_t overloads = 0;
+  std::uint64_t missing_samples = 0;
+  double peak_tension_N = 0;
+  std::string model_digest;
+};
+
+/// What a replay writes and shows besides its result.
+struct ReplayOptions {
+  std::ostream* trajectory = nullptr;
+  double trajectory_step_s = 0.1;  ///< at most one row of the trajectory in this time
+  ReplayReport* report = nullptr;  ///< its plots are filled
+  std::function<void(std::uint64_t bytes)> progress;
+};
+
+/// Feeds a profile sample by sample through the estimator, with the double-precision reference
+/// beside it. Constant memory, whatever the length of the profile.
+/// @param model_name stands for the model in errors
+/// @throws InputError for a profile that cannot be trusted or does not go with the model
+ReplayResult replay(ProfileReader& profile, const Model& model, const std::string& model_name,
+                    const ReplayOptions& options);
+
+}  // namespace host_sim

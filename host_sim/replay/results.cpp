@@ -1,0 +1,147 @@
+#include "host_sim/replay/results.hpp"
+
+#include <fmt/ostream.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+namespace host_sim {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json number(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ordered_json damage_json(const DamageSplit& damage) {
+  return {{"closed", damage.closed}, {"open", damage.open}, {"total", damage.total}};
+}
+
+std::string repeats_text(double repeats) {
+  if (!std::isfinite(repeats)) {
+    return "any number of";
+  }
+  return repeats < 1e6 ? fmt::format("{:.1f}", repeats) : fmt::format("{:.4g}", repeats);
+}
+
+std::string_view in_words(InputKind kind) {
+  switch (kind) {
+    case InputKind::kInputTension:
+      return "input tension";
+    case InputKind::kMotorCurrent:
+      return "motor current";
+    case InputKind::kOutputTension:
+      return "output tension and tendon velocity";
+  }
+  return "";
+}
+
+std::string_view meaning(std::string_view flag) {
+  if (flag == "overload") {
+    return "a turning point reached the ultimate tension: it counts as a whole life";
+  }
+  if (flag == "negative_tension") {
+    return "tension below zero by more than the hysteresis, counted as it is";
+  }
+  if (flag == "gap") {
+    return "samples are missing; the count goes on across the gap";
+  }
+  if (flag == "residue_overflow") {
+    return "more turning points nest than the estimator keeps; damage was counted too high";
+  }
+  if (flag == "overrun") {
+    return "turning points came faster than they were settled; damage was counted too high";
+  }
+  return "a value left the range that the target can represent and was held at its end";
+}
+
+}  // namespace
+
+std::string replay_json(const ReplayResult& result) {
+  const ordered_json json{
+      {"input", to_string(result.input)},
+      {"samples", result.samples},
+      {"duration_s", result.duration_s},
+      {"cycles", {{"closed", result.cycles.closed}, {"open_half", result.cycles.open_half}}},
+      {"damage", damage_json(result.damage)},
+      {"reference_damage", damage_json(result.reference_damage)},
+      {"relative_error", number(result.relative_error)},
+      {"equivalent_effective_tension_N", result.equivalent_effective_tension_N},
+      {"peak_tension_N", result.peak_tension_N},
+      {"survival_probability", result.survival_probability},
+      {"repeats_to",
+       {{"B10", number(result.repeats_to.b10)},
+        {"B50", number(result.repeats_to.b50)},
+        {"mean", number(result.repeats_to.mean)},
+        {"B90", number(result.repeats_to.b90)}}},
+      {"overloads", result.overloads},
+      {"missing_samples", result.missing_samples},
+      {"flags", result.flags},
+      {"warnings", result.warnings},
+      {"model_digest", result.model_digest},
+  };
+  return json.dump(2) + "\n";
+}
+
+void write_summary(std::ostream& out, const ReplayResult& result, const std::string& profile_name,
+                   const std::string& model_name) {
+  fmt::print(out, "{}: {} samples of {}, {:.6g} s; model {} ({})\n", profile_name, result.samples,
+             in_words(result.input), result.duration_s, model_name, result.model_digest);
+  fmt::print(out, "  cycles        {} full, {} half open; equivalent effective tension {:.2f} N\n",
+             result.cycles.closed, result.cycles.open_half, result.equivalent_effective_tension_N);
+  fmt::print(out, "  life used     {:.6g}  (closed {:.6g}, open {:.6g})\n", result.damage.total,
+             result.damage.closed, result.damage.open);
+  fmt::print(out, "  reference     {:.6g}  in double precision, relative error {:.1e}\n",
+             result.reference_damage.total, result.relative_error);
+  fmt::print(out, "  survival      {:.4f} %  after one pass\n", 100 * result.survival_probability);
+  fmt::print(out, "  repeats       {} to B10, {} to B50, {} to the mean life, {} to B90\n",
+             repeats_text(result.repeats_to.b10), repeats_text(result.repeats_to.b50),
+             repeats_text(result.repeats_to.mean), repeats_text(result.repeats_to.b90));
+  for (const std::string& flag : result.flags) {
+    fmt::print(out, "  flag          {}: {}\n", flag, meaning(flag));
+  }
+  for (const std::string& warning : result.warnings) {
+    fmt::print(out, "  warning       {}\n", warning);
+  }
+}
+
+void fill_report(ReplayReport& report, const ReplayResult& result, const Model& model) {
+  report.input_kind = in_words(result.input);
+  report.model_digest = result.model_digest;
+  report.samples = result.samples;
+  report.duration_s = result.duration_s;
+  report.cycles = result.cycles;
+  report.damage = result.damage;
+  report.reference_damage = result.reference_damage;
+  report.relative_error = result.relative_error;
+  report.equivalent_effective_tension_N = result.equivalent_effective_tension_N;
+  report.survival_probability = result.survival_probability;
+  report.repeats_to = {result.repeats_to.b10, result.repeats_to.b50, result.repeats_to.mean,
+                       result.repeats_to.b90};
+  report.flags = result.flags;
+  report.weibull_shape = model.life.weibull_shape;
+  report.ultimate_tension_N = model.cable.ultimate_tension_N;
+  report.hysteresis_N = model.counting.hysteresis_N;
+  report.model_constants = {
+      {"cable diameter", model.cable.diameter_mm, "mm"},
+      {"ultimate tension", model.cable.ultimate_tension_N, "N"},
+      {"friction coefficient", model.sheath.friction_coefficient, ""},
+      {"bend angle", model.sheath.bend_angle_deg, "deg"},
+      {"sample rate", model.counting.sample_rate_Hz, "Hz"},
+      {"hysteresis", model.counting.hysteresis_N, "N"},
+      {"scale A of the inverse power law", model.life.ipl_scale, ""},
+      {"exponent gamma of the inverse power law", model.life.ipl_exponent, ""},
+      {"Weibull shape beta", model.life.weibull_shape, ""},
+  };
+  if (model.drive) {
+    report.model_constants.push_back(
+        {"torque constant", model.drive->torque_constant_Nm_per_A, "Nm/A"});
+    report.model_constants.push_back({"gear ratio", model.drive->gear_ratio, ""});
+    report.model_constants.push_back({"gear efficiency", model.drive->gear_efficiency, ""});
+    report.model_constants.push_back({"spool radius", model.drive->spool_radius_mm, "mm"});
+    report.model_constants.push_back({"current offset", model.drive->current_offset_A, "A"});
+  }
+}
+
+}  // namespace host_sim

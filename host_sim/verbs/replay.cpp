@@ -1,0 +1,132 @@
+#include "host_sim/replay/replay.hpp"
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "host_sim/io/output_file.hpp"
+#include "host_sim/io/progress.hpp"
+#include "host_sim/replay/flag_names.hpp"
+#include "host_sim/replay/results.hpp"
+#include "host_sim/report/html.hpp"
+#include "host_sim/verbs/verbs.hpp"
+
+namespace host_sim {
+namespace {
+
+struct Arguments {
+  std::string profile;
+  std::string model;
+  std::string input;
+  std::string json;
+  std::string trajectory;
+  double trajectory_step_s = 0.1;
+  std::string report;
+  std::vector<std::string> fail_on;
+};
+
+std::optional<OutputFile> open_if_asked(const std::string& path) {
+  return path.empty() ? std::nullopt : std::optional<OutputFile>(std::in_place, path);
+}
+
+bool found(const std::vector<std::string>& fail_on, const std::vector<std::string>& flags) {
+  return std::any_of(flags.begin(), flags.end(), [&](const std::string& flag) {
+    return std::find(fail_on.begin(), fail_on.end(), flag) != fail_on.end() ||
+           std::find(fail_on.begin(), fail_on.end(), "any") != fail_on.end();
+  });
+}
+
+int run(const Arguments& arguments) {
+  const Model model = read_model(arguments.model);
+  ProfileOptions profile_options;
+  profile_options.input = input_kind_from(arguments.input);
+  ProfileReader profile(arguments.profile, profile_options);
+  auto json = open_if_asked(arguments.json);
+  auto trajectory = open_if_asked(arguments.trajectory);
+  auto page = open_if_asked(arguments.report);
+
+  ReplayReport report;
+  ReplayOptions options;
+  options.trajectory = trajectory ? &trajectory->stream() : nullptr;
+  options.trajectory_step_s = arguments.trajectory_step_s;
+  options.report = page ? &report : nullptr;
+  Progress progress("replay", profile.bytes_total());
+  options.progress = [&](std::uint64_t bytes) { progress.update(bytes); };
+  const ReplayResult result = replay(profile, model, arguments.model, options);
+  progress.finish();
+
+  if (json) {
+    json->write(replay_json(result));
+  }
+  if (page) {
+    report.profile_name = arguments.profile;
+    report.model_name = arguments.model;
+    report.program_version = kProgramVersion;
+    fill_report(report, result, model);
+    write_replay_report(page->stream(), report);
+  }
+  for (auto* file : {&json, &trajectory, &page}) {
+    if (*file) {
+      (*file)->commit();
+    }
+  }
+  const bool stdout_taken =
+      arguments.json == "-" || arguments.trajectory == "-" || arguments.report == "-";
+  write_summary(stdout_taken ? std::cerr : std::cout, result, arguments.profile, arguments.model);
+  return found(arguments.fail_on, result.flags) ? kFoundInData : 0;
+}
+
+/// Two outputs into one file would leave only one of them.
+std::string check_outputs(const Arguments& arguments) {
+  std::vector<std::string> paths;
+  for (const std::string& path : {arguments.json, arguments.trajectory, arguments.report}) {
+    if (!path.empty()) {
+      paths.push_back(path == "-" ? path : std::filesystem::weakly_canonical(path).string());
+    }
+  }
+  std::sort(paths.begin(), paths.end());
+  const auto twice = std::adjacent_find(paths.begin(), paths.end());
+  return twice == paths.end() ? "" : "two outputs go to '" + *twice + "'";
+}
+
+}  // namespace
+
+void add_replay(CLI::App& app, int& status) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* verb = app.add_subcommand("replay", "How much life a recorded profile uses");
+  verb->add_option("PROFILE", arguments->profile,
+                   "CSV with time_s and input_tension_N, motor_current_A, or output_tension_N and "
+                   "tendon_velocity_m_s; - is standard input")
+      ->required();
+  verb->add_option("--model", arguments->model, "The model, a TOML file")->required();
+  verb->add_option("--input", arguments->input,
+                   "Which columns to take where the profile holds more than one kind")
+      ->check(CLI::IsMember({"input_tension", "motor_current", "output_tension"}));
+  verb->add_option("--json", arguments->json, "Write the result as JSON; - is standard output");
+  verb->add_option("--trajectory", arguments->trajectory, "Write readings over time as CSV");
+  verb->add_option("--trajectory-step", arguments->trajectory_step_s,
+                   "Least time between two rows of the trajectory in seconds; 0 is every sample")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  verb->add_option("--report", arguments->report, "Write a page with plots as HTML");
+  std::vector<std::string> choices = all_flag_names();
+  choices.emplace_back("any");
+  verb->add_option("--fail-on", arguments->fail_on,
+                   "Exit with status 3 if one of these flags is raised")
+      ->delimiter(',')
+      ->check(CLI::IsMember(choices));
+  verb->footer(
+      "Example: host_sim replay host_sim/examples/upper_arm.csv --model "
+      "host_sim/examples/upper_arm.toml --report upper_arm.html");
+  verb->callback([arguments, &status] {
+    if (const std::string error = check_outputs(*arguments); !error.empty()) {
+      throw CLI::ValidationError("replay", error);
+    }
+    status = run(*arguments);
+  });
+}
+
+}  // namespace host_sim

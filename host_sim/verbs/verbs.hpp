@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string_view>
+
+namespace CLI {
+class App;
+}
+
+namespace host_sim {
+
+inline constexpr std::string_view kProgramVersion = TENDONLIFE_VERSION;
+
+/// Status of a run that found what it was asked to fail on.
+inline constexpr int kFoundInData = 3;
+
+/// Each adds one verb to the program; running it sets `status`, which becomes the exit status.
+void add_replay(CLI::App& app, int& status);
+void add_pack(CLI::App& app, int& status);
+
+}  // namespace host_sim

@@ -1,0 +1,176 @@
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "lifemodel/block/parameter_block.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string contents(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+class Program : public testing::Test {
+ protected:
+  void SetUp() override {
+    std::string name = (fs::temp_directory_path() / "host_sim_XXXXXX").string();
+    ASSERT_NE(mkdtemp(name.data()), nullptr);
+    folder_ = name;
+    write("model.toml", contents(fs::path(EXAMPLES) / "upper_arm.toml"));
+    write("good.csv", "time_s,input_tension_N\n0,10\n0.005,60\n0.01,10\n0.015,60\n");
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+
+  void write(const std::string& name, const std::string& text) const {
+    std::ofstream(folder_ / name, std::ios::binary) << text;
+  }
+
+  /// Runs host_sim in the folder; sets out_ and err_, gives the exit status.
+  int run(const std::string& arguments) {
+    const std::string command = "cd '" + folder_.string() + "' && '" HOST_SIM "' " + arguments +
+                                " > out.txt 2> err.txt < /dev/null";
+    const int status = std::system(command.c_str());
+    out_ = contents(folder_ / "out.txt");
+    err_ = contents(folder_ / "err.txt");
+    fs::remove(folder_ / "out.txt");
+    fs::remove(folder_ / "err.txt");
+    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+  }
+
+  [[nodiscard]] std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder_)) {
+      names.push_back(entry.path().filename().string());
+    }
+    std::sort(names.begin(), names.end());
+    return names;
+  }
+
+  fs::path folder_;
+  std::string out_;
+  std::string err_;
+};
+
+TEST_F(Program, ReplaysTheExampleOfThePapersUpperArm) {
+  ASSERT_EQ(run("replay '" EXAMPLES "/upper_arm.csv' --model '" EXAMPLES
+                "/upper_arm.toml' --json result.json --trajectory damage.csv --report page.html"),
+            0)
+      << err_;
+  EXPECT_EQ(files(), (std::vector<std::string>{"damage.csv", "good.csv", "model.toml", "page.html",
+                                               "result.json"}));
+  const auto json = nlohmann::json::parse(contents(folder_ / "result.json"));
+  EXPECT_EQ(json["input"], "output_tension");
+  EXPECT_EQ(json["duration_s"].get<double>(), 60);
+  // 20 turns of the crank, half-way to begin and to end with; the paper's application has 39.9 N.
+  EXPECT_EQ(2 * json["cycles"]["closed"].get<int>() + json["cycles"]["open_half"].get<int>(), 40);
+  EXPECT_NEAR(json["equivalent_effective_tension_N"].get<double>(), 39.9, 0.4);
+  EXPECT_LT(std::fabs(json["relative_error"].get<double>()), 1e-5);
+  EXPECT_TRUE(json["flags"].empty());
+  EXPECT_NE(out_.find("life used"), std::string::npos);
+  EXPECT_NE(contents(folder_ / "page.html").find("</html>"), std::string::npos);
+}
+
+TEST_F(Program, BadInputIsOneLineWithFileAndLineAndLeavesNothingBehind) {
+  struct Bad {
+    const char* profile;
+    const char* line;
+  };
+  for (const Bad& bad : {Bad{"time_s,input_tension_N\n0,1\n1,nan\n", "bad.csv:3:"},
+                         Bad{"time_s,input_tension_N\n0,1\n1,inf\n", "bad.csv:3:"},
+                         Bad{"time_s,input_tension_N\n0,1\n2,3\n1,2\n", "bad.csv:4:"},
+                         Bad{"time_s,input_tension_kN\n0,1\n", "bad.csv:1:"},
+                         Bad{"input_tension_N\n1\n", "bad.csv:1"},
+                         Bad{"time_s,input_tension_N\n0,1\n1\n", "bad.csv:3"}, Bad{"", "bad.csv"},
+                         Bad{"time_s,input_tension_N\n", "bad.csv"}}) {
+    write("bad.csv", bad.profile);
+    const auto before = files();
+    EXPECT_EQ(
+        run("replay bad.csv --model model.toml --json r.json --trajectory t.csv --report p.html"),
+        1)
+        << bad.profile;
+    EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
+    EXPECT_EQ(err_.rfind(bad.line, 0), 0u) << err_;
+    EXPECT_NE(err_.find("accepted"), std::string::npos) << err_;
+    EXPECT_TRUE(out_.empty());
+    EXPECT_EQ(files(), before);
+  }
+}
+
+TEST_F(Program, BadModelsAreRefusedWithTheLine) {
+  write("unknown.toml", contents(folder_ / "model.toml") + "\n[cable2]\nx = 1\n");
+  EXPECT_EQ(run("replay good.csv --model unknown.toml"), 1);
+  EXPECT_EQ(err_.rfind("unknown.toml:", 0), 0u) << err_;
+  EXPECT_EQ(run("replay good.csv --model absent.toml"), 1);
+  EXPECT_EQ(err_.rfind("absent.toml", 0), 0u) << err_;
+  EXPECT_EQ(run("replay absent.csv --model model.toml"), 1);
+  EXPECT_EQ(err_.rfind("absent.csv", 0), 0u) << err_;
+}
+
+TEST_F(Program, AnOutputThatCannotBeWrittenIsFoundBeforeTheWork) {
+  EXPECT_EQ(run("replay good.csv --model model.toml --json no/such/folder/r.json"), 1);
+  EXPECT_NE(err_.find("no/such/folder/r.json"), std::string::npos) << err_;
+  EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
+}
+
+TEST_F(Program, AnErrorKeepsAnEarlierResult) {
+  ASSERT_EQ(run("replay good.csv --model model.toml --json r.json"), 0) << err_;
+  const std::string before = contents(folder_ / "r.json");
+  write("bad.csv", "time_s,input_tension_N\n0,1\n1,x\n");
+  EXPECT_EQ(run("replay bad.csv --model model.toml --json r.json"), 1);
+  EXPECT_EQ(contents(folder_ / "r.json"), before);
+}
+
+TEST_F(Program, WrongUsageIsStatusTwo) {
+  EXPECT_EQ(run(""), 2);
+  EXPECT_EQ(run("replay good.csv"), 2);
+  EXPECT_EQ(run("frobnicate"), 2);
+  EXPECT_EQ(run("replay good.csv --model model.toml --fail-on nonsense"), 2);
+  EXPECT_EQ(run("replay good.csv --model model.toml --json x --report x"), 2);
+  EXPECT_EQ(run("replay --help"), 0);
+  EXPECT_NE(out_.find("Example: host_sim replay"), std::string::npos);
+  EXPECT_EQ(run("--version"), 0);
+}
+
+TEST_F(Program, FailsOnAFlagOnlyWhenAsked) {
+  write("overload.csv", "time_s,input_tension_N\n0,10\n0.005,190\n0.01,10\n");
+  EXPECT_EQ(run("replay overload.csv --model model.toml"), 0);
+  EXPECT_NE(out_.find("overload"), std::string::npos);
+  EXPECT_EQ(run("replay overload.csv --model model.toml --fail-on gap"), 0);
+  EXPECT_EQ(run("replay overload.csv --model model.toml --fail-on gap,overload"), 3);
+  EXPECT_EQ(run("replay overload.csv --model model.toml --fail-on any --json r.json"), 3);
+  EXPECT_TRUE(fs::exists(folder_ / "r.json")) << "the result is there all the same";
+}
+
+TEST_F(Program, JsonOnStandardOutputIsJsonAlone) {
+  ASSERT_EQ(run("replay good.csv --model model.toml --json -"), 0);
+  EXPECT_EQ(nlohmann::json::parse(out_)["samples"], 4);
+  EXPECT_NE(err_.find("life used"), std::string::npos);
+}
+
+TEST_F(Program, PacksWhatTheFirmwareReads) {
+  ASSERT_EQ(run("pack model.toml --out block.bin"), 0) << err_;
+  const std::string bytes = contents(folder_ / "block.bin");
+  const auto parameters = lifemodel::decode(std::as_bytes(std::span(bytes.data(), bytes.size())));
+  ASSERT_TRUE(parameters) << lifemodel::to_string(parameters.error());
+  EXPECT_EQ(parameters->ultimate_mN, 177'400u);
+  EXPECT_EQ(parameters->sample_period_us, 5000u);
+  EXPECT_TRUE(parameters->has_drive());
+  ASSERT_EQ(run("pack model.toml --out block.h --format c"), 0) << err_;
+  EXPECT_NE(contents(folder_ / "block.h").find("tendonlife_parameter_block[84]"),
+            std::string::npos);
+}
+
+}  // namespace
