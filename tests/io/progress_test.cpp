@@ -152,6 +152,7 @@ TEST_F(ProgressOnTerminal, RespectsADumbTerminal) {
 }
 
 TEST(Progress, IsSilentWithoutATerminal) {
+  ::setenv("TERM", "xterm", 1);
   std::array<int, 2> ends{};
   ASSERT_EQ(::pipe(ends.data()), 0);
   {
