@@ -35,7 +35,7 @@ function numberText(value, significant = 3) {
  */
 function axisScale(largest) {
   const magnitude = Math.abs(largest);
-  if (magnitude === 0 || (magnitude >= 0.01 && magnitude < 1e5)) {
+  if (magnitude === 0 || (magnitude >= 0.1 && magnitude < 1e5)) {
     return { divisor: 1, suffix: '' };
   }
   const exponent = 3 * Math.floor(Math.log10(magnitude) / 3);

@@ -78,6 +78,11 @@ class HeatMap {
       width: width - HEAT_MARGIN.left - HEAT_MARGIN.right,
       height: plotHeight,
     };
+    // Empty room, in classes, so that those at the rim do not lie on the frame.
+    const margin = (classes) => Math.max(0.5, 0.04 * classes);
+    this.meanMargin = margin(this.matrix.means);
+    this.columns = this.matrix.means + 2 * this.meanMargin;
+    this.rows = this.matrix.ranges + margin(this.matrix.ranges);
     this.svg.replaceChildren();
     this.svg.setAttribute('width', width);
     this.svg.setAttribute('height', height);
@@ -91,11 +96,11 @@ class HeatMap {
   }
 
   cellBox(range, mean) {
-    const { plot, matrix } = this;
-    const width = plot.width / matrix.means;
-    const height = plot.height / matrix.ranges;
+    const { plot } = this;
+    const width = plot.width / this.columns;
+    const height = plot.height / this.rows;
     return {
-      x: plot.left + mean * width,
+      x: plot.left + (mean + this.meanMargin) * width,
       y: plot.top + plot.height - (range + 1) * height,
       width,
       height,
@@ -116,9 +121,10 @@ class HeatMap {
 
   drawAxes() {
     const { plot, matrix, force } = this;
-    const low = matrix.mean_min_N / force.divisor;
-    const high = low + (matrix.means * matrix.mean_step_N) / force.divisor;
-    const top = (matrix.ranges * matrix.range_step_N) / force.divisor;
+    const meanStep = matrix.mean_step_N / force.divisor;
+    const low = matrix.mean_min_N / force.divisor - this.meanMargin * meanStep;
+    const high = low + this.columns * meanStep;
+    const top = (this.rows * matrix.range_step_N) / force.divisor;
     const bottom = plot.top + plot.height;
     for (const tick of roundTicks(low, high, Math.min(8, plot.width / 60))) {
       const x = plot.left + ((tick - low) / (high - low)) * plot.width;
@@ -192,12 +198,12 @@ class HeatMap {
   }
 
   pickAt(event) {
-    const { plot, matrix } = this;
+    const { plot } = this;
     const corner = this.svg.getBoundingClientRect();
     const across = (event.clientX - corner.left - plot.left) / plot.width;
     const up = 1 - (event.clientY - corner.top - plot.top) / plot.height;
     if (across >= 0 && across < 1 && up >= 0 && up < 1) {
-      this.pick(Math.floor(up * matrix.ranges), Math.floor(across * matrix.means));
+      this.pick(Math.floor(up * this.rows), Math.floor(across * this.columns - this.meanMargin));
     }
   }
 

@@ -77,7 +77,7 @@ function lineChart(holder, { data, series, bands, xAxis, yAxis, yRange, onDraw }
         x: { time: false },
         y: yRange ? { range: yRange } : {},
       },
-      axes: [axis(xAxis, { size: 34 }), axis(yAxis, { size: 54 })],
+      axes: [axis(xAxis, { size: 34 }), axis(yAxis, { size: 58 })],
       padding: [12, 14, 0, 0],
       cursor: { y: false, hover: { skip: [null, undefined] } },
       legend: { show: true },
