@@ -43,8 +43,12 @@ class Estimator {
       }
     });
   }
-  /// Takes one sample of motor current.
+  /// Takes one sample of motor current; without a drive in the parameters it counts as missing.
   void push(std::size_t tendon, MotorCurrent current) {
+    if (!channels_[tendon].parameters.has_drive()) {
+      push_missing(tendon);
+      return;
+    }
     push(tendon, channels_[tendon].parameters.drive.tension(current,
                                                             channels_[tendon].state.input_flags()));
   }

@@ -234,8 +234,9 @@ class Tendon {
     const bool counts = intake.load(in) && ledger.load(in);
     const std::uint32_t residue_size = in.u32();
     const std::uint32_t queue_size = in.u32();
-    if (!counts || !TurningPoints::plausible(filter) || !Overrun::plausible(overrun) ||
-        residue_size > Layout::kResidue || queue_size > Layout::kQueue) {
+    if (in.failed() || !counts || !TurningPoints::plausible(filter) ||
+        !Overrun::plausible(overrun, paid) || residue_size > Layout::kResidue ||
+        queue_size > Layout::kQueue) {
       return false;
     }
     if (replace) {

@@ -97,7 +97,8 @@ class Pass {
         .overload_half_cycles = exact.overload_half_cycles};
     result.equivalent_effective_tension_N =
         reference::equivalent_effective_tension(ours, reference_constants_of(model_));
-    result.survival_probability = to_double(parameters_.life.survival(reading.total));
+    result.survival_probability =
+        reference::weibull_survival(result.damage.total, model_.life.weibull_shape);
     result.repeats_to = reference::repeats_to(result.damage.total, model_.life.weibull_shape);
     result.flags = flag_names(reading.flags);
     result.overloads = reading.overloads.raw();

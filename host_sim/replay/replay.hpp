@@ -9,6 +9,7 @@
 
 #include "host_sim/io/model.hpp"
 #include "host_sim/io/profile.hpp"
+#include "host_sim/reference/equations.hpp"
 #include "host_sim/reference/life.hpp"
 #include "host_sim/reference/reference.hpp"
 #include "host_sim/report/report_data.hpp"

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "host_sim/report/flag_text.hpp"
+
 namespace host_sim {
 namespace {
 
@@ -35,25 +37,6 @@ std::string_view in_words(InputKind kind) {
       return "output tension and tendon velocity";
   }
   return "";
-}
-
-std::string_view meaning(std::string_view flag) {
-  if (flag == "overload") {
-    return "a turning point reached the ultimate tension: it counts as a whole life";
-  }
-  if (flag == "negative_tension") {
-    return "tension below zero by more than the hysteresis, counted as it is";
-  }
-  if (flag == "gap") {
-    return "samples are missing; the count goes on across the gap";
-  }
-  if (flag == "residue_overflow") {
-    return "more turning points nest than the estimator keeps; damage was counted too high";
-  }
-  if (flag == "overrun") {
-    return "turning points came faster than they were settled; damage was counted too high";
-  }
-  return "a value left the range that the target can represent and was held at its end";
 }
 
 }  // namespace
@@ -99,7 +82,7 @@ void write_summary(std::ostream& out, const ReplayResult& result, const std::str
              repeats_text(result.repeats_to.b10), repeats_text(result.repeats_to.b50),
              repeats_text(result.repeats_to.mean), repeats_text(result.repeats_to.b90));
   for (const std::string& flag : result.flags) {
-    fmt::print(out, "  flag          {}: {}\n", flag, meaning(flag));
+    fmt::print(out, "  flag          {}: {}\n", flag, flag_text(flag).meaning);
   }
   for (const std::string& warning : result.warnings) {
     fmt::print(out, "  warning       {}\n", warning);
@@ -120,6 +103,7 @@ void fill_report(ReplayReport& report, const ReplayResult& result, const Model& 
   report.repeats_to = {result.repeats_to.b10, result.repeats_to.b50, result.repeats_to.mean,
                        result.repeats_to.b90};
   report.flags = result.flags;
+  report.warnings = result.warnings;
   report.weibull_shape = model.life.weibull_shape;
   report.ultimate_tension_N = model.cable.ultimate_tension_N;
   report.hysteresis_N = model.counting.hysteresis_N;

@@ -62,8 +62,8 @@ int run(const Arguments& arguments) {
     json->write(replay_json(result));
   }
   if (page) {
-    report.profile_name = arguments.profile;
-    report.model_name = arguments.model;
+    report.profile_name = std::filesystem::path(arguments.profile).filename().string();
+    report.model_name = std::filesystem::path(arguments.model).filename().string();
     report.program_version = kProgramVersion;
     fill_report(report, result, model);
     write_replay_report(page->stream(), report);

@@ -10,7 +10,6 @@ namespace {
 
 using lifemodel::Damage;
 using lifemodel::Estimator;
-using lifemodel::Flags;
 using One = Estimator<1>;
 
 static_assert(sizeof(One) <= sizeof(lm_estimator) && alignof(One) <= alignof(lm_estimator));
@@ -59,11 +58,7 @@ void lm_push_tension_mN(lm_estimator* estimator, int32_t tension_mN) {
 
 void lm_push_current_mA(lm_estimator* estimator, int32_t current_mA) {
   One& one = estimator_of(estimator);
-  if (one.parameters(0).has_drive()) {
-    one.push(0, lifemodel::MotorCurrent::from_milli(current_mA, one.input_flags(0)));
-  } else {
-    one.push_missing(0);
-  }
+  one.push(0, lifemodel::MotorCurrent::from_milli(current_mA, one.input_flags(0)));
 }
 
 void lm_push_missing(lm_estimator* estimator) {

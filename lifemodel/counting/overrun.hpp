@@ -72,17 +72,18 @@ class Overrun {
     return {length_.own(),      owed_.own(),   began_low_ ? 1u : 0u, run_lowest_.raw(),
             run_highest_.raw(), lowest_.raw(), highest_.raw()};
   }
-  /// Whether such a state can arise.
-  static constexpr bool plausible(const State& s) {
+  /// Whether such a state can arise, where `paid` of the owed cycles have been counted.
+  static constexpr bool plausible(const State& s, std::uint32_t paid) {
     const bool in_range = Tension::checked(s.run_lowest) && Tension::checked(s.run_highest) &&
                           Tension::checked(s.lowest) && Tension::checked(s.highest);
     const bool run_fits =
         s.length == 0 || (s.lowest <= s.run_lowest && s.highest >= s.run_highest &&
                           (s.run_lowest < s.run_highest) == (s.length > 1));
-    return in_range && run_fits && s.began_low <= 1 && (s.owed == 0 || s.lowest < s.highest);
+    return in_range && run_fits && s.began_low <= 1 && paid <= s.owed &&
+           (s.owed == 0 || s.lowest < s.highest);
   }
   /// Whether the points that finish() would put go on after those that `alternation` has seen.
-  /// Precondition: plausible(s) with a run.
+  /// Precondition: plausible, with a run.
   template <class Alternation>
   static constexpr bool extend(const State& s, Alternation& alternation) {
     const Tension low = Tension::from_raw(s.run_lowest);
@@ -92,7 +93,7 @@ class Overrun {
            (s.length < 2 || alternation.next(began_low ? high : low)) &&
            (s.length < 3 || s.length % 2 == 0 || alternation.next(began_low ? low : high));
   }
-  /// Precondition: plausible(s).
+  /// Precondition: plausible.
   void restore(const State& s) {
     length_.set_relaxed(s.length);
     owed_.set_relaxed(s.owed);

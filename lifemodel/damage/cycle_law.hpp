@@ -59,6 +59,10 @@ struct CycleLaw {
     if (log2_damage >= 0) {
       return kWholeLife.pack();
     }
+    constexpr std::int32_t kLowest = (1 - Damage::kFractionBits) << numeric::kExpBits;
+    if (log2_damage < kLowest) [[unlikely]] {
+      return kSmallestCycle.pack();
+    }
     const auto fraction = static_cast<std::uint32_t>(log2_damage) & ((1u << numeric::kExpBits) - 1);
     return CycleDamage{numeric::exp2_fraction(fraction),
                        (log2_damage >> numeric::kExpBits) + Damage::kFractionBits - 31}

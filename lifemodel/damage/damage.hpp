@@ -12,7 +12,8 @@
 namespace lifemodel {
 
 /// Damage of one counted cycle: mantissa * 2^(position - Damage::kFractionBits).
-/// mantissa is in Q31, 2^31 .. 2^32 - 1; position is -2^10 .. Damage::kFractionBits - 31.
+/// mantissa is in Q31, 2^31 .. 2^32 - 1; position is -30 .. Damage::kFractionBits - 31, one less
+/// for a half cycle.
 struct CycleDamage {
   std::uint32_t mantissa;
   std::int32_t position;
@@ -49,8 +50,7 @@ class Damage {
     }
   }
 
-  /// Adds a cycle. What lies below the resolution is rounded down, but a cycle adds at least one
-  /// step: the smallest cycle is never lost.
+  /// Adds a cycle. What lies below the resolution is rounded down.
   constexpr void add(CycleDamage cycle, Flags& flags) {
     add(cycle.mantissa, cycle.position, *this, flags);
   }
@@ -103,8 +103,7 @@ class Damage {
     if (exponent >= 0) [[likely]] {
       position = static_cast<std::uint32_t>(exponent);
     } else {
-      mantissa = exponent > -32 ? mantissa >> -exponent : 0;
-      mantissa += mantissa == 0 ? 1u : 0u;
+      mantissa >>= -exponent;
     }
     std::uint32_t* word = sum.words_.data() + position / 32;
     const std::uint32_t shift = position % 32;
@@ -132,6 +131,10 @@ class Damage {
 
   Words words_{};
 };
+
+/// The smallest damage of a cycle: two steps, so that a half cycle has one. Small as it is, no
+/// cycle is lost, and closing two half cycles into a full one takes nothing away.
+inline constexpr CycleDamage kSmallestCycle{1u << 31, -30};
 
 /// The largest damage of a cycle: one whole life.
 inline constexpr CycleDamage kWholeLife{1u << 31, Damage::kFractionBits - 31};

@@ -36,7 +36,10 @@ struct Capstan {
     const std::int64_t scaled = std::int64_t{output.raw()} * (factor >> 1);
     const std::int32_t shift = 30 - whole;
     if (shift < 1) {
-      return Tension::saturated(scaled * 4, flags);
+      // Held where it saturates anyway; the shift is at most 2^16 here.
+      constexpr std::int64_t kHeld = std::int64_t{1} << 40;
+      const std::int64_t held = scaled < -kHeld ? -kHeld : scaled > kHeld ? kHeld : scaled;
+      return Tension::saturated(held * (std::int64_t{1} << -shift), flags);
     }
     if (shift > 62) {
       return Tension{};

@@ -117,7 +117,9 @@ TEST(CycleLaw, TheSmallestCycleIsNotNothing) {
   Damage sum;
   Flags flags;
   sum.add(law(Tension::from_raw(0), Tension::from_raw(1)), flags);
-  EXPECT_GT(sum, Damage{});
+  EXPECT_EQ(sum.words(), (Damage::Words{2, 0, 0, 0}));
+  sum.add(law(Tension::from_raw(0), Tension::from_raw(1)).half(), flags);
+  EXPECT_EQ(sum.words(), (Damage::Words{3, 0, 0, 0}));
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ std::vector<CycleDamage> random_cycles(std::uint32_t seed, int count) {
   std::vector<CycleDamage> cycles;
   for (int i = 0; i < count; ++i) {
     cycles.push_back({static_cast<std::uint32_t>(random()) | 0x80000000u,
-                      static_cast<std::int32_t>(random() % 110) - 36});
+                      static_cast<std::int32_t>(random() % 105) - 31});
   }
   return cycles;
 }
@@ -57,13 +57,22 @@ TEST(Damage, EachCycleAddsItsValue) {
   EXPECT_EQ(sum.words(), (Damage::Words{0x7fffffffu, 1, 0, 0x180}));
 }
 
-TEST(Damage, ACycleBelowTheResolutionAddsOneStep) {
-  for (const std::int32_t position : {-31, -32, -33, -1000}) {
-    Flags flags;
-    Damage sum;
-    sum.add({0x80000000u, position}, flags);
-    EXPECT_EQ(sum.words(), (Damage::Words{1, 0, 0, 0})) << position;
-  }
+TEST(Damage, TheSmallestCycleIsTwoStepsAndItsHalfOne) {
+  Flags flags;
+  Damage sum;
+  sum.add(kSmallestCycle, flags);
+  EXPECT_EQ(sum.words(), (Damage::Words{2, 0, 0, 0}));
+  sum.add(kSmallestCycle.half(), flags);
+  EXPECT_EQ(sum.words(), (Damage::Words{3, 0, 0, 0}));
+}
+
+TEST(Damage, WhatLiesBelowTheResolutionIsRoundedDown) {
+  Flags flags;
+  Damage sum;
+  sum.add({0xffffffffu, -28}, flags);
+  EXPECT_EQ(sum.words(), (Damage::Words{15, 0, 0, 0}));
+  sum.add({0xffffffffu, -29}, flags);
+  EXPECT_EQ(sum.words(), (Damage::Words{22, 0, 0, 0}));
 }
 
 TEST(Damage, CarriesRunThroughAllWords) {

@@ -105,6 +105,21 @@ TEST(Capstan, StatedErrorOverAllAngles) {
   }
 }
 
+TEST(Capstan, SaturatesHoweverLargeTheFriction) {
+  auto constants = paper_constants();
+  constants.friction_coefficient = 1;
+  const auto capstan = parameters_of(constants).capstan;
+  for (const Tension output : {Tension::highest(), Tension::from_raw(1 << 20)}) {
+    Flags flags;
+    EXPECT_EQ(capstan.input_tension(output, Angle::highest(), Direction::pulling, flags),
+              Tension::highest());
+    EXPECT_TRUE(flags.has(Flag::saturated));
+    EXPECT_EQ(capstan.input_tension(Tension::from_raw(-output.raw()), Angle::highest(),
+                                    Direction::pulling, flags),
+              Tension::lowest());
+  }
+}
+
 TEST(Capstan, NothingInNothingOut) {
   const auto parameters = parameters_of(paper_constants());
   Flags flags;

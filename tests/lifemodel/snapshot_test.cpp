@@ -119,6 +119,17 @@ TEST(Snapshot, EveryTruncationIsRefused) {
   EXPECT_EQ(target.restore(longer), SnapshotError::wrong_size);
 }
 
+TEST(Snapshot, AShortStateWithAFittingFrameIsRefused) {
+  const auto good = some_snapshot();
+  for (std::size_t size = kSnapshotHeaderBytes + 4; size < good.size(); size += 4) {
+    auto bytes =
+        std::vector<std::byte>(good.begin(), good.begin() + static_cast<std::ptrdiff_t>(size));
+    ByteWriter(std::span(bytes).subspan(8)).u32(static_cast<std::uint32_t>(size));
+    ByteWriter(std::span(bytes).last(4)).u32(crc32(std::span(bytes).first(size - 4)));
+    EXPECT_NE(estimator().restore(bytes), SnapshotError::none) << size;
+  }
+}
+
 /// Writes a word of the snapshot and makes the CRC fit again.
 std::vector<std::byte> forged(std::vector<std::byte> bytes, std::size_t word, std::uint32_t value) {
   ByteWriter(std::span(bytes).subspan(4 * word)).u32(value);

@@ -1,6 +1,6 @@
-#include "tests/target/entry/entry.hpp"
-
 #include <new>
+
+#include "tests/target/entry/entry.hpp"
 
 using lifemodel::Tension;
 using target::One;

@@ -1,0 +1,64 @@
+// make_lifemodel_seeds CORPUS: writes seeds for the fuzz targets of lifemodel.
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <span>
+#include <vector>
+
+#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/estimator.hpp"
+#include "tests/fuzz/lifemodel/model.hpp"
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace lifemodel;
+
+void write(const fs::path& path, std::span<const std::byte> bytes) {
+  std::ofstream(path, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()),
+             static_cast<std::streamsize>(bytes.size()));
+}
+
+std::vector<std::byte> signal(int samples, int step, int settles) {
+  std::vector<std::byte> bytes{std::byte{9}, std::byte{0}};
+  for (int i = 0; i < samples; ++i) {
+    const int value = (i % 2 == 0 ? 1 : -1) * (i * step % 30000) + 500;
+    bytes.push_back(static_cast<std::byte>(value));
+    bytes.push_back(static_cast<std::byte>(value >> 8));
+    bytes.push_back(static_cast<std::byte>(settles + (i % 16 == 0 ? 0 : 4)));
+  }
+  return bytes;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) {
+    std::cerr << "usage: make_lifemodel_seeds CORPUS\n";
+    return 2;
+  }
+  const fs::path corpus = argv[1];
+  const Parameters model = fuzz::paper_model();
+  write(corpus / "fuzz_parameter_block" / "paper", encode(model));
+
+  Estimator<1> estimator({model});
+  std::vector<std::byte> buffer(Estimator<1>::kSnapshotBytes);
+  write(corpus / "fuzz_snapshot" / "empty", estimator.snapshot(buffer));
+  for (int i = 0; i < 40; ++i) {
+    estimator.push(0, Tension::from_raw((i % 2 == 0 ? 200 - i : i) << 20));
+    if (i == 20) {
+      (void)estimator.reading(0);
+    }
+  }
+  write(corpus / "fuzz_snapshot" / "nested", estimator.snapshot(buffer));
+  for (int i = 0; i < 80; ++i) {
+    estimator.push(0, Tension::from_raw((i % 2 == 0 ? i : 300 - i) << 20));
+  }
+  write(corpus / "fuzz_snapshot" / "overrun", estimator.snapshot(buffer));
+
+  write(corpus / "fuzz_differential" / "growing", signal(60, 400, 1));
+  write(corpus / "fuzz_differential" / "mixed", signal(200, 7919, 3));
+  write(corpus / "fuzz_differential" / "late", signal(200, 7919, 0));
+}
