@@ -4,6 +4,7 @@
 #include <iostream>
 
 #include "host_sim/io/input_error.hpp"
+#include "host_sim/io/interruption.hpp"
 #include "host_sim/io/output_file.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
@@ -11,6 +12,7 @@ namespace {
 
 constexpr int kBadInput = 1;
 constexpr int kUsage = 2;
+constexpr int kInterrupted = 130;  // as a shell tells SIGINT
 
 int fail(const std::exception& error) {
   std::cerr << error.what() << '\n';
@@ -27,6 +29,7 @@ int main(int argc, char** argv) {
   app.footer(
       "Exit status: 0 done, 1 bad input, 2 wrong usage, 3 a limit or fault was found in the data.");
   int status = 0;
+  host_sim::watch_for_interruption();
   host_sim::add_replay(app, status);
   host_sim::add_pack(app, status);
   try {
@@ -35,6 +38,9 @@ int main(int argc, char** argv) {
     return app.exit(error) == 0 ? 0 : kUsage;
   } catch (const host_sim::InputError& error) {
     return fail(error);
+  } catch (const host_sim::Interruption& error) {
+    std::cerr << "host_sim: " << error.what() << '\n';
+    return kInterrupted;
   } catch (const host_sim::OutputError& error) {
     return fail(error);
   } catch (const std::exception& error) {

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 
+#include "host_sim/io/interruption.hpp"
 #include "host_sim/io/output_file.hpp"
 #include "host_sim/io/progress.hpp"
 #include "host_sim/replay/flag_names.hpp"
@@ -54,7 +55,10 @@ int run(const Arguments& arguments) {
   options.trajectory_step_s = arguments.trajectory_step_s;
   options.report = page ? &report : nullptr;
   Progress progress("replay", profile.bytes_total());
-  options.progress = [&](std::uint64_t bytes) { progress.update(bytes); };
+  options.progress = [&](std::uint64_t bytes) {
+    stop_if_interrupted();
+    progress.update(bytes);
+  };
   const ReplayResult result = replay(profile, model, arguments.model, options);
   progress.finish();
 

@@ -38,7 +38,7 @@ class Residue {
   static_assert(kCapacity >= 4);
 
  public:
-  /// What take() has done: at most as many as the steps it was given.
+  /// What take() has done.
   struct Progress {
     std::uint32_t taken;   ///< turning points
     std::uint32_t closed;  ///< full cycles, written to the buffer
@@ -53,10 +53,9 @@ class Residue {
                                                  std::int32_t effort, FullCycle* closed,
                                                  Sink&& sink) {
     std::uint32_t index = first;
-    while (size_ < 2 && index != last)
-      [[unlikely]] {
-        points_[size_++] = next(index++);
-      }
+    while (size_ < 2 && index != last) {
+      points_[size_++] = next(index++);
+    }
     Tension* const low = points_.data() + 2;
     Tension* const high = points_.data() + kCapacity;
     Tension* end = points_.data() + size_;

@@ -133,6 +133,21 @@ TEST_F(Program, AnErrorKeepsAnEarlierResult) {
   EXPECT_EQ(contents(folder_ / "r.json"), before);
 }
 
+TEST_F(Program, AnInterruptionLeavesNothingBehind) {
+  const auto before = files();
+  // Rows without end, and a signal once the replay is under way.
+  const std::string command =
+      "cd '" + folder_.string() +
+      "' && awk 'BEGIN { print \"time_s,input_tension_N\"; for (i = 0;; i++) print i \",\" i % 50 "
+      "}' 2> /dev/null | timeout --preserve-status -s INT 1 '" HOST_SIM
+      "' replay - --model model.toml --json r.json --trajectory t.csv --report p.html 2> err.txt";
+  const int status = std::system(command.c_str());
+  EXPECT_EQ(WEXITSTATUS(status), 130);
+  EXPECT_NE(contents(folder_ / "err.txt").find("interrupted"), std::string::npos);
+  fs::remove(folder_ / "err.txt");
+  EXPECT_EQ(files(), before);
+}
+
 TEST_F(Program, WrongUsageIsStatusTwo) {
   EXPECT_EQ(run(""), 2);
   EXPECT_EQ(run("replay good.csv"), 2);
