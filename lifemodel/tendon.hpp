@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -151,10 +150,11 @@ class Tendon {
   /// Time is bounded by the places of the residue.
   template <class Observer>
   [[nodiscard]] bool read(const Parameters& parameters, Reading& r, Observer observer) const {
+    const std::uint32_t started = filter_.lock().start();
     const Last last = last_turning_point();
-    std::atomic_thread_fence(std::memory_order_acquire);
-    if (pending()) {
-      return false;  // and the last turning point may be of two runs
+    const bool settled = !pending();
+    if (!filter_.lock().unchanged(started) || !settled) {
+      return false;
     }
     r = {};
     r.closed = ledger_.closed;

@@ -62,8 +62,8 @@ class Residue {
     FullCycle* out = closed;
     std::int32_t mirror = mirror_at(size_);
     while (effort > 0 && index != last) {
-      // Whether a cycle closes cannot be predicted, so both outcomes are written, past the end where
-      // they do not hold.
+      // Whether a cycle closes cannot be predicted, so both outcomes are written, past the end
+      // where they do not hold.
       const Tension point = next(index);
       const Tension b = end[-2];
       const Tension c = end[-1];

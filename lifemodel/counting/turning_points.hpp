@@ -4,6 +4,7 @@
 
 #include "lifemodel/quantity/units.hpp"
 #include "lifemodel/support/shared_word.hpp"
+#include "lifemodel/support/turn_lock.hpp"
 
 namespace lifemodel {
 
@@ -50,13 +51,18 @@ class TurningPoints {
     }
     Run now = run();
     const Tension candidate = now.candidate();
-    const bool turned = now.turns(sample, hysteresis);
-    extremum_.set_relaxed(now.extremum);
-    if (turned) {
-      mirror_.set_relaxed(now.mirror);
+    if (now.turns(sample, hysteresis)) {
+      lock_.begin();
+      set_run(now);
       confirmed(candidate);
+      lock_.end();
+    } else {
+      extremum_.set_relaxed(now.extremum);
     }
   }
+
+  /// What a reader on another core has to look at before and after it reads.
+  [[nodiscard]] const TurnLock& lock() const { return lock_; }
 
   /// True once there is a candidate beside a confirmed turning point.
   [[nodiscard]] bool directed() const { return phase_.relaxed() == kDirected; }
@@ -123,15 +129,18 @@ class TurningPoints {
   template <class Confirmed>
   void direct(Run run, std::int32_t first, Confirmed&& confirmed) {
     lowest_ = 0;
+    lock_.begin();
     set_run(run);
     phase_.set_relaxed(kDirected);
     confirmed(Tension::from_raw(first));
+    lock_.end();
   }
 
   [[nodiscard]] std::uint32_t spread() const {
     return static_cast<std::uint32_t>(extremum_.own()) - static_cast<std::uint32_t>(lowest_);
   }
 
+  TurnLock lock_;
   SharedWord<std::uint32_t> phase_{kEmpty};
   SharedWord<std::int32_t> mirror_;
   SharedWord<std::int32_t> extremum_;  ///< of the run; the maximum before the first direction

@@ -4,6 +4,22 @@
 
 namespace lifemodel {
 
+/// A microcontroller has one core, which sees its own memory in order even across an interrupt:
+/// only the compiler has to be held back. Define LIFEMODEL_SEVERAL_CORES where another core pushes.
+#if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M' && !defined(LIFEMODEL_SEVERAL_CORES)
+inline constexpr bool kSeveralCores = false;
+#else
+inline constexpr bool kSeveralCores = true;
+#endif
+
+inline void fence(std::memory_order order) {
+  if constexpr (kSeveralCores) {
+    std::atomic_thread_fence(order);
+  } else {
+    std::atomic_signal_fence(order);
+  }
+}
+
 /// A word that one side writes and the other reads, where the two may be an interrupt and what it
 /// interrupts, or two cores. Copies as a plain value.
 template <class T>
@@ -17,32 +33,25 @@ class SharedWord {
   [[nodiscard]] T relaxed() const { return ref().load(std::memory_order_relaxed); }
   void set_relaxed(T value) { ref().store(value, std::memory_order_relaxed); }
 
-#if defined(__ARM_ARCH_PROFILE) && __ARM_ARCH_PROFILE == 'M' && !defined(LIFEMODEL_SEVERAL_CORES)
-  // A microcontroller has one core, which sees its own memory in order even across an interrupt:
-  // only the compiler has to be held back. Define LIFEMODEL_SEVERAL_CORES where another core
-  // pushes.
   [[nodiscard]] T acquire() const {
+    if constexpr (kSeveralCores) {
+      return ref().load(std::memory_order_acquire);
+    }
     const T value = relaxed();
-    std::atomic_signal_fence(std::memory_order_acquire);
+    fence(std::memory_order_acquire);
     return value;
   }
   void release(T value) {
-    std::atomic_signal_fence(std::memory_order_release);
-    set_relaxed(value);
+    if constexpr (kSeveralCores) {
+      ref().store(value, std::memory_order_release);
+    } else {
+      fence(std::memory_order_release);
+      set_relaxed(value);
+    }
   }
-#else
-  [[nodiscard]] T acquire() const {
-    return ref().load(std::memory_order_acquire);
-  }
-  void release(T value) {
-    ref().store(value, std::memory_order_release);
-  }
-#endif
 
   /// For the side that writes it.
-  [[nodiscard]] constexpr T own() const {
-    return value_;
-  }
+  [[nodiscard]] constexpr T own() const { return value_; }
 
  private:
   // atomic_ref takes no const object before C++26.
