@@ -19,9 +19,7 @@ int fail(const std::exception& error) {
   return kBadInput;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   CLI::App app{"Life of tendons from recorded profiles, through the code that runs on the board"};
   app.name("host_sim");
   app.set_version_flag("--version", std::string(host_sim::kProgramVersion));
@@ -48,4 +46,15 @@ int main(int argc, char** argv) {
     return fail(error);
   }
   return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (...) {
+    std::fputs("host_sim: out of resources\n", stderr);
+    return kBadInput;
+  }
 }

@@ -23,6 +23,7 @@ static_assert((1u << kNames.size()) - 1 == lifemodel::kAllFlags, "every flag has
 const std::vector<std::string>& all_flag_names() {
   static const std::vector<std::string> names = [] {
     std::vector<std::string> result;
+    result.reserve(kNames.size());
     for (const auto& [flag, name] : kNames) {
       result.emplace_back(name);
     }

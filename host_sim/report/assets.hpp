@@ -5,6 +5,7 @@
 /// Files that are part of every page, embedded when the program is built.
 namespace host_sim::assets {
 
+// NOLINTBEGIN(readability-identifier-naming): named after the files
 extern const std::string_view page_html;
 extern const std::string_view page_css;
 extern const std::string_view guard_js;
@@ -12,5 +13,6 @@ extern const std::string_view page_js;
 extern const std::string_view uplot_js;
 extern const std::string_view uplot_css;
 extern const std::string_view uplot_licence;
+// NOLINTEND(readability-identifier-naming)
 
 }  // namespace host_sim::assets

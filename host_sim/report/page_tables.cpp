@@ -99,7 +99,8 @@ std::string worst_classes(const RangeMeanMatrix& matrix) {
   Table table("Classes that do the most damage",
               {"Range, N", "Mean, N", "Cycles", "Damage", "Share of the damage"});
   for (auto it = classes.begin(); it != classes.begin() + shown; ++it) {
-    const auto range = static_cast<double>(*it / matrix.means);
+    const std::size_t range_class = *it / matrix.means;
+    const auto range = static_cast<double>(range_class);
     const auto mean = static_cast<double>(*it % matrix.means);
     table.row(span_text(range * matrix.range_step_N, matrix.range_step_N),
               {span_text(matrix.mean_min_N + mean * matrix.mean_step_N, matrix.mean_step_N),

@@ -96,7 +96,9 @@ void RangeMeanBuilder::widen_means() {
     return;
   }
   std::vector<Cell> merged(cells_.size());
-  for (double mean_class = lowest_mean_class_; mean_class <= highest_mean_class_; ++mean_class) {
+  const auto used = static_cast<std::size_t>(highest_mean_class_ - lowest_mean_class_) + 1;
+  for (std::size_t i = 0; i < used; ++i) {
+    const double mean_class = lowest_mean_class_ + static_cast<double>(i);
     const std::size_t from = slot(mean_class);
     const std::size_t into = slot(std::floor(mean_class / 2));
     for (std::size_t r = 0; r < kClasses; ++r) {

@@ -12,7 +12,8 @@ using lifemodel::Damage;
 using lifemodel::Estimator;
 using One = Estimator<1>;
 
-static_assert(sizeof(One) <= sizeof(lm_estimator) && alignof(One) <= alignof(lm_estimator));
+static_assert(sizeof(One) <= sizeof(lm_estimator));
+static_assert(alignof(One) <= alignof(lm_estimator));
 static_assert(One::kSnapshotBytes <= LM_SNAPSHOT_BYTES);
 static_assert(lifemodel::kBlockBytes == LM_PARAMETER_BLOCK_BYTES);
 
