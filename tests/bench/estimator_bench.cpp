@@ -12,12 +12,6 @@ using lifemodel::Tension;
 
 constexpr std::size_t kSamples = 1u << 20;
 
-/// As on the target, but for a queue that suits a cache.
-struct HostLayout {
-  static constexpr std::size_t kResidue = 128;
-  static constexpr std::size_t kQueue = 2048;
-};
-
 lifemodel::Parameters parameters() {
   auto constants = paper_constants();
   constants.hysteresis_N = 0.2;

@@ -5,16 +5,12 @@
 namespace lifemodel {
 namespace {
 
+using lifemodel_test::HostLayout;
 using lifemodel_test::newtons;
 using lifemodel_test::paper_constants;
 using lifemodel_test::parameters_of;
 using lifemodel_test::Signal;
 using pack::to_double;
-
-struct HostLayout {
-  static constexpr std::size_t kResidue = 128;
-  static constexpr std::size_t kQueue = 1024;
-};
 
 TEST(Endurance, ABillionCyclesAddUpExactly) {
   auto constants = paper_constants();

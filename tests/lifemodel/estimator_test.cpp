@@ -13,16 +13,12 @@
 namespace lifemodel {
 namespace {
 
+using lifemodel_test::HostLayout;
 using lifemodel_test::newtons;
 using lifemodel_test::paper_constants;
 using lifemodel_test::parameters_of;
 using lifemodel_test::Signal;
 using pack::to_double;
-
-struct HostLayout {
-  static constexpr std::size_t kResidue = 128;
-  static constexpr std::size_t kQueue = 1024;
-};
 
 void expect_same(const Reading& a, const Reading& b) {
   EXPECT_EQ(a.closed, b.closed);

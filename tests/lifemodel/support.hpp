@@ -10,6 +10,12 @@
 
 namespace lifemodel_test {
 
+/// As on the target, but for a queue that suits a host.
+struct HostLayout {
+  static constexpr std::size_t kResidue = 128;
+  static constexpr std::size_t kQueue = 2048;
+};
+
 /// The paper's constants; every range is counted.
 inline lifemodel::pack::Constants paper_constants() {
   return {.ultimate_tension_N = 177.4,
@@ -51,11 +57,11 @@ inline std::vector<lifemodel::Tension> newtons(const std::vector<double>& values
 
 /// Damage of one full cycle from the equations, in long double.
 inline long double cycle_damage(const lifemodel::pack::Constants& c, double x_N, double y_N) {
-  const long double amplitude = std::fabs(static_cast<long double>(x_N) - y_N) / 2;
-  const long double mean = (static_cast<long double>(x_N) + y_N) / 2;
-  const long double relative_mean = mean / c.ultimate_tension_N;
+  const auto exact = [](double value) { return static_cast<long double>(value); };
+  const long double amplitude = std::fabs(exact(x_N) - exact(y_N)) / 2;
+  const long double relative_mean = (exact(x_N) + exact(y_N)) / 2 / exact(c.ultimate_tension_N);
   const long double effective = amplitude / (1 - relative_mean * relative_mean);
-  return std::pow(effective, static_cast<long double>(c.ipl_exponent)) / c.ipl_scale;
+  return std::pow(effective, exact(c.ipl_exponent)) / exact(c.ipl_scale);
 }
 
 using Signal = std::vector<lifemodel::Tension>;

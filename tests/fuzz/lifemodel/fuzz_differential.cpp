@@ -8,14 +8,14 @@
 
 #include "host_sim/reference/reference.hpp"
 #include "lifemodel/estimator.hpp"
-#include "tests/fuzz/lifemodel/model.hpp"
+#include "tests/lifemodel/support.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace lifemodel;
   if (size < 2) {
     return 0;
   }
-  auto constants = fuzz::paper_constants();
+  auto constants = lifemodel_test::paper_constants();
   constants.ipl_exponent = 1 + 11.0 * data[0] / 255;
   constants.ipl_scale = 1e4 * std::pow(constants.ultimate_tension_N, constants.ipl_exponent);
   constants.hysteresis_N = data[1] % 4 * 0.37;

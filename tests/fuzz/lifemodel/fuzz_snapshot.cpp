@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "lifemodel/estimator.hpp"
-#include "tests/fuzz/lifemodel/model.hpp"
+#include "tests/lifemodel/support.hpp"
 
 namespace {
 
@@ -21,7 +21,7 @@ std::vector<std::byte> snapshot_of(const One& estimator) {
 }
 
 void check(std::span<const std::byte> bytes) {
-  One estimator({fuzz::paper_model()});
+  One estimator({lifemodel_test::parameters_of(lifemodel_test::paper_constants())});
   estimator.push(0, Tension::from_raw(1 << 26));
   estimator.push(0, Tension::from_raw(1 << 28));
   const auto before = snapshot_of(estimator);

@@ -8,7 +8,7 @@
 
 #include "lifemodel/block/parameter_block.hpp"
 #include "lifemodel/estimator.hpp"
-#include "tests/fuzz/lifemodel/model.hpp"
+#include "tests/lifemodel/support.hpp"
 
 namespace {
 
@@ -40,7 +40,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   const fs::path corpus = argv[1];
-  const Parameters model = fuzz::paper_model();
+  const Parameters model = lifemodel_test::parameters_of(lifemodel_test::paper_constants());
   write(corpus / "fuzz_parameter_block" / "paper", encode(model));
 
   Estimator<1> estimator({model});
