@@ -119,9 +119,6 @@ class Estimator {
   [[nodiscard]] const Parameters& parameters(std::size_t tendon) const {
     return channels_[tendon].parameters;
   }
-  [[nodiscard]] std::span<const Tension> residue(std::size_t tendon) const {
-    return channels_[tendon].state.residue();
-  }
 
   /// The largest snapshot.
   static constexpr std::size_t kSnapshotBytes =

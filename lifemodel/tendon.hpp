@@ -177,9 +177,6 @@ class Tendon {
     return true;
   }
 
-  /// The points that nest, oldest first, without the unconfirmed last one.
-  [[nodiscard]] std::span<const Tension> residue() const { return residue_.points(); }
-
   static constexpr std::size_t kStoredBytes =
       4 * (4 + 7 + 1 + Intake::kWords + Ledger::kWords + 2 + Layout::kResidue + Layout::kQueue);
 

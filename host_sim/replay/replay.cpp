@@ -74,7 +74,6 @@ class Pass {
 
   ReplayResult finish(InputKind kind) {
     tell(true);
-    estimator_.flush(0, cycles_to_plots());
     const Reading reading = estimator_.reading(0, cycles_to_plots());
     const reference::Reading exact = exact_.reading();
 

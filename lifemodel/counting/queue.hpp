@@ -63,8 +63,6 @@ class TurningPointQueue {
   };
   [[nodiscard]] Range range() const { return {points_.data(), tail_.own(), head_.acquire()}; }
 
-  static constexpr std::size_t capacity() { return kCapacity; }
-
  private:
   SharedWord<std::uint32_t> head_;
   SharedWord<std::uint32_t> tail_;

@@ -110,11 +110,10 @@ class Residue {
   [[nodiscard]] constexpr std::span<const Tension> points() const {
     return {points_.data(), size_};
   }
-  static constexpr std::size_t capacity() { return kCapacity; }
 
   /// Forgets all points; with append() this puts a stored residue back.
   constexpr void clear() { size_ = 0; }
-  /// Precondition: fewer points than capacity(), and the point is the next of a residue.
+  /// Precondition: fewer points than kCapacity, and the point is the next of a residue.
   constexpr void append(Tension point) { points_[size_++] = point; }
 
  private:

@@ -24,7 +24,6 @@ class Quantity {
   static_assert(kLowest <= kHighest);
 
  public:
-  using Unit = UnitT;
   using Rep = RepT;
   using Overflow = OverflowT;
   static constexpr int kFractionBits = kFraction;
@@ -59,8 +58,7 @@ class Quantity {
   /// The value with this raw representation. Precondition: within the closed range.
   static constexpr Quantity from_raw(Rep raw) { return Quantity(raw); }
 
-  /// `thousandths` of a unit, to the nearest representable value. 64-bit intermediate: the product
-  /// with 2^kFraction has to fit, so |thousandths| < 2^(63 - kFraction).
+  /// `thousandths` of a unit, to the nearest representable value. For up to 25 fraction bits.
   static constexpr Quantity from_milli(
       std::int32_t thousandths, Flags& flags) requires std::same_as<Overflow, SaturateFlagged> {
     // 1/1000 as 2^-42 * 4398046511 (error 2.5e-11), so that no 64-bit division is needed.
