@@ -1,0 +1,156 @@
+#pragma once
+
+#include <cstdint>
+
+namespace protocol {
+
+/// CANopen node id, 1 .. 127 (CiA 301).
+using Node = std::uint8_t;
+
+/// NMT state in a heartbeat (CiA 301, 7.2.8.3.2.2).
+enum class NmtState : std::uint8_t { boot_up = 0x00, stopped = 0x04, operational = 0x05 };
+
+/// How far the life of the worst tendon is used.
+enum class LifeState : std::uint8_t {
+  unknown,  ///< no trustworthy record of the past was found, or a tendon has no parameters
+  normal,
+  inspect,  ///< half of the B10 life is used
+  replace,  ///< the B10 life is used
+  worn,     ///< the B50 life is used
+};
+
+/// How far a reading can be trusted; the first that applies.
+enum class Quality : std::uint8_t {
+  measured,   ///< every sample was taken
+  gaps,       ///< samples were missing
+  bounded,    ///< cycles were counted larger than they were, never smaller
+  saturated,  ///< a value met the end of its range
+  untrusted,  ///< the sensor or the record of the past is at fault
+};
+
+struct Heartbeat {
+  NmtState state = NmtState::boot_up;
+
+  friend constexpr bool operator==(const Heartbeat&, const Heartbeat&) = default;
+};
+
+/// The life of the node at a glance.
+struct LifeStatus {
+  LifeState state = LifeState::unknown;
+  std::uint32_t damage_ppb = 0;   ///< of the worst tendon in this epoch; stops at 2^32 - 1
+  std::uint8_t worst_tendon = 0;  ///< 0 .. 31
+  Quality quality = Quality::measured;
+  bool storage_ok = false;
+  bool sensor_ok = false;
+  bool gap = false;
+  bool saturated = false;
+  bool overrun = false;
+  bool locked = false;  ///< the drive is held off by the emergency stop
+
+  friend constexpr bool operator==(const LifeStatus&, const LifeStatus&) = default;
+};
+
+/// Pages of LifeDetail. Each has its number as the multiplexor.
+namespace detail {
+
+struct Identity {
+  static constexpr std::uint8_t kPage = 0;
+  std::uint8_t schema = 0;          ///< version of this frame plan
+  std::uint8_t firmware = 0;        ///< version, major in the high 4 bits, minor in the low
+  std::uint32_t configuration = 0;  ///< CRC-32 over the parameter blocks
+};
+struct Cycles {
+  static constexpr std::uint8_t kPage = 1;
+  std::uint32_t cycles = 0;          ///< closed, all tendons, this epoch; stops at 2^32 - 1
+  std::uint16_t cycles_per_min = 0;  ///< over the last minute
+};
+struct DamageRate {
+  static constexpr std::uint8_t kPage = 2;
+  std::uint32_t ppb_per_h = 0;    ///< worst tendon, over the last minute
+  std::uint16_t unsaved_ppb = 0;  ///< what a power cut now would lose
+};
+struct TendonDamage {
+  static constexpr std::uint8_t kPage = 3;
+  std::uint8_t tendon = 0;
+  std::uint32_t damage_ppb = 0;
+  LifeState state = LifeState::unknown;
+};
+struct RainflowBin {
+  static constexpr std::uint8_t kPage = 4;
+  std::uint8_t tendon = 0;       ///< 0 .. 31
+  std::uint8_t range_class = 0;  ///< 0 .. 7, eighths of the ultimate tension; 7 is open above
+  std::uint8_t mean_class = 0;   ///< 0 .. 7, eighths of the ultimate tension; 0 is open below
+  std::uint32_t cycles = 0;      ///< since the start
+};
+struct RemainingLife {
+  static constexpr std::uint8_t kPage = 5;
+  static constexpr std::uint16_t kUnknown = 0xffff;  ///< no rate yet, or longer than can be told
+  std::uint16_t b10_dh = kUnknown;  ///< tenths of an hour at the present damage rate
+  std::uint16_t b50_dh = kUnknown;
+  std::uint16_t b90_dh = kUnknown;
+};
+struct Storage {
+  static constexpr std::uint8_t kPage = 6;
+  std::uint32_t sequence = 0;           ///< of the last record, 24 bits; stops
+  std::uint32_t worst_unsaved_ppb = 0;  ///< since the start, 24 bits; stops
+};
+struct Timing {
+  static constexpr std::uint8_t kPage = 7;
+  std::uint16_t worst_jitter_us = 0;
+  std::uint16_t p99_jitter_us = 0;
+  std::uint16_t missed_deadlines = 0;
+};
+struct Bus {
+  static constexpr std::uint8_t kPage = 8;
+  std::uint8_t transmit_errors = 0;
+  std::uint8_t receive_errors = 0;
+  std::uint8_t bus_offs = 0;
+  std::uint8_t dropped = 0;   ///< detail pages that found no room
+  std::uint16_t refused = 0;  ///< frames that failed the integrity check, and commands refused
+};
+
+inline constexpr std::uint8_t kPages = 9;
+
+}  // namespace detail
+
+/// What an Emergency frame tells of (CiA 301, 7.2.7: device specific codes 0xff00 and up). An event
+/// that ends is told once more, with `none` as the code and its register bit gone.
+enum class EmergencyCode : std::uint16_t {
+  none = 0x0000,  ///< all that was told is over
+  emergency_stop = 0xff01,
+  life_inspect = 0xff11,
+  life_replace = 0xff12,
+  life_worn = 0xff13,
+  overload = 0xff20,  ///< a tension reached the ultimate tension
+  sensor = 0xff30,
+  storage = 0xff40,         ///< the record cannot be written
+  record_damaged = 0xff41,  ///< no trustworthy record of the past was found
+  parameters = 0xff50,      ///< a tendon has no valid parameter block
+  bus = 0xff60,             ///< the controller was off the bus
+  deadline = 0xff70,        ///< the control loop was late
+  authority = 0xff80,       ///< authentication failed repeatedly
+};
+
+struct Emergency {
+  EmergencyCode code = EmergencyCode::none;
+  std::uint8_t error_register = 0;  ///< CiA 301, 7.5.2.2
+  std::uint32_t damage_ppm = 0;     ///< of the worst tendon, 24 bits; stops
+
+  friend constexpr bool operator==(const Emergency&, const Emergency&) = default;
+};
+
+enum class CommandCode : std::uint8_t {
+  identify = 1,     ///< the status light blinks for `argument` seconds, 0 .. 255
+  select_page = 2,  ///< the next LifeDetail is page `argument`
+  burst = 3,        ///< the next `argument` LifeDetail pages of all leave at the inhibit time
+};
+
+/// Harmless: changes nothing but what is shown.
+struct Command {
+  CommandCode code = CommandCode::identify;
+  std::uint8_t argument = 0;
+
+  friend constexpr bool operator==(const Command&, const Command&) = default;
+};
+
+}  // namespace protocol
