@@ -67,6 +67,18 @@ class Damage {
     }
   }
 
+  /// What `larger` has more than `smaller`. Precondition: smaller <= larger.
+  static constexpr Damage difference(const Damage& larger, const Damage& smaller) {
+    Damage result;
+    std::uint64_t borrow = 0;
+    for (std::size_t i = 0; i < result.words_.size(); ++i) {
+      const std::uint64_t word = std::uint64_t{larger.words_[i]} - smaller.words_[i] - borrow;
+      result.words_[i] = static_cast<std::uint32_t>(word);
+      borrow = (word >> 32) & 1u;
+    }
+    return result;
+  }
+
   /// In steps of 1e-9, rounded down; stops at 2^32 - 1.
   [[nodiscard]] constexpr std::uint32_t parts_per_billion() const {
     constexpr std::uint32_t kBillion = 1'000'000'000;

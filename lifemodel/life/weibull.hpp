@@ -93,14 +93,7 @@ constexpr std::uint32_t remaining_repeats(const Damage& used, const Damage& each
   if (each == Damage{}) {
     return std::numeric_limits<std::uint32_t>::max();
   }
-  Damage::Words left{};
-  std::uint64_t borrow = 0;
-  for (std::size_t i = 0; i < left.size(); ++i) {
-    const std::uint64_t difference = std::uint64_t{limit.words()[i]} - used.words()[i] - borrow;
-    left[i] = static_cast<std::uint32_t>(difference);
-    borrow = (difference >> 32) & 1u;
-  }
-  const numeric::Normal remaining = normalise(Damage::from_words(left));
+  const numeric::Normal remaining = normalise(Damage::difference(limit, used));
   const numeric::Normal one = normalise(each);
   const numeric::Normal q = numeric::quotient(remaining.mantissa, one.mantissa);
   const std::int32_t exponent = q.exponent + remaining.exponent - one.exponent;

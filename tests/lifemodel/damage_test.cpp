@@ -104,6 +104,14 @@ TEST(Damage, AddingSumsSaturatesToo) {
   EXPECT_TRUE(flags.has(Flag::saturated));
 }
 
+TEST(Damage, ADifferenceBorrowsThroughAllWords) {
+  const Damage larger = Damage::from_words({0, 0, 0, 1});
+  const Damage smaller = Damage::from_words({1, 0, 0, 0});
+  constexpr std::uint32_t kAll = 0xffffffffu;
+  EXPECT_EQ(Damage::difference(larger, smaller), Damage::from_words({kAll, kAll, kAll, 0}));
+  EXPECT_EQ(Damage::difference(larger, larger), Damage{});
+}
+
 TEST(Damage, PartsPerBillion) {
   Flags flags;
   Damage sum;

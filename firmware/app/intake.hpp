@@ -1,0 +1,90 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "hal/sensor.hpp"
+#include "lifemodel/estimator.hpp"
+#include "lifemodel/input/capstan.hpp"
+#include "lifemodel/support/shared_word.hpp"
+
+namespace app {
+
+/// A sample of output tension, which the estimator carries to the motor end.
+struct OutputTension {
+  lifemodel::Tension tension;
+  lifemodel::Direction direction;
+  lifemodel::Angle bend;
+};
+
+/// Takes the samples of all tendons into the estimator, in the interrupt of the control loop, and
+/// tells the rest of the application how that goes.
+template <std::size_t kTendons>
+class Intake {
+ public:
+  using Estimator = lifemodel::Estimator<kTendons>;
+
+  /// Samples in a row without a value that make the sensor faulty.
+  static constexpr std::uint32_t kFaultySamples = 16;
+
+  /// A tendon without parameters is left out.
+  void leave_out(std::size_t tendon) { left_out_[tendon] = true; }
+
+  template <hal::Sensor SensorT>
+  void isr_sample(SensorT& sensor, Estimator& estimator) {
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      if (left_out_[tendon]) {
+        continue;
+      }
+      const auto sample = sensor.isr_read(tendon);
+      if (sample) [[likely]] {
+        push(estimator, tendon, *sample);
+        without_[tendon].set_relaxed(0);
+      } else {
+        estimator.push_missing(tendon);
+        const std::uint32_t without = without_[tendon].own();
+        without_[tendon].set_relaxed(without < kFaultySamples ? without + 1 : without);
+      }
+    }
+    periods_.set_relaxed(periods_.own() + 1);
+  }
+
+  void isr_missed(std::uint32_t periods, Estimator& estimator) {
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      if (!left_out_[tendon]) {
+        estimator.push_missing(tendon, periods);
+      }
+    }
+    missed_.set_relaxed(missed_.own() + periods);
+  }
+
+  /// Periods of the control loop so far; wraps.
+  [[nodiscard]] std::uint32_t periods() const { return periods_.relaxed(); }
+  /// Periods that were missed; wraps.
+  [[nodiscard]] std::uint32_t missed() const { return missed_.relaxed(); }
+  [[nodiscard]] bool sensor_ok() const {
+    for (const auto& without : without_) {
+      if (without.relaxed() == kFaultySamples) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  static void push(Estimator& estimator, std::size_t tendon, const OutputTension& sample) {
+    estimator.push(tendon, sample.tension, sample.direction, sample.bend);
+  }
+  template <class Sample>
+  static void push(Estimator& estimator, std::size_t tendon, const Sample& sample) {
+    estimator.push(tendon, sample);
+  }
+
+  std::array<bool, kTendons> left_out_{};
+  std::array<lifemodel::SharedWord<std::uint32_t>, kTendons> without_{};
+  lifemodel::SharedWord<std::uint32_t> periods_;
+  lifemodel::SharedWord<std::uint32_t> missed_;
+};
+
+}  // namespace app

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "hal/clock.hpp"
+#include "lifemodel/damage/damage.hpp"
+#include "lifemodel/life/weibull.hpp"
+
+namespace app {
+
+/// Damage and cycles of one tendon over the last minute, from readings since the start, which never
+/// fall.
+class Rates {
+ public:
+  static constexpr std::size_t kSlots = 6;
+  static constexpr hal::Time kSlot = hal::seconds(10);
+
+  void start(hal::Time now) { next_ = now + kSlot; }
+
+  void take(hal::Time now, const lifemodel::Damage& damage, std::uint64_t cycles) {
+    if (now < next_) {
+      return;
+    }
+    oldest_ = marks_[position_];
+    newest_ = {damage, cycles};
+    marks_[position_] = newest_;
+    position_ = (position_ + 1) % kSlots;
+    marked_ += marked_ < kSlots ? 1 : 0;
+    next_ = now + kSlot;
+  }
+
+  /// False until a whole minute has passed.
+  [[nodiscard]] bool known() const { return marked_ == kSlots; }
+  [[nodiscard]] lifemodel::Damage damage_per_min() const {
+    return lifemodel::Damage::difference(newest_.damage, oldest_.damage);
+  }
+  [[nodiscard]] std::uint16_t cycles_per_min() const {
+    const std::uint64_t cycles = newest_.cycles - oldest_.cycles;
+    constexpr std::uint64_t kHighest = std::numeric_limits<std::uint16_t>::max();
+    return static_cast<std::uint16_t>(cycles < kHighest ? cycles : kHighest);
+  }
+  [[nodiscard]] std::uint32_t damage_ppb_per_h() const {
+    return times(damage_per_min(), 60).parts_per_billion();
+  }
+  /// Tenths of an hour until `end` at this rate; the highest value where there is no rate, or
+  /// longer than can be told.
+  [[nodiscard]] std::uint16_t remaining_dh(const lifemodel::Damage& used,
+                                           lifemodel::LifePoint end) const {
+    constexpr std::uint32_t kUnknown = std::numeric_limits<std::uint16_t>::max();
+    if (!known()) {
+      return kUnknown;
+    }
+    constexpr std::uint32_t kMinutes = 6;
+    const std::uint32_t left =
+        lifemodel::remaining_repeats(used, times(damage_per_min(), kMinutes), end);
+    return static_cast<std::uint16_t>(left < kUnknown ? left : kUnknown);
+  }
+
+ private:
+  struct Mark {
+    lifemodel::Damage damage;
+    std::uint64_t cycles = 0;
+  };
+
+  static lifemodel::Damage times(const lifemodel::Damage& damage, std::uint32_t n) {
+    lifemodel::Damage sum;
+    lifemodel::Flags flags;
+    for (std::uint32_t i = 0; i < n; ++i) {
+      sum.add(damage, flags);
+    }
+    return sum;
+  }
+
+  std::array<Mark, kSlots> marks_{};
+  Mark oldest_;
+  Mark newest_;
+  std::size_t position_ = 0;
+  std::size_t marked_ = 0;
+  hal::Time next_{};
+};
+
+}  // namespace app
