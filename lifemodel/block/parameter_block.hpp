@@ -108,10 +108,13 @@ constexpr ParameterBlock encode(const Parameters& p) {
   return block;
 }
 
-/// Whether the scale turns the ultimate tension into 1, to 1e-6.
+/// Whether the scale turns the ultimate tension into 1, to 1e-6 and the half mN to which the
+/// ultimate tension is rounded.
 constexpr bool scale_follows(const Parameters& p) {
-  const std::int64_t one = p.scale.steps_per_mN.times(static_cast<std::int32_t>(p.ultimate_mN));
-  return one > kUltimate.raw() - 512 && one < kUltimate.raw() + 512;
+  const Factor& scale = p.scale.steps_per_mN;
+  const std::int64_t one = scale.times(static_cast<std::int32_t>(p.ultimate_mN));
+  const std::int64_t allowed = 512 + scale.times(1) / 2;
+  return one > kUltimate.raw() - allowed && one < kUltimate.raw() + allowed;
 }
 
 /// Checks a block and reads it; refuses what is damaged, unknown or out of range, with the reason.

@@ -99,6 +99,14 @@ TEST(ParameterBlock, WhatIsOutOfRangeIsRefusedWithTheReason) {
   EXPECT_EQ(error_of([](Parameters& p) { p.sample_period_us = 0; }), BlockError::sample_period);
 }
 
+TEST(ParameterBlock, AnUltimateTensionFinerThanItsWordIsAccepted) {
+  for (const double ultimate_N : {1.0004999, 5.0005, 44.4822, 177.92886, 99'999.99951}) {
+    auto constants = paper_constants();
+    constants.ultimate_tension_N = ultimate_N;
+    EXPECT_TRUE(decode(encode(parameters_of(constants)))) << ultimate_N;
+  }
+}
+
 TEST(ParameterBlock, MagicAndVersionComeFirst) {
   ParameterBlock block = encode(parameters_of(paper_constants()));
   block[0] = std::byte{'X'};
