@@ -1,13 +1,56 @@
 #include "host_sim/replay/constants.hpp"
 
+#include <fmt/format.h>
+
 #include <charconv>
+#include <cmath>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 
+#include "host_sim/io/input_error.hpp"
+#include "lifemodel/block/parameter_block.hpp"
 #include "lifemodel/pack/pack.hpp"
 
 namespace host_sim {
+namespace {
+
+using lifemodel::BlockError;
+
+/// What the board accepts in place of a value that `model.toml` may hold.
+std::string accepted_by_board(BlockError error, const Model& model) {
+  const double ultimate_N = model.cable.ultimate_tension_N;
+  switch (error) {
+    case BlockError::ipl_scale: {
+      const double one_cycle_at_ultimate = std::pow(ultimate_N, model.life.ipl_exponent);
+      return fmt::format("ipl_scale {:.3g}..{:.3g} with this ultimate_tension_N and ipl_exponent",
+                         std::ldexp(one_cycle_at_ultimate, -500),
+                         std::ldexp(one_cycle_at_ultimate, 500));
+    }
+    case BlockError::drive:
+      return fmt::format(
+          "torque_constant_Nm_per_A * gear_ratio * gear_efficiency / spool radius of "
+          "{:.3g}..{:.3g} N/A with this ultimate_tension_N",
+          std::ldexp(ultimate_N, -37), std::ldexp(ultimate_N, 25));
+    case BlockError::hysteresis:
+      return "hysteresis_N below ultimate_tension_N by at least one part in 1e9";
+    case BlockError::none:
+    case BlockError::ultimate_tension:
+    case BlockError::wrong_size:
+    case BlockError::not_a_block:
+    case BlockError::unknown_version:
+    case BlockError::damaged:
+    case BlockError::ipl_exponent:
+    case BlockError::weibull_shape:
+    case BlockError::life_points:
+    case BlockError::friction_coefficient:
+    case BlockError::bend_angle:
+    case BlockError::sample_period:
+      break;
+  }
+  return "a model within the ranges of the parameter block";
+}
+
+}  // namespace
 
 double radians(double angle_deg) {
   return angle_deg * std::numbers::pi / 180;
@@ -24,7 +67,7 @@ reference::Constants reference_constants_of(const Model& model) {
           model.life.ipl_exponent, model.life.weibull_shape};
 }
 
-lifemodel::Parameters parameters_of(const Model& model) {
+lifemodel::Parameters parameters_of(const Model& model, std::string_view model_name) {
   lifemodel::pack::Constants constants{
       .ultimate_tension_N = model.cable.ultimate_tension_N,
       .hysteresis_N = model.counting.hysteresis_N,
@@ -48,7 +91,10 @@ lifemodel::Parameters parameters_of(const Model& model) {
   std::from_chars(digest.data(), digest.data() + digest.size(), constants.model_digest, 16);
   const auto parameters = lifemodel::pack::parameters(constants);
   if (!parameters) {
-    throw std::invalid_argument(lifemodel::to_string(parameters.error()));
+    throw InputError(
+        model_name, 0, 0,
+        fmt::format("the board cannot represent it: {}", lifemodel::to_string(parameters.error())),
+        accepted_by_board(parameters.error(), model));
   }
   return *parameters;
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string_view>
+
 #include "host_sim/io/model.hpp"
 #include "host_sim/reference/constants.hpp"
 #include "host_sim/reference/equations.hpp"
@@ -8,8 +10,9 @@
 namespace host_sim {
 
 /// The parameters that the estimator reads, computed from the model.
-/// @throws std::invalid_argument where the target cannot represent the model
-lifemodel::Parameters parameters_of(const Model& model);
+/// @param model_name stands for the model in errors
+/// @throws InputError where the target cannot represent the model
+lifemodel::Parameters parameters_of(const Model& model, std::string_view model_name);
 
 /// The same model for the double-precision reference.
 reference::Constants reference_constants_of(const Model& model);

@@ -40,10 +40,11 @@ struct CyclesToPlots {
 /// One pass of a profile.
 class Pass {
  public:
-  Pass(const ProfileReader& profile, const Model& model, const ReplayOptions& options)
+  Pass(const ProfileReader& profile, const Model& model, const std::string& model_name,
+       const ReplayOptions& options)
       : model_(model),
         options_(options),
-        parameters_(parameters_of(model)),
+        parameters_(parameters_of(model, model_name)),
         estimator_({parameters_}),
         exact_(reference_constants_of(model)),
         input_(profile, model, parameters_),
@@ -158,7 +159,7 @@ ReplayResult replay(ProfileReader& profile, const Model& model, const std::strin
     throw InputError(model_name, 0, 0, "no [drive], and the profile holds motor_current_A",
                      "a [drive] table, or a profile with input_tension_N or output_tension_N");
   }
-  Pass pass(profile, model, options);
+  Pass pass(profile, model, model_name, options);
   std::array<ProfileRow, 4096> rows;
   while (const std::size_t count = profile.read(rows)) {
     for (const ProfileRow& row : std::span(rows).first(count)) {

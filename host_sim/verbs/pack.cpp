@@ -37,7 +37,7 @@ std::string as_c_array(const lifemodel::ParameterBlock& block, const std::string
 
 void run(const Arguments& arguments) {
   const Model model = read_model(arguments.model);
-  const lifemodel::ParameterBlock block = lifemodel::encode(parameters_of(model));
+  const lifemodel::ParameterBlock block = lifemodel::encode(parameters_of(model, arguments.model));
   const std::string digest = model_digest(model);
   OutputFile out(arguments.out);
   out.write(arguments.format == "c" ? as_c_array(block, digest) : as_binary(block));

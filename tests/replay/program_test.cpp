@@ -119,6 +119,46 @@ TEST_F(Program, BadModelsAreRefusedWithTheLine) {
   EXPECT_EQ(err_.rfind("absent.csv", 0), 0u) << err_;
 }
 
+std::string with(std::string text, const std::string& key, const std::string& value) {
+  const std::size_t at = text.find("\n" + key + " = ");
+  EXPECT_NE(at, std::string::npos) << key;
+  const std::size_t end = text.find('\n', at + 1);
+  return text.replace(at + 1, end - at - 1, key + " = " + value);
+}
+
+TEST_F(Program, ModelsThatTheBoardCannotRepresentAreRefusedWithWhatItAccepts) {
+  const std::string model = contents(folder_ / "model.toml");
+  struct Bad {
+    std::string model;
+    const char* accepted;
+  };
+  // 177.4^1.38 = 1269.3, over and times 2^500 = 3.2734e150; 177.4 N * 2^-37 and * 2^25.
+  const std::vector<Bad> all{
+      {with(model, "ipl_scale", "1e300"), "ipl_scale 3.88e-148..4.15e+153 with"},
+      {with(model, "ipl_scale", "1e-300"), "ipl_scale 3.88e-148..4.15e+153 with"},
+      {with(with(with(model, "torque_constant_Nm_per_A", "100"), "gear_ratio", "10000"),
+            "spool_radius_mm", "0.1"),
+       "1.29e-09..5.95e+09 N/A"},
+      {with(with(with(model, "torque_constant_Nm_per_A", "1e-6"), "gear_ratio", "0.001"),
+            "spool_radius_mm", "1000"),
+       "1.29e-09..5.95e+09 N/A"},
+      {with(with(model, "ultimate_tension_N", "100"), "hysteresis_N", "99.99999999"),
+       "hysteresis_N below"}};
+  for (const Bad& bad : all) {
+    write("bad.toml", bad.model);
+    const auto before = files();
+    for (const char* verb :
+         {"replay good.csv --model bad.toml --json r.json", "pack bad.toml --out block.bin"}) {
+      EXPECT_EQ(run(verb), 1) << bad.accepted;
+      EXPECT_EQ(err_.rfind("bad.toml: the board cannot represent it: ", 0), 0u) << err_;
+      EXPECT_NE(err_.find("; accepted: "), std::string::npos) << err_;
+      EXPECT_NE(err_.find(bad.accepted), std::string::npos) << err_;
+      EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
+      EXPECT_EQ(files(), before);
+    }
+  }
+}
+
 TEST_F(Program, AnOutputThatCannotBeWrittenIsFoundBeforeTheWork) {
   EXPECT_EQ(run("replay good.csv --model model.toml --json no/such/folder/r.json"), 1);
   EXPECT_NE(err_.find("no/such/folder/r.json"), std::string::npos) << err_;
