@@ -43,6 +43,9 @@ class Emergencies {
     ended_ = true;
   }
 
+  /// Forgets that what is active was told.
+  void tell_again() { begun_ |= active_; }
+
   [[nodiscard]] bool active(Code code) const { return (active_ & bit_of(code)) != 0; }
   [[nodiscard]] bool waiting() const { return begun_ != 0 || ended_; }
 

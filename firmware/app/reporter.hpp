@@ -1,0 +1,164 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+
+#include "firmware/app/conditions.hpp"
+#include "firmware/app/config.hpp"
+#include "firmware/app/life_book.hpp"
+#include "firmware/app/rainflow_bins.hpp"
+#include "firmware/protocol/messages.hpp"
+
+namespace app {
+
+/// Turns what the node knows into messages.
+template <std::size_t kTendons>
+class Reporter {
+ public:
+  using Bins = std::array<RainflowBins, kTendons>;
+
+  Reporter(const LifeBook<kTendons>& book, const Bins& bins, const Conditions& conditions)
+      : book_(book), bins_(bins), conditions_(conditions) {}
+
+  [[nodiscard]] protocol::LifeStatus status() const {
+    using lifemodel::Flag;
+    const std::size_t worst = book_.worst();
+    const lifemodel::Flags flags = book_.flags();
+    return {.state = conditions_.trusted ? book_.state() : protocol::LifeState::unknown,
+            .damage_ppb = book_.damage_ppb(worst),
+            .worst_tendon = static_cast<std::uint8_t>(worst),
+            .quality = quality(flags, conditions_.trusted && conditions_.sensor_ok),
+            .storage_ok = conditions_.storage_ok,
+            .sensor_ok = conditions_.sensor_ok,
+            .gap = flags.has(Flag::gap),
+            .saturated = flags.has(Flag::saturated),
+            .overrun = flags.has(Flag::overrun),
+            .locked = conditions_.locked};
+  }
+
+  /// Damage of the worst tendon, rounded down.
+  [[nodiscard]] std::uint32_t damage_ppm() const { return book_.damage_ppb(book_.worst()) / 1000; }
+
+  /// True while a status would show a damage that is further ahead of the store than the last
+  /// storage page said.
+  [[nodiscard]] bool unsaved_to_publish() const {
+    return conditions_.worst_unsaved_ppb > published_unsaved_ppb_;
+  }
+
+  /// Hands the message of a page to `send`, which returns whether it has left, and returns that.
+  template <class Send>
+  bool with_page(std::uint8_t page, Send&& send) {
+    using namespace protocol::detail;
+    switch (page) {
+      case Identity::kPage:
+        return send(Identity{kSchema, kFirmwareVersion, conditions_.configuration});
+      case Cycles::kPage:
+        return send(Cycles{book_.cycles(), book_.cycles_per_min()});
+      case DamageRate::kPage:
+        return send(damage_rate());
+      case TendonDamage::kPage:
+        return send_tendon(send);
+      case RainflowBin::kPage:
+        return send_bin(send);
+      case RemainingLife::kPage:
+        return send(remaining_life());
+      case Storage::kPage:
+        return send_storage(send);
+      case Timing::kPage:
+        return send(conditions_.timing);
+      default:
+        return send(bus());
+    }
+  }
+
+ private:
+  [[nodiscard]] protocol::detail::DamageRate damage_rate() const {
+    constexpr std::uint32_t kHighest = std::numeric_limits<std::uint16_t>::max();
+    const std::uint32_t unsaved_ppb = conditions_.unsaved_ppb;
+    return {book_.rates(book_.worst()).damage_ppb_per_h(),
+            static_cast<std::uint16_t>(unsaved_ppb < kHighest ? unsaved_ppb : kHighest)};
+  }
+
+  /// The tendons in turn.
+  template <class Send>
+  bool send_tendon(Send& send) {
+    const std::size_t tendon = tendon_;
+    const bool left = send(protocol::detail::TendonDamage{
+        static_cast<std::uint8_t>(tendon), book_.damage_ppb(tendon), book_.state(tendon)});
+    tendon_ = left ? (tendon + 1) % kTendons : tendon;
+    return left;
+  }
+
+  /// The bins with a cycle in turn; where there is none, the first.
+  template <class Send>
+  bool send_bin(Send& send) {
+    constexpr std::uint32_t kAll = kTendons * RainflowBins::kBins;
+    std::uint32_t place = bin_;
+    for (std::uint32_t seen = 0; seen < kAll && cycles(place) == 0; ++seen) {
+      place = place + 1 < kAll ? place + 1 : 0;
+    }
+    const std::uint32_t bin = place % RainflowBins::kBins;
+    const bool left = send(protocol::detail::RainflowBin{
+        .tendon = static_cast<std::uint8_t>(place / RainflowBins::kBins),
+        .range_class = static_cast<std::uint8_t>(bin / RainflowBins::kClasses),
+        .mean_class = static_cast<std::uint8_t>(bin % RainflowBins::kClasses),
+        .cycles = cycles(place)});
+    if (left) {
+      bin_ = place + 1 < kAll ? place + 1 : 0;
+    }
+    return left;
+  }
+  [[nodiscard]] std::uint32_t cycles(std::uint32_t place) const {
+    return bins_[place / RainflowBins::kBins].cycles(place % RainflowBins::kBins);
+  }
+
+  /// Of the tendon that has the least left.
+  [[nodiscard]] protocol::detail::RemainingLife remaining_life() const {
+    protocol::detail::RemainingLife least;
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      const auto& life = book_.distribution(tendon);
+      if (!life) {
+        continue;
+      }
+      const Rates& rates = book_.rates(tendon);
+      const lifemodel::Damage& used = book_.damage(tendon);
+      const std::uint16_t b10_dh = rates.remaining_dh(used, life->b10);
+      const std::uint16_t b90_dh = rates.remaining_dh(used, life->b90);
+      if (b10_dh < least.b10_dh || (b10_dh == least.b10_dh && b90_dh < least.b90_dh)) {
+        least = {b10_dh, rates.remaining_dh(used, life->b50), b90_dh};
+      }
+    }
+    return least;
+  }
+
+  template <class Send>
+  bool send_storage(Send& send) {
+    const std::uint32_t worst_ppb = conditions_.worst_unsaved_ppb;
+    const bool left = send(protocol::detail::Storage{conditions_.sequence, worst_ppb});
+    published_unsaved_ppb_ = left ? worst_ppb : published_unsaved_ppb_;
+    return left;
+  }
+
+  [[nodiscard]] protocol::detail::Bus bus() const {
+    constexpr std::uint32_t kHighest = std::numeric_limits<std::uint8_t>::max();
+    const std::uint32_t bus_offs = conditions_.bus.bus_offs;
+    return {.transmit_errors = conditions_.bus.transmit_errors,
+            .receive_errors = conditions_.bus.receive_errors,
+            .bus_offs = static_cast<std::uint8_t>(bus_offs < kHighest ? bus_offs : kHighest),
+            .dropped = conditions_.dropped,
+            .refused = conditions_.refused};
+  }
+
+  static constexpr std::uint8_t kSchema = 1;
+
+  const LifeBook<kTendons>& book_;
+  const Bins& bins_;
+  const Conditions& conditions_;
+  std::size_t tendon_ = 0;
+  std::uint32_t bin_ = 0;
+  std::uint32_t published_unsaved_ppb_ = 0;
+};
+
+}  // namespace app
