@@ -1,0 +1,174 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "hal/byte_stream.hpp"
+#include "hal/can_port.hpp"
+#include "hal/error.hpp"
+#include "hal/slcan/byte_queue.hpp"
+#include "hal/slcan/channel.hpp"
+#include "hal/slcan/frame_line.hpp"
+#include "hal/slcan/line_reader.hpp"
+
+namespace hal::slcan {
+
+/// Lines that led to nothing, since the start. All stop at their highest value.
+struct Refused {
+  std::uint32_t malformed = 0;  ///< frames that make no sense, and unknown commands
+  std::uint32_t too_long = 0;
+  std::uint32_t not_open = 0;  ///< frames while the channel was not open
+  std::uint32_t remote = 0;    ///< remote frames: accepted, and nobody answers them
+};
+
+/// A node on a serial line that speaks SLCAN, so that slcand turns the line into a SocketCAN
+/// interface. The node is all there is on the bus: what it sends goes to the host, and what the
+/// host transmits is what it receives.
+///
+/// state: off while the host keeps the channel closed, else active; only the host can change that,
+/// so recover() of a closed channel answers off. receive_errors counts the
+/// lines that were malformed or too long.
+///
+/// Each call moves bytes both ways as the line takes them, at most kQueue out and kBite in. A host
+/// that does not read stops its own commands first, then send() answers full.
+template <ByteStream Stream, std::size_t kQueue = 512>
+class Port {
+  static_assert(kQueue >= 4 * (kLongestLine + 1));
+
+ public:
+  /// Bytes that receive() looks at, at most.
+  static constexpr std::size_t kBite = 128;
+
+  explicit Port(Stream& stream, Channel channel = Channel::closed)
+      : stream_(stream), commands_(channel) {}
+
+  Error send(const CanFrame& frame) {
+    move_out();
+    if (commands_.channel() == Channel::closed) {
+      return Error::off;
+    }
+    if (frame.length > frame.data.size() ||
+        frame.id > (frame.extended ? kHighestExtendedId : kHighestStandardId)) {
+      return Error::out_of_range;
+    }
+    const Text line = format({frame, false});
+    // What is left over is for an answer.
+    if (out_.free() < line.bytes().size() + kLongestLine) {
+      commands_.note(StatusFlags::kTransmitFull);
+      return Error::full;
+    }
+    out_.push(line.bytes());
+    move_out();
+    return Error::none;
+  }
+
+  std::optional<CanFrame> receive() {
+    move_out();
+    for (std::size_t i = 0; i < kBite && out_.free() > kLongestLine; ++i) {
+      std::byte byte{};
+      if (stream_.try_read(std::span(&byte, 1)) == 0) {
+        break;
+      }
+      if (const auto frame = take(byte)) {
+        move_out();
+        return frame;
+      }
+    }
+    move_out();
+    return std::nullopt;
+  }
+
+  [[nodiscard]] CanStatus status() {
+    CanStatus status;
+    status.state = commands_.channel() == Channel::closed ? CanState::off : CanState::active;
+    const std::uint64_t refused = std::uint64_t{refused_.malformed} + refused_.too_long;
+    status.receive_errors = static_cast<std::uint8_t>(std::min<std::uint64_t>(refused, 255));
+    return status;
+  }
+
+  Error recover() { return commands_.channel() == Channel::closed ? Error::off : Error::none; }
+
+  [[nodiscard]] const Refused& refused() const { return refused_; }
+  [[nodiscard]] Channel channel() const { return commands_.channel(); }
+
+ private:
+  std::optional<CanFrame> take(std::byte byte) {
+    switch (reader_.take(byte)) {
+      case LineReader::Event::none:
+        break;
+      case LineReader::Event::too_long:
+        commands_.note(StatusFlags::kDataOverrun);
+        refuse(refused_.too_long);
+        break;
+      case LineReader::Event::line:
+        return take_line();
+    }
+    return std::nullopt;
+  }
+
+  std::optional<CanFrame> take_line() {
+    const std::string_view line = reader_.line();
+    if (line.empty()) {
+      return std::nullopt;
+    }
+    if (!tells_frame(line)) {
+      Text answer;
+      if (commands_.obey(line, answer) == Commands::Outcome::unknown) {
+        count(refused_.malformed);
+      }
+      out_.push(answer.bytes());
+      return std::nullopt;
+    }
+    const auto told = parse_frame(line);
+    if (!told) {
+      refuse(refused_.malformed);
+      return std::nullopt;
+    }
+    if (commands_.channel() != Channel::open) {
+      refuse(refused_.not_open);
+      return std::nullopt;
+    }
+    Text sent;
+    sent.put(told->frame.extended ? 'Z' : 'z');
+    sent.put(kEnd);
+    out_.push(sent.bytes());
+    if (told->remote) {
+      count(refused_.remote);
+      return std::nullopt;
+    }
+    return told->frame;
+  }
+
+  void refuse(std::uint32_t& counter) {
+    count(counter);
+    Text bell;
+    bell.put(kBell);
+    out_.push(bell.bytes());
+  }
+
+  static void count(std::uint32_t& counter) {
+    counter += counter < std::numeric_limits<std::uint32_t>::max() ? 1u : 0u;
+  }
+
+  void move_out() {
+    while (!out_.empty()) {
+      const std::size_t taken = stream_.try_write(out_.front());
+      if (taken == 0) {
+        return;
+      }
+      out_.pop(taken);
+    }
+  }
+
+  Stream& stream_;
+  Commands commands_;
+  LineReader reader_;
+  ByteQueue<kQueue> out_;
+  Refused refused_;
+};
+
+}  // namespace hal::slcan
