@@ -105,13 +105,14 @@ class Estimator {
     channels_[tendon].state.replay(samples, channels_[tendon].parameters, observer);
   }
 
-  /// Life used at this instant. Flushes first; `observer` hears of the cycles that are still open.
+  /// Life used at this instant. Flushes first; `observer` hears of the cycles that this closes, and
+  /// of those that are still open.
   /// Bounded by the capacity of the queue and of the residue.
   template <class Observer = NoObserver>
   [[nodiscard]] Reading reading(std::size_t tendon, Observer observer = {}) {
     Reading result;
     do {
-      flush(tendon);
+      flush(tendon, observer);
     } while (!channels_[tendon].state.read(channels_[tendon].parameters, result, observer));
     return result;
   }

@@ -8,7 +8,8 @@
 namespace app {
 
 /// Bits that a classic frame takes on the bus at worst, with all stuff bits and the space behind
-/// it (ISO 11898-1): 47 + 8 n and a stuff bit after each 4 of 34 + 8 n, or 67 and 54 where extended.
+/// it (ISO 11898-1): 47 + 8 n and a stuff bit after each 4 of 34 + 8 n, or 67 and 54 where
+/// extended.
 constexpr std::uint32_t worst_bits(const hal::CanFrame& frame) {
   const std::uint32_t data = 8u * frame.length;
   return frame.extended ? 67 + data + (54 + data - 1) / 4 : 47 + data + (34 + data - 1) / 4;
@@ -31,13 +32,11 @@ class BusBudget {
     const std::uint64_t elapsed_us = (now - last_).us;
     last_ = now;
     const std::uint32_t room_us = kFull_us - credit_us_;
-    credit_us_ = elapsed_us < room_us ? credit_us_ + static_cast<std::uint32_t>(elapsed_us)
-                                      : kFull_us;
+    credit_us_ =
+        elapsed_us < room_us ? credit_us_ + static_cast<std::uint32_t>(elapsed_us) : kFull_us;
   }
 
-  [[nodiscard]] bool allows(std::uint32_t bits) const {
-    return allows_urgent(bits + kReserveBits);
-  }
+  [[nodiscard]] bool allows(std::uint32_t bits) const { return allows_urgent(bits + kReserveBits); }
   [[nodiscard]] bool allows_urgent(std::uint32_t bits) const {
     return credit_us_ >= bits * kBit_us;
   }

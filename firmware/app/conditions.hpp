@@ -13,7 +13,7 @@ struct Conditions {
   bool trusted = false;             ///< the record of the past was found, or there was none to find
   bool sensor_ok = false;
   bool storage_ok = false;
-  bool locked = false;  ///< the drive is held off
+  bool locked = false;                  ///< the drive is held off
   std::uint32_t sequence = 0;           ///< of the last save
   std::uint32_t unsaved_ppb = 0;        ///< rounded up, as are all that follow
   std::uint32_t worst_unsaved_ppb = 0;  ///< since the start

@@ -21,13 +21,13 @@ struct Devices {
   SensorT& sensor;
   const ClockT& clock;
   StoreT& store;
-  DriveEnableT& drive_enable;       ///< asserted: the drive may move
-  BrakeT& brake;                    ///< asserted: the brake holds
-  StatusLightT& status_light;       ///< asserted: lit
-  EmergencyStopT& emergency_stop;   ///< asserted: stop; an Error counts as asserted
+  DriveEnableT& drive_enable;      ///< asserted: the drive may move
+  BrakeT& brake;                   ///< asserted: the brake holds
+  StatusLightT& status_light;      ///< asserted: lit
+  EmergencyStopT& emergency_stop;  ///< asserted: stop; an Error counts as asserted
   WatchdogT& watchdog;
   EntropyT& entropy;
-  HoldT& hold;                      ///< keeps settle() away while poll() reads
+  HoldT& hold;  ///< keeps settle() away while poll() reads
 
   using Can = CanT;
   using Sensor = SensorT;

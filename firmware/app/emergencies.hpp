@@ -74,9 +74,9 @@ class Emergencies {
  private:
   /// The most urgent first.
   static constexpr std::array kCodes{
-      Code::emergency_stop, Code::overload,   Code::life_worn,    Code::life_replace,
-      Code::life_inspect,   Code::sensor,     Code::parameters,   Code::record_damaged,
-      Code::storage,        Code::deadline,   Code::bus,          Code::authority};
+      Code::emergency_stop, Code::overload, Code::life_worn,  Code::life_replace,
+      Code::life_inspect,   Code::sensor,   Code::parameters, Code::record_damaged,
+      Code::storage,        Code::deadline, Code::bus,        Code::authority};
   static_assert(kCodes.size() <= 32);
 
   static constexpr std::uint32_t bit_of(Code code) {

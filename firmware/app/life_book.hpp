@@ -28,8 +28,7 @@ class LifeBook {
 
   /// What is known of a tendon before the first reading. Without `life` it has no parameters.
   void resume(std::size_t tendon, const std::optional<storage::LifeRecord>& record,
-              std::uint32_t configuration,
-              const std::optional<lifemodel::LifeDistribution>& life) {
+              std::uint32_t configuration, const std::optional<lifemodel::LifeDistribution>& life) {
     lives_[tendon].resume(record, static_cast<std::uint8_t>(tendon), configuration);
     distributions_[tendon] = life;
     records_[tendon] = lives_[tendon].record();

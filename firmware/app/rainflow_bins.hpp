@@ -20,7 +20,7 @@ class RainflowBins {
 
   void count(lifemodel::Tension from, lifemodel::Tension to) {
     std::uint32_t& bin = bins_[range_class(from, to) * kClasses + mean_class(from, to)];
-    bin += bin != std::numeric_limits<std::uint32_t>::max() ? 1 : 0;
+    bin += bin != std::numeric_limits<std::uint32_t>::max() ? 1u : 0u;
   }
   /// Precondition: bin < kBins; its range class is bin / kClasses, its mean class bin % kClasses.
   [[nodiscard]] std::uint32_t cycles(std::uint32_t bin) const { return bins_[bin]; }

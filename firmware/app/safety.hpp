@@ -37,8 +37,7 @@ class Safety {
  private:
   void apply() {
     // Off before the brake closes, on after it has opened.
-    const hal::Error first =
-        locked_ ? devices_.drive_enable.set(false) : devices_.brake.set(false);
+    const hal::Error first = locked_ ? devices_.drive_enable.set(false) : devices_.brake.set(false);
     const hal::Error second = locked_ ? devices_.brake.set(true) : devices_.drive_enable.set(true);
     obeyed_ = first == hal::Error::none && second == hal::Error::none;
     applied_ = locked_;

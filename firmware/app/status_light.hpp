@@ -33,8 +33,8 @@ class StatusLight {
     if (state == protocol::LifeState::normal) {
       return true;
     }
-    const std::uint32_t flashes = static_cast<std::uint32_t>(state) -
-                                  static_cast<std::uint32_t>(protocol::LifeState::normal);
+    const std::uint32_t flashes =
+        static_cast<std::uint32_t>(state) - static_cast<std::uint32_t>(protocol::LifeState::normal);
     return phase_ms / 150 % 2 == 0 && phase_ms / 300 < flashes;
   }
 

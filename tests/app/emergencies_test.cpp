@@ -1,0 +1,82 @@
+#include "firmware/app/emergencies.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+namespace app {
+namespace {
+
+using Code = protocol::EmergencyCode;
+
+std::vector<protocol::Emergency> tell_all(Emergencies& emergencies) {
+  std::vector<protocol::Emergency> told;
+  while (const auto next = emergencies.next()) {
+    told.push_back(*next);
+    emergencies.told();
+  }
+  return told;
+}
+
+TEST(Emergencies, AnEventIsToldOnceAndItsEndOnce) {
+  Emergencies emergencies;
+  EXPECT_FALSE(emergencies.waiting());
+  emergencies.set(Code::storage, true);
+  emergencies.set(Code::storage, true);
+  EXPECT_EQ(tell_all(emergencies), (std::vector<protocol::Emergency>{{Code::storage, 0x81, 0}}));
+  emergencies.set(Code::storage, false);
+  EXPECT_EQ(tell_all(emergencies), (std::vector<protocol::Emergency>{{Code::none, 0x00, 0}}));
+  EXPECT_FALSE(emergencies.waiting());
+}
+
+TEST(Emergencies, WhatEndedBeforeItWasToldIsToldAllTheSame) {
+  Emergencies emergencies;
+  emergencies.set(Code::bus, true);
+  emergencies.set(Code::bus, false);
+  EXPECT_EQ(tell_all(emergencies),
+            (std::vector<protocol::Emergency>{{Code::bus, 0x11, 0}, {Code::none, 0x00, 0}}));
+}
+
+TEST(Emergencies, TheMostUrgentGoesFirstAndTheRegisterShowsAllThatIsActive) {
+  Emergencies emergencies;
+  emergencies.set(Code::bus, true);
+  emergencies.set(Code::sensor, true);
+  emergencies.set(Code::emergency_stop, true);
+  EXPECT_EQ(tell_all(emergencies),
+            (std::vector<protocol::Emergency>{
+                {Code::emergency_stop, 0x93, 0}, {Code::sensor, 0x93, 0}, {Code::bus, 0x93, 0}}));
+  emergencies.set(Code::sensor, false);
+  EXPECT_EQ(tell_all(emergencies), (std::vector<protocol::Emergency>{{Code::none, 0x91, 0}}));
+}
+
+TEST(Emergencies, ThereIsRoomForEveryEventAtOnce) {
+  Emergencies emergencies;
+  const std::vector<Code> all{
+      Code::emergency_stop, Code::life_inspect, Code::life_replace, Code::life_worn,
+      Code::overload,       Code::sensor,       Code::storage,      Code::record_damaged,
+      Code::parameters,     Code::bus,          Code::deadline,     Code::authority};
+  for (int round = 0; round < 3; ++round) {
+    for (const Code code : all) {
+      emergencies.set(code, true);
+      emergencies.set(code, false);
+    }
+  }
+  const auto told = tell_all(emergencies);
+  EXPECT_EQ(told.size(), all.size() + 1);
+  for (const Code code : all) {
+    EXPECT_TRUE(std::any_of(told.begin(), told.end(),
+                            [code](const auto& emergency) { return emergency.code == code; }));
+  }
+}
+
+TEST(Emergencies, WhatIsActiveCanBeToldAgain) {
+  Emergencies emergencies;
+  emergencies.set(Code::overload, true);
+  emergencies.tell(Code::bus);
+  tell_all(emergencies);
+  emergencies.tell_again();
+  EXPECT_EQ(tell_all(emergencies), (std::vector<protocol::Emergency>{{Code::overload, 0x03, 0}}));
+}
+
+}  // namespace
+}  // namespace app

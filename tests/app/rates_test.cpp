@@ -1,0 +1,54 @@
+#include "firmware/app/rates.hpp"
+
+#include <gtest/gtest.h>
+
+#include "parts_support.hpp"
+
+namespace app {
+namespace {
+
+TEST(Rates, NothingIsKnownBeforeAMinuteHasPassed) {
+  Rates rates;
+  rates.start({});
+  for (std::uint32_t s = 1; s < 60; ++s) {
+    rates.take(hal::seconds(s), lives(s, 20), s);
+    EXPECT_FALSE(rates.known()) << s;
+  }
+  EXPECT_EQ(rates.remaining_dh({}, {1u << 28}), 0xffff);
+  rates.take(hal::seconds(60), lives(60, 20), 60);
+  EXPECT_TRUE(rates.known());
+}
+
+TEST(Rates, TellWhatTheLastMinuteDid) {
+  Rates rates;
+  rates.start({});
+  // 2^-20 of a life and three cycles a second; from 300 s on nothing.
+  for (std::uint32_t s = 1; s <= 300; ++s) {
+    rates.take(hal::seconds(s), lives(s, 20), 3 * s);
+  }
+  EXPECT_EQ(rates.cycles_per_min(), 180);
+  // 3600 * 2^-20 of a life an hour.
+  EXPECT_EQ(rates.damage_ppb_per_h(), 3433227u);
+  // A whole life of 2^20 s is 291.27 h.
+  EXPECT_EQ(rates.remaining_dh({}, {1u << 28}), 2912);
+  EXPECT_EQ(rates.remaining_dh(lives(1, 1), {1u << 28}), 1456);
+  EXPECT_EQ(rates.remaining_dh(lives(1, 0), {1u << 28}), 0);
+  for (std::uint32_t s = 301; s <= 360; ++s) {
+    rates.take(hal::seconds(s), lives(300, 20), 900);
+  }
+  EXPECT_EQ(rates.cycles_per_min(), 0);
+  EXPECT_EQ(rates.remaining_dh({}, {1u << 28}), 0xffff);
+}
+
+TEST(Rates, StopAtTheirHighestValue) {
+  Rates rates;
+  rates.start({});
+  for (std::uint32_t s = 10; s <= 60; s += 10) {
+    rates.take(hal::seconds(s), lives(s, 0), std::uint64_t{s} * 1'000'000'000);
+  }
+  EXPECT_EQ(rates.cycles_per_min(), 0xffff);
+  EXPECT_EQ(rates.damage_ppb_per_h(), 0xffffffffu);
+}
+
+}  // namespace
+}  // namespace app
