@@ -27,9 +27,9 @@ TEST(RainflowBins, ClassesAreEighthsOfTheUltimateTension) {
 TEST(RainflowBins, EachCycleIsInOneBin) {
   RainflowBins bins;
   const BinCycles count{&bins};
-  count.full(permille(150), permille(410, {}));  // range 0.26: class 2; mean 0.28: class 2
-  count.full(permille(410), permille(150, {}));
-  count.half(permille(400), permille(100, {}));
+  count.full(permille(150), permille(410), {});  // range 0.26: class 2; mean 0.28: class 2
+  count.full(permille(410), permille(150), {});
+  count.half(permille(400), permille(100), {});
   for (std::uint32_t bin = 0; bin < RainflowBins::kBins; ++bin) {
     EXPECT_EQ(bins.cycles(bin), bin == 2 * 8 + 2 ? 2u : 0u) << bin;
   }
