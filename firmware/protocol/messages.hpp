@@ -58,22 +58,30 @@ struct Identity {
   std::uint8_t schema = 0;          ///< version of this frame plan
   std::uint8_t firmware = 0;        ///< version, major in the high 4 bits, minor in the low
   std::uint32_t configuration = 0;  ///< CRC-32 over the parameter blocks
+
+  friend constexpr bool operator==(const Identity&, const Identity&) = default;
 };
 struct Cycles {
   static constexpr std::uint8_t kPage = 1;
   std::uint32_t cycles = 0;          ///< closed, all tendons, this epoch; stops at 2^32 - 1
   std::uint16_t cycles_per_min = 0;  ///< over the last minute
+
+  friend constexpr bool operator==(const Cycles&, const Cycles&) = default;
 };
 struct DamageRate {
   static constexpr std::uint8_t kPage = 2;
   std::uint32_t ppb_per_h = 0;    ///< worst tendon, over the last minute
   std::uint16_t unsaved_ppb = 0;  ///< what a power cut now would lose
+
+  friend constexpr bool operator==(const DamageRate&, const DamageRate&) = default;
 };
 struct TendonDamage {
   static constexpr std::uint8_t kPage = 3;
   std::uint8_t tendon = 0;
   std::uint32_t damage_ppb = 0;
   LifeState state = LifeState::unknown;
+
+  friend constexpr bool operator==(const TendonDamage&, const TendonDamage&) = default;
 };
 struct RainflowBin {
   static constexpr std::uint8_t kPage = 4;
@@ -81,6 +89,8 @@ struct RainflowBin {
   std::uint8_t range_class = 0;  ///< 0 .. 7, eighths of the ultimate tension; 7 is open above
   std::uint8_t mean_class = 0;   ///< 0 .. 7, eighths of the ultimate tension; 0 is open below
   std::uint32_t cycles = 0;      ///< since the start
+
+  friend constexpr bool operator==(const RainflowBin&, const RainflowBin&) = default;
 };
 struct RemainingLife {
   static constexpr std::uint8_t kPage = 5;
@@ -88,17 +98,23 @@ struct RemainingLife {
   std::uint16_t b10_dh = kUnknown;  ///< tenths of an hour at the present damage rate
   std::uint16_t b50_dh = kUnknown;
   std::uint16_t b90_dh = kUnknown;
+
+  friend constexpr bool operator==(const RemainingLife&, const RemainingLife&) = default;
 };
 struct Storage {
   static constexpr std::uint8_t kPage = 6;
   std::uint32_t sequence = 0;           ///< of the last record, 24 bits; stops
   std::uint32_t worst_unsaved_ppb = 0;  ///< since the start, 24 bits; stops
+
+  friend constexpr bool operator==(const Storage&, const Storage&) = default;
 };
 struct Timing {
   static constexpr std::uint8_t kPage = 7;
   std::uint16_t worst_jitter_us = 0;
   std::uint16_t p99_jitter_us = 0;
   std::uint16_t missed_deadlines = 0;
+
+  friend constexpr bool operator==(const Timing&, const Timing&) = default;
 };
 struct Bus {
   static constexpr std::uint8_t kPage = 8;
@@ -107,6 +123,8 @@ struct Bus {
   std::uint8_t bus_offs = 0;
   std::uint8_t dropped = 0;   ///< detail pages that found no room
   std::uint16_t refused = 0;  ///< frames that failed the integrity check, and commands refused
+
+  friend constexpr bool operator==(const Bus&, const Bus&) = default;
 };
 
 inline constexpr std::uint8_t kPages = 9;

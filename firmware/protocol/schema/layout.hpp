@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <tuple>
+#include <type_traits>
+
+#include "firmware/protocol/schema/frame.hpp"
+
+namespace protocol::schema {
+
+/// A member of a message and the signal that carries it.
+template <class Message, class Member>
+struct Field {
+  Member Message::*member;
+  Signal signal;
+};
+
+template <class Message, class Member>
+consteval Field<Message, Member> field(Member Message::*member, const Signal& signal) {
+  return {member, signal};
+}
+
+/// How a message lies in its frame. Specialised for each message with
+///   kFrame    the Frame
+///   kName     of the message: the frame's, or the page's
+///   kComment  of the page; empty where there are no pages
+///   kFields   a tuple of Field, one for each member
+template <class Message>
+struct Layout;
+
+template <class Message>
+inline constexpr std::size_t kFieldCount = std::tuple_size_v<decltype(Layout<Message>::kFields)>;
+
+/// Whether the message is a page of its frame.
+template <class Message>
+inline constexpr bool kIsPage = requires {
+  Message::kPage;
+};
+
+/// Whether only the named values of a signal of this member may appear.
+template <class Member>
+inline constexpr bool kIsClosed = std::is_enum_v<Member>;
+
+}  // namespace protocol::schema
