@@ -18,7 +18,13 @@ test_packages=(
   libstdc++-arm-none-eabi-newlib qemu-system-arm
   clang clang-tidy clang-format libclang-rt-14-dev
   chromium
+  pkg-config g++-aarch64-linux-gnu g++-arm-linux-gnueabihf qemu-user-static
+  can-utils iproute2 linux-source-6.1 flex bison bc kmod
 )
+# libgpiod of version 2, which Debian 12 has in its backports alone.
+gpio_packages=(libgpiod-dev gpiod)
+gpio_version=2.0
+backports_source=/etc/apt/sources.list.d/tendonlife-backports.sources
 
 case "${1:-}" in
   run) wanted=("${run_packages[@]}") ;;
@@ -37,24 +43,53 @@ for package in "${wanted[@]}"; do
   [[ $state == ii* ]] || missing+=("$package")
 done
 
-if [ "${#missing[@]}" -gt 0 ]; then
+missing_gpio=()
+if [ "$1" = test ]; then
+  for package in "${gpio_packages[@]}"; do
+    version="$(dpkg-query -W -f '${Version}' "$package" 2> /dev/null || true)"
+    if [ -z "$version" ] || dpkg --compare-versions "$version" lt "$gpio_version"; then
+      missing_gpio+=("$package")
+    fi
+  done
+fi
+
+if [ "${#missing[@]}" -gt 0 ] || [ "${#missing_gpio[@]}" -gt 0 ]; then
   if ! command -v apt-get > /dev/null; then
-    echo "setup.sh: this is not a Debian system; install the equivalents of: ${missing[*]}" >&2
+    echo "setup.sh: this is not a Debian system; install the equivalents of: ${missing[*]} ${missing_gpio[*]}" >&2
     exit 1
   fi
   as_root=()
   if [ "$(id -u)" -ne 0 ]; then
     if ! command -v sudo > /dev/null; then
-      echo "setup.sh: run as root, or install: ${missing[*]}" >&2
+      echo "setup.sh: run as root, or install: ${missing[*]} ${missing_gpio[*]}" >&2
       exit 1
     fi
     as_root=(sudo)
   fi
-  echo "Installing ${missing[*]}"
+  echo "Installing ${missing[*]} ${missing_gpio[*]}"
   apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y
     -o DPkg::Lock::Timeout=300 -o Acquire::Retries=3)
+  # Packages come from the backports only where they are asked for by name.
+  from=()
+  if [ "${#missing_gpio[@]}" -gt 0 ] && [ "$(. /etc/os-release && echo "${VERSION_CODENAME:-}")" = bookworm ]; then
+    from=(-t bookworm-backports)
+    if [ ! -e "$backports_source" ]; then
+      printf '%s\n' 'Types: deb' 'URIs: http://deb.debian.org/debian' 'Suites: bookworm-backports' \
+        'Components: main' 'Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg' |
+        "${as_root[@]}" tee "$backports_source" > /dev/null
+    fi
+  fi
   "${apt[@]}" update
-  "${apt[@]}" install --no-install-recommends "${missing[@]}"
+  if [ "${#missing[@]}" -gt 0 ]; then
+    "${apt[@]}" install --no-install-recommends "${missing[@]}"
+  fi
+  if [ "${#missing_gpio[@]}" -gt 0 ]; then
+    "${apt[@]}" install --no-install-recommends "${from[@]}" "${missing_gpio[@]}"
+  fi
 fi
 
 "$here/fetch_uplot.sh"
+if [ "$1" = test ]; then
+  "$here/sysroot.sh" arm64
+  "$here/sysroot.sh" armhf
+fi
