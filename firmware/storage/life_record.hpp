@@ -1,7 +1,5 @@
 #pragma once
 
-#include <array>
-#include <cstddef>
 #include <cstdint>
 
 #include "lifemodel/damage/damage.hpp"
@@ -18,13 +16,11 @@ struct LifeRecord {
   lifemodel::Damage lifetime_damage;  ///< of all wires so far, this one included; never cleared
   std::uint64_t epoch_cycles = 0;     ///< closed, of this wire
   std::uint32_t configuration = 0;    ///< CRC-32 of the parameter block it was counted under
+  /// An earlier record of this wire was lost, so the damage is a lower bound. Set by the store,
+  /// until the next wire is put in.
+  bool past_lost = false;
 
   friend constexpr bool operator==(const LifeRecord&, const LifeRecord&) = default;
 };
-
-/// A record as it is stored: little-endian, magic and schema first, the CRC-32 of all before it
-/// last.
-inline constexpr std::size_t kRecordBytes = 64;
-using RecordBytes = std::array<std::byte, kRecordBytes>;
 
 }  // namespace storage

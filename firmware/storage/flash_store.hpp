@@ -1,0 +1,154 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "firmware/storage/entry_log.hpp"
+#include "firmware/storage/newest_log.hpp"
+#include "firmware/storage/page_range.hpp"
+#include "firmware/storage/parameter_slot.hpp"
+#include "firmware/storage/record_codec.hpp"
+#include "firmware/storage/record_slot.hpp"
+#include "firmware/storage/store.hpp"
+#include "firmware/storage/succession.hpp"
+#include "hal/non_volatile.hpp"
+
+namespace storage {
+
+/// The life of `kTendons` tendons in flash; see NewestLog for what a power cut leaves and what a
+/// save may cost.
+///
+/// The memory has to be erased before its first use. past_lost() is also true where the power was
+/// cut in the last write of the very first save of a tendon: that looks like a record that rotted.
+template <hal::NonVolatile Memory, std::size_t kTendons, FlashLayout kLayout = FlashLayout{}>
+class FlashStore {
+ public:
+  explicit FlashStore(Memory& memory) : life_(memory), parameters_(memory), log_(memory) {
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      const auto bytes = life_.newest(tendon);
+      const auto record = bytes ? decode(*bytes) : RecordError::damaged;
+      if (record) {
+        committed_[tendon] = *record;
+      }
+      lost_[tendon] = record ? record->past_lost : life_.damaged();
+    }
+    sequence_ = life_.highest();
+    attempted_ = plus(sequence_, life_.spent());
+    parameter_writes_ = plus(parameters_.highest(), parameters_.spent());
+  }
+
+  [[nodiscard]] std::optional<LifeRecord> load(std::size_t tendon) const {
+    return tendon < kTendons ? committed_[tendon] : std::nullopt;
+  }
+
+  [[nodiscard]] bool past_lost() const {
+    for (const bool lost : lost_) {
+      if (lost) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  hal::Error save(std::span<const LifeRecord> records) {
+    if (!acceptable(records)) {
+      return hal::Error::out_of_range;
+    }
+    if (attempted_ == std::numeric_limits<std::uint32_t>::max()) {
+      return hal::Error::full;
+    }
+    ++attempted_;
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      const hal::Error error = save_one(tendon, records[tendon]);
+      healthy_ = error == hal::Error::none;
+      if (!healthy_) {
+        return error;
+      }
+    }
+    sequence_ = attempted_;
+    return hal::Error::none;
+  }
+
+  [[nodiscard]] std::uint32_t sequence() const { return sequence_; }
+  /// False from a save that failed until one that did not.
+  [[nodiscard]] bool healthy() const { return healthy_; }
+
+  /// Erases the page that comes next, so that no save has to: for the idle loop, at most one erase
+  /// a call.
+  hal::Error prepare() { return life_.prepare(); }
+
+  [[nodiscard]] std::optional<lifemodel::ParameterBlock> load_parameters(std::size_t tendon) {
+    if (tendon >= kTendons) {
+      return {};
+    }
+    const auto bytes = parameters_.newest(tendon);
+    if (!bytes || !ParameterSlot::name(*bytes)) {
+      return {};
+    }
+    return ParameterSlot::block(*bytes);
+  }
+
+  hal::Error save_parameters(std::size_t tendon, const lifemodel::ParameterBlock& block) {
+    if (tendon >= kTendons) {
+      return hal::Error::out_of_range;
+    }
+    if (parameter_writes_ == std::numeric_limits<std::uint32_t>::max()) {
+      return hal::Error::full;
+    }
+    ++parameter_writes_;
+    const SlotName name{static_cast<std::uint32_t>(tendon), parameter_writes_};
+    return parameters_.append(ParameterSlot::make(name, block));
+  }
+
+  hal::Error append(const LogEntry& entry) { return log_.append(entry); }
+  [[nodiscard]] std::optional<LogEntry> log(std::uint32_t i) { return log_.entry(i); }
+
+ private:
+  static constexpr std::uint32_t plus(std::uint32_t a, std::uint32_t b) {
+    constexpr std::uint32_t kHighest = std::numeric_limits<std::uint32_t>::max();
+    return b < kHighest - a ? a + b : kHighest;
+  }
+
+  [[nodiscard]] bool acceptable(std::span<const LifeRecord> records) const {
+    if (records.size() != kTendons) {
+      return false;
+    }
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      const LifeRecord& record = records[tendon];
+      const auto& last = committed_[tendon];
+      if (record.tendon != tendon || (last ? !may_follow(record, *last) : !plausible(record))) {
+        return false;
+      }
+    }
+    return true;
+  }
+
+  hal::Error save_one(std::size_t tendon, LifeRecord record) {
+    const auto& last = committed_[tendon];
+    const bool next_wire = last && record.epoch > last->epoch;
+    record.sequence = attempted_;
+    record.past_lost = lost_[tendon] && !next_wire;
+    const hal::Error error = life_.append(encode(record));
+    if (error == hal::Error::none) {
+      committed_[tendon] = record;
+      lost_[tendon] = record.past_lost;
+    }
+    return error;
+  }
+
+  NewestLog<Memory, RecordSlot, kTendons, kLayout.life> life_;
+  NewestLog<Memory, ParameterSlot, kTendons, kLayout.parameters> parameters_;
+  EntryLog<Memory, kLayout.log> log_;
+  std::array<std::optional<LifeRecord>, kTendons> committed_{};
+  std::array<bool, kTendons> lost_{};
+  std::uint32_t sequence_ = 0;
+  std::uint32_t attempted_ = 0;  ///< the highest sequence that may have been written
+  std::uint32_t parameter_writes_ = 0;
+  bool healthy_ = true;
+};
+
+}  // namespace storage

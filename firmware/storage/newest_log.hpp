@@ -1,0 +1,296 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "firmware/storage/page_range.hpp"
+#include "firmware/storage/slot.hpp"
+#include "firmware/storage/slot_name.hpp"
+#include "hal/non_volatile.hpp"
+
+namespace storage {
+
+/// Slots written one after another over pages taken in turn; of each key the newest counts.
+///
+/// Invariant, at every instant and so over every power cut: the newest committed slot of each key
+/// can be read. A page is erased only while none of them lies on it alone: before anything new is
+/// written to a page, what is newest on the page that comes next is copied over, and until all
+/// copies are made the originals stay.
+///
+/// A page that fails to erase or program is left out until every page has failed or until the next
+/// start; what it holds still counts. One append tries each page once, so that it erases at most
+/// one page for each that fails and one more; after prepare() none where none fails. The start
+/// reads every slot once. Sequences are the caller's, each higher than the ones before.
+template <hal::NonVolatile Memory, SlotFormat Format, std::size_t kKeys, PageRange kPages>
+class NewestLog {
+  static constexpr std::uint32_t kStride = slot_stride<Memory>(Format::kBytes);
+  using Bytes = std::array<std::byte, Format::kBytes>;
+  using View = std::span<const std::byte, Format::kBytes>;
+
+ public:
+  static constexpr std::uint32_t kSlots = Memory::kPageBytes / kStride;  ///< a page
+  static_assert(kSlots > kKeys, "a fresh page takes the copies of all keys and what is new");
+  static_assert(kPages.count >= 2 && kPages.count <= 32);
+
+  explicit NewestLog(Memory& memory) : memory_(&memory) {
+    for (std::uint32_t page = 0; page < kPages.count; ++page) {
+      scan(page);
+    }
+  }
+
+  /// The newest slot of a key; nothing if there is none or it cannot be read any more.
+  [[nodiscard]] std::optional<Bytes> newest(std::size_t key) {
+    return where_[key] ? read(*where_[key]) : std::nullopt;
+  }
+  /// The highest sequence that can be read; 0 if there is none.
+  [[nodiscard]] std::uint32_t highest() const { return highest_; }
+  /// Slots that could not be read at the start. None had more than one sequence to itself, so the
+  /// next sequence is new for certain if it is above highest() + spent().
+  [[nodiscard]] std::uint32_t spent() const { return spent_; }
+  /// Whether one of these was written to its end.
+  [[nodiscard]] bool damaged() const { return damaged_; }
+
+  /// Writes a slot that Format::name() trusts. failed: no page takes it, and the newest is as it
+  /// was.
+  hal::Error append(View bytes) {
+    const auto name = Format::name(bytes);
+    if (!name || name->key >= kKeys) {
+      return hal::Error::out_of_range;
+    }
+    std::uint32_t tried = 0;
+    for (std::uint32_t attempt = 0; attempt <= kPages.count; ++attempt) {
+      if (slot_ == kSlots && !open_next(tried)) {
+        break;
+      }
+      if (evacuate_next(name->key) && write(bytes, *name)) {
+        return hal::Error::none;
+      }
+    }
+    failing_ = 0;
+    prepared_ = false;
+    return hal::Error::failed;
+  }
+
+  /// Erases the page that comes next, where that is left to do: at most one erase a call, nothing
+  /// once it is done. failed: the page was left out; call again.
+  hal::Error prepare() {
+    if (prepared_) {
+      return hal::Error::none;
+    }
+    const std::uint32_t page = next_good(page_);
+    if (page == page_) {
+      prepared_ = true;
+      return hal::Error::none;
+    }
+    if (holds_newest(page)) {
+      return hal::Error::none;
+    }
+    if (!make_blank(page)) {
+      failing_ |= bit(page);
+      return hal::Error::failed;
+    }
+    prepared_ = true;
+    return hal::Error::none;
+  }
+
+ private:
+  struct Place {
+    std::uint32_t page;
+    std::uint32_t slot;
+    std::uint32_t sequence;
+  };
+
+  static constexpr std::uint32_t bit(std::uint32_t page) { return 1u << page; }
+  static constexpr std::uint32_t after(std::uint32_t page) {
+    return page + 1 == kPages.count ? 0 : page + 1;
+  }
+  static constexpr std::uint32_t address(std::uint32_t page, std::uint32_t slot) {
+    return (kPages.first + page) * static_cast<std::uint32_t>(Memory::kPageBytes) + slot * kStride;
+  }
+
+  std::optional<Bytes> read(const Place& place) {
+    Bytes bytes;
+    if (memory_->read(address(place.page, place.slot), bytes) != hal::Error::none) {
+      return {};
+    }
+    return bytes;
+  }
+  std::optional<SlotName> name_at(std::uint32_t page, std::uint32_t slot) {
+    const auto bytes = read({page, slot, 0});
+    return bytes ? Format::name(*bytes) : std::nullopt;
+  }
+
+  void scan(std::uint32_t page) {
+    std::uint32_t used = 0;
+    bool newest_here = false;
+    for (std::uint32_t slot = 0; slot < kSlots; ++slot) {
+      if (is_blank(*memory_, address(page, slot), kStride)) {
+        continue;
+      }
+      used = slot + 1;
+      const auto name = name_at(page, slot);
+      if (!name) {
+        note_damaged(page, slot);
+      } else if (take(*name, page, slot)) {
+        newest_here = true;
+      }
+    }
+    if (newest_here) {
+      page_ = page;
+      slot_ = used;
+    }
+  }
+
+  void note_damaged(std::uint32_t page, std::uint32_t slot) {
+    constexpr std::uint32_t kUnit = Memory::kUnitBytes;
+    damaged_ = damaged_ || !is_blank(*memory_, address(page, slot) + kStride - kUnit, kUnit);
+    ++spent_;
+  }
+
+  /// Whether the page of the slot is the one in use, as far as can be told.
+  bool take(SlotName name, std::uint32_t page, std::uint32_t slot) {
+    if (name.key < kKeys) {
+      auto& where = where_[name.key];
+      if (!where || name.sequence > where->sequence) {
+        where = Place{page, slot, name.sequence};
+      }
+    }
+    // Of two pages that share a save or a copy, the one with room left is in use.
+    if (name.sequence < highest_ || (name.sequence == highest_ && slot_ != kSlots)) {
+      return false;
+    }
+    highest_ = name.sequence;
+    return true;
+  }
+
+  [[nodiscard]] bool holds_newest(std::uint32_t page) const {
+    for (const auto& where : where_) {
+      if (where && where->page == page) {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  /// The page after this one that has not failed; the same if there is none.
+  [[nodiscard]] std::uint32_t next_good(std::uint32_t page) const {
+    for (std::uint32_t next = after(page); next != page; next = after(next)) {
+      if ((failing_ & bit(next)) == 0) {
+        return next;
+      }
+    }
+    return page;
+  }
+
+  /// Copies what is newest on the pages up to the next good one, but for `own`, which is about to
+  /// be replaced. False where the page ran full.
+  bool evacuate_next(std::uint32_t own) {
+    const std::uint32_t next = next_good(page_);
+    for (std::uint32_t page = after(page_); page != page_; page = after(page)) {
+      for (std::uint32_t key = 0; key < kKeys; ++key) {
+        const bool here = where_[key] && where_[key]->page == page;
+        if (here && key != own && !copy(key)) {
+          return false;
+        }
+      }
+      if (page == next) {
+        break;
+      }
+    }
+    return slot_ != kSlots;
+  }
+
+  /// Copies the newest slot of a key to the page in use. True also where it cannot be read any
+  /// more: its page is then left alone until a newer one is written.
+  bool copy(std::uint32_t key) {
+    const auto bytes = read(*where_[key]);
+    const auto name = bytes ? Format::name(*bytes) : std::nullopt;
+    if (!name) {
+      return true;
+    }
+    return slot_ != kSlots && write(View(*bytes), *name);
+  }
+
+  bool write(View bytes, SlotName name) {
+    const std::uint32_t slot = slot_++;
+    if (write_slot(*memory_, address(page_, slot), bytes) != hal::Error::none) {
+      failing_ |= bit(page_);
+      slot_ = kSlots;
+      return false;
+    }
+    where_[name.key] = Place{page_, slot, name.sequence};
+    highest_ = name.sequence > highest_ ? name.sequence : highest_;
+    return true;
+  }
+
+  /// Goes on to a page that is erased, or can be without loss. False where there is none.
+  bool open_next(std::uint32_t& tried) {
+    std::uint32_t page = page_;
+    for (std::uint32_t step = 0; step < kPages.count; ++step) {
+      page = after(page);
+      if (((failing_ | tried) & bit(page)) != 0 || !release(page)) {
+        continue;
+      }
+      tried |= bit(page);
+      if (make_blank(page)) {
+        page_ = page;
+        slot_ = 0;
+        prepared_ = false;
+        return true;
+      }
+      failing_ |= bit(page);
+    }
+    return false;
+  }
+
+  /// Whether nothing would be lost with a page. Where the newest slot of a key lies on it, its copy
+  /// on another page takes over.
+  bool release(std::uint32_t page) {
+    for (std::uint32_t key = 0; key < kKeys; ++key) {
+      auto& where = where_[key];
+      if (where && where->page == page) {
+        const auto twin = find({key, where->sequence}, page);
+        if (!twin) {
+          return false;
+        }
+        where = twin;
+      }
+    }
+    return true;
+  }
+  std::optional<Place> find(SlotName wanted, std::uint32_t except) {
+    for (std::uint32_t page = 0; page < kPages.count; ++page) {
+      for (std::uint32_t slot = 0; page != except && slot < kSlots; ++slot) {
+        if (name_at(page, slot) == wanted) {
+          return Place{page, slot, wanted.sequence};
+        }
+      }
+    }
+    return {};
+  }
+
+  /// An erase that seems to succeed and keeps bits is one that failed.
+  bool make_blank(std::uint32_t page) {
+    constexpr std::uint32_t kBytes = Memory::kPageBytes;
+    if (is_blank(*memory_, address(page, 0), kBytes)) {
+      return true;
+    }
+    return memory_->erase(kPages.first + page) == hal::Error::none &&
+           is_blank(*memory_, address(page, 0), kBytes);
+  }
+
+  Memory* memory_;
+  std::array<std::optional<Place>, kKeys> where_{};
+  std::uint32_t page_ = kPages.count - 1;  ///< in use
+  std::uint32_t slot_ = kSlots;            ///< next of it; all from it on are blank
+  std::uint32_t highest_ = 0;
+  std::uint32_t spent_ = 0;
+  std::uint32_t failing_ = 0;  ///< a bit for each page that is left out
+  bool damaged_ = false;
+  bool prepared_ = false;
+};
+
+}  // namespace storage

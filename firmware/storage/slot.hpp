@@ -1,0 +1,56 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "hal/error.hpp"
+#include "hal/non_volatile.hpp"
+
+namespace storage {
+
+/// Bytes that `bytes` take up in units of the memory.
+template <hal::NonVolatile Memory>
+constexpr std::uint32_t slot_stride(std::size_t bytes) {
+  constexpr std::size_t kUnit = Memory::kUnitBytes;
+  return static_cast<std::uint32_t>((bytes + kUnit - 1) / kUnit * kUnit);
+}
+
+/// Whether a number of bytes at `address`, whole units, can be read and are erased.
+template <hal::NonVolatile Memory>
+bool is_blank(Memory& memory, std::uint32_t address, std::uint32_t bytes) {
+  std::array<std::byte, Memory::kUnitBytes> unit;
+  for (std::uint32_t offset = 0; offset < bytes; offset += Memory::kUnitBytes) {
+    if (memory.read(address + offset, unit) != hal::Error::none ||
+        !std::ranges::all_of(unit, [](std::byte b) { return b == std::byte{0xff}; })) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Programs a slot unit by unit, so that its last bytes, the CRC, come last; then reads it back.
+/// failed where it does not read back the same.
+template <hal::NonVolatile Memory, std::size_t kBytes>
+hal::Error write_slot(Memory& memory, std::uint32_t address,
+                      std::span<const std::byte, kBytes> bytes) {
+  constexpr std::uint32_t kUnit = Memory::kUnitBytes;
+  for (std::uint32_t offset = 0; offset < kBytes; offset += kUnit) {
+    std::array<std::byte, kUnit> unit;
+    unit.fill(std::byte{0xff});
+    std::ranges::copy(bytes.subspan(offset, std::min<std::size_t>(kUnit, kBytes - offset)),
+                      unit.begin());
+    const hal::Error error = memory.program(address + offset, unit);
+    if (error != hal::Error::none) {
+      return error;
+    }
+  }
+  std::array<std::byte, kBytes> back;
+  const bool same =
+      memory.read(address, back) == hal::Error::none && std::ranges::equal(back, bytes);
+  return same ? hal::Error::none : hal::Error::failed;
+}
+
+}  // namespace storage
