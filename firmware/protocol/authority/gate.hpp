@@ -1,0 +1,123 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <span>
+
+#include "firmware/protocol/authority/backoff.hpp"
+#include "firmware/protocol/authority/command.hpp"
+#include "hal/clock.hpp"
+
+namespace protocol::authority {
+
+/// What the gate says to a command; the first that applies.
+enum class Verdict : std::uint8_t {
+  granted,
+  disabled,       ///< the key is all zero
+  locked_out,     ///< within the backoff after failures
+  nonce_used,     ///< no nonce is open: none was issued, or it was used
+  nonce_expired,  ///< older than kNonceLife
+  wrong_counter,  ///< the storage counter is not that of the node
+  wrong_mac,
+};
+
+/// The reason in words.
+constexpr const char* to_string(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::granted:
+      return "granted";
+    case Verdict::disabled:
+      return "this node has no key, so nothing is allowed";
+    case Verdict::locked_out:
+      return "locked for some time after failures";
+    case Verdict::nonce_used:
+      return "no nonce is open: read a fresh one for each command";
+    case Verdict::nonce_expired:
+      return "the nonce is older than 5 s";
+    case Verdict::wrong_counter:
+      return "the storage counter is not that of the node";
+    case Verdict::wrong_mac:
+      return "the code does not prove the command";
+  }
+  return "unknown";
+}
+
+inline constexpr hal::Time kNonceLife = hal::seconds(5);
+
+/// Decides who may do what cannot be undone.
+///
+/// A nonce serves one command, granted or not. Every verdict but granted, disabled and locked_out
+/// is a failure; a grant forgives them all. What holds off guessing is backoff().
+class Gate {
+ public:
+  constexpr Gate(Node node, const Key& key) : key_(key), node_(node) {}
+
+  /// Takes up the failures of before a restart; begins locked where there were enough of them.
+  constexpr void resume(std::uint32_t failures, hal::Time now) {
+    failures_ = failures;
+    locked_until_ = now + backoff(failures);
+  }
+
+  /// Opens a fresh nonce, in place of the one before. False, and none is open, where it is the same
+  /// as that: its source is broken.
+  [[nodiscard]] constexpr bool issue(const Nonce& nonce, hal::Time now) {
+    open_ = nonce != nonce_;
+    nonce_ = nonce;
+    issued_ = now;
+    return open_;
+  }
+
+  /// Judges a command and uses up the nonce.
+  [[nodiscard]] constexpr Verdict check(const Command& command, std::span<const std::byte> code,
+                                        std::uint32_t storage_counter, hal::Time now) {
+    if (!enabled()) {
+      return Verdict::disabled;
+    }
+    if (locked(now)) {
+      return Verdict::locked_out;
+    }
+    const Verdict verdict = judge(command, code, storage_counter, now);
+    open_ = false;
+    if (verdict == Verdict::granted) {
+      failures_ = 0;
+    } else {
+      failures_ += failures_ < std::numeric_limits<std::uint32_t>::max() ? 1u : 0u;
+      locked_until_ = now + backoff(failures_);
+    }
+    return verdict;
+  }
+
+  [[nodiscard]] constexpr bool enabled() const { return !equal(key_, Key{}); }
+  [[nodiscard]] constexpr bool locked(hal::Time now) const { return now < locked_until_; }
+  /// Time until the lock opens.
+  [[nodiscard]] constexpr hal::Time lock_left(hal::Time now) const {
+    return locked(now) ? locked_until_ - now : hal::Time{};
+  }
+  /// Since the last grant.
+  [[nodiscard]] constexpr std::uint32_t failures() const { return failures_; }
+
+ private:
+  [[nodiscard]] constexpr Verdict judge(const Command& command, std::span<const std::byte> code,
+                                        std::uint32_t storage_counter, hal::Time now) const {
+    if (!open_) {
+      return Verdict::nonce_used;
+    }
+    if (now - issued_ >= kNonceLife) {
+      return Verdict::nonce_expired;
+    }
+    if (command.storage_counter != storage_counter) {
+      return Verdict::wrong_counter;
+    }
+    return equal(mac(key_, node_, command, nonce_), code) ? Verdict::granted : Verdict::wrong_mac;
+  }
+
+  Key key_;
+  Nonce nonce_{};
+  hal::Time issued_{};
+  hal::Time locked_until_{};
+  std::uint32_t failures_ = 0;
+  Node node_;
+  bool open_ = false;
+};
+
+}  // namespace protocol::authority

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <concepts>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "firmware/protocol/uds/identity.hpp"
+#include "firmware/storage/life_record.hpp"
+#include "firmware/storage/store.hpp"
+#include "hal/error.hpp"
+#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/block/parameters.hpp"
+
+namespace protocol::uds {
+
+/// What the server needs of the node. Tendons count from 0; the server asks for none that is not
+/// there.
+///
+/// read_life(tendon): the life as it is now, not as it was saved last.
+/// configuration(tendon): CRC-32 of its parameter block; 0 without one.
+/// storage_counter(): rises with every committed change, and never falls over restarts.
+/// random(out): bytes that nobody can foretell.
+/// log(): adds a line that outlives a power cut before it returns none; full, or another Error, and
+/// there is no line. log_entry(i): the i-th line from the oldest, nothing past the end.
+/// open_epoch(tendon), load_parameters(tendon, ...): committed before they return none; otherwise
+/// nothing has changed. The block has been checked and read. Neither touches the lifetime damage.
+template <class T>
+concept Device = requires(T& device, std::uint8_t tendon, std::span<std::byte> out,
+                          const lifemodel::ParameterBlock& block,
+                          const lifemodel::Parameters& parameters, storage::Event event,
+                          std::uint32_t number) {
+  { device.identity() } -> std::same_as<Identity>;
+  { device.tendons() } -> std::same_as<std::uint8_t>;
+  { device.read_life(tendon) } -> std::same_as<storage::LifeRecord>;
+  { device.configuration(tendon) } -> std::same_as<std::uint32_t>;
+  { device.storage_counter() } -> std::same_as<std::uint32_t>;
+  { device.random(out) } -> std::same_as<hal::Error>;
+  { device.log(event, tendon, number) } -> std::same_as<hal::Error>;
+  { device.log_entry(number) } -> std::same_as<std::optional<storage::LogEntry>>;
+  { device.open_epoch(tendon) } -> std::same_as<hal::Error>;
+  { device.load_parameters(tendon, block, parameters) } -> std::same_as<hal::Error>;
+};
+
+}  // namespace protocol::uds

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/protocol/authority/gate.hpp"
+#include "firmware/protocol/messages.hpp"
+#include "firmware/protocol/uds/data.hpp"
+#include "firmware/protocol/uds/device.hpp"
+#include "firmware/protocol/uds/nrc.hpp"
+#include "firmware/protocol/uds/reader.hpp"
+#include "firmware/protocol/uds/starter.hpp"
+#include "hal/clock.hpp"
+
+namespace protocol::uds {
+
+inline constexpr std::uint8_t kTesterPresent = 0x3e;
+inline constexpr std::uint8_t kNegativeResponse = 0x7f;
+inline constexpr std::size_t kNegativeBytes = 3;
+
+/// A server of the Unified Diagnostic Services (ISO 14229-1) in its default session:
+/// ReadDataByIdentifier, RoutineControl (startRoutine) and TesterPresent. table.hpp has what can be
+/// read and started, authority/ who may start it. Requests come to one node; the frame plan has no
+/// functional address.
+template <Device DeviceT>
+class Server {
+ public:
+  Server(DeviceT& device, Node node, const authority::Key& key)
+      : gate_(node, key), reader_(device, gate_), starter_(device, gate_) {}
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  /// Takes up the failures that the log tells of. Before all else.
+  void start(hal::Time now) { starter_.start(now); }
+
+  /// Answers a request; gives the length of the answer, 0 where there is none.
+  /// Precondition: `response` has at least kNegativeBytes.
+  std::size_t handle(std::span<const std::byte> request, hal::Time now,
+                     std::span<std::byte> response) {
+    if (request.empty()) {
+      return 0;
+    }
+    Answer answer(response);
+    Nrc nrc = dispatch(request, now, answer);
+    if (nrc == Nrc::none && answer.failed()) {
+      nrc = Nrc::response_too_long;
+    }
+    return nrc == Nrc::none ? answer.size() : refuse(request[0], nrc, response);
+  }
+
+  /// A request was too long for its link.
+  void refuse_transfer() { starter_.refuse_transfer(); }
+
+  [[nodiscard]] AuthorityCounts counts() const { return starter_.counts(); }
+  [[nodiscard]] const authority::Gate& gate() const { return gate_; }
+
+ private:
+  Nrc dispatch(std::span<const std::byte> request, hal::Time now, Answer& answer) {
+    switch (static_cast<std::uint8_t>(request[0])) {
+      case kReadData:
+        return reader_.handle(request, now, counts(), answer);
+      case kRoutineControl:
+        return starter_.handle(request, now, answer);
+      case kTesterPresent:
+        return tester_present(request, answer);
+      default:
+        return Nrc::service_not_supported;
+    }
+  }
+
+  static Nrc tester_present(std::span<const std::byte> request, Answer& answer) {
+    if (request.size() < 2) {
+      return Nrc::wrong_length;
+    }
+    const auto sub_function = static_cast<std::uint8_t>(request[1]);
+    if ((sub_function & ~kSuppress) != 0) {
+      return Nrc::sub_function_not_supported;
+    }
+    if (request.size() != 2) {
+      return Nrc::wrong_length;
+    }
+    if (sub_function == 0) {
+      answer.u8(kTesterPresent + kPositive);
+      answer.u8(0);
+    }
+    return Nrc::none;
+  }
+
+  static std::size_t refuse(std::byte service, Nrc nrc, std::span<std::byte> response) {
+    response[0] = std::byte{kNegativeResponse};
+    response[1] = service;
+    response[2] = static_cast<std::byte>(nrc);
+    return kNegativeBytes;
+  }
+
+  authority::Gate gate_;
+  Reader<DeviceT> reader_;
+  Starter<DeviceT> starter_;
+};
+
+}  // namespace protocol::uds

@@ -1,0 +1,206 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/protocol/authority/gate.hpp"
+#include "firmware/protocol/uds/data.hpp"
+#include "firmware/protocol/uds/device.hpp"
+#include "firmware/protocol/uds/journal.hpp"
+#include "firmware/protocol/uds/nrc.hpp"
+#include "firmware/protocol/uds/reader.hpp"
+#include "firmware/protocol/uds/table.hpp"
+#include "firmware/storage/store.hpp"
+#include "hal/clock.hpp"
+#include "hal/error.hpp"
+#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/support/bytes.hpp"
+
+namespace protocol::uds {
+
+inline constexpr std::uint8_t kRoutineControl = 0x31;
+/// Of a sub-function: no positive answer is wanted (ISO 14229-1, 8.2.2).
+inline constexpr std::uint8_t kSuppress = 0x80;
+
+/// The line of the log for a verdict.
+constexpr storage::Event event_of(authority::Verdict verdict) {
+  switch (verdict) {
+    case authority::Verdict::disabled:
+      return storage::Event::disabled;
+    case authority::Verdict::locked_out:
+      return storage::Event::locked_out;
+    case authority::Verdict::nonce_used:
+      return storage::Event::nonce_reused;
+    case authority::Verdict::nonce_expired:
+      return storage::Event::nonce_expired;
+    case authority::Verdict::wrong_counter:
+      return storage::Event::counter_rolled_back;
+    case authority::Verdict::granted:
+    case authority::Verdict::wrong_mac:
+      break;
+  }
+  return storage::Event::wrong_mac;
+}
+
+/// The answer for a verdict.
+constexpr Nrc nrc_of(authority::Verdict verdict) {
+  switch (verdict) {
+    case authority::Verdict::granted:
+      return Nrc::none;
+    case authority::Verdict::disabled:
+      return Nrc::security_access_denied;
+    case authority::Verdict::locked_out:
+      return Nrc::time_delay_not_expired;
+    case authority::Verdict::nonce_used:
+    case authority::Verdict::nonce_expired:
+      return Nrc::request_sequence_error;
+    case authority::Verdict::wrong_counter:
+      return Nrc::conditions_not_correct;
+    case authority::Verdict::wrong_mac:
+      break;
+  }
+  return Nrc::invalid_key;
+}
+
+/// RoutineControl, startRoutine (ISO 14229-1, 14.2), in its order of checks. Nothing changes unless
+/// the command is proven, its content holds and its line is in the log.
+///
+///   0x31  unknown routine, no such tendon, or a parameter block that does not hold
+///   0x33  this node has no key
+///   0x12  not startRoutine
+///   0x13  wrong length
+///   0x37  locked out
+///   0x24  the nonce was used or has expired
+///   0x22  the storage counter is another, or the log is full
+///   0x35  wrong code
+///   0x36  in place of 0x24, 0x22 and 0x35, where the failure begins a lock
+///   0x72  the change, or its line in the log, could not be written
+template <Device DeviceT>
+class Starter {
+ public:
+  Starter(DeviceT& device, authority::Gate& gate) : device_(device), gate_(gate), log_(device) {}
+
+  void start(hal::Time now) { gate_.resume(log_.start(), now); }
+
+  /// Precondition: the request begins with kRoutineControl. `answer` stays empty where none is
+  /// wanted.
+  Nrc handle(std::span<const std::byte> request, hal::Time now, Answer& answer) {
+    if (request.size() < kRoutineHeadBytes) {
+      return refuse(Nrc::wrong_length, storage::Event::rejected, {});
+    }
+    Target target{.routine = static_cast<std::uint16_t>((static_cast<unsigned>(request[2]) << 8) |
+                                                        static_cast<unsigned>(request[3]))};
+    const auto sub_function = static_cast<std::uint8_t>(request[1]);
+    const Nrc form = check_form(request, sub_function, target);
+    if (form != Nrc::none) {
+      return form;
+    }
+    const auto proof = request.last(kProofBytes);
+    const auto arguments =
+        request.subspan(kRoutineHeadBytes, request.size() - kRoutineHeadBytes - kProofBytes);
+    const authority::Verdict verdict =
+        gate_.check({.routine = target.routine,
+                     .arguments = arguments,
+                     .storage_counter = lifemodel::ByteReader(proof).u32()},
+                    proof.last(authority::kMacBytes), device_.storage_counter(), now);
+    if (verdict != authority::Verdict::granted) {
+      const bool locks = verdict != authority::Verdict::locked_out && gate_.locked(now);
+      return refuse(locks ? Nrc::exceeded_attempts : nrc_of(verdict), event_of(verdict), target);
+    }
+    const Nrc done = carry_out(target, arguments);
+    if (done == Nrc::none && (sub_function & kSuppress) == 0) {
+      answer.u8(kRoutineControl + kPositive);
+      answer.u8(kStartRoutine);
+      answer.identifier(target.routine);
+    }
+    return done;
+  }
+
+  /// A request that did not fit into its link.
+  void refuse_transfer() { (void)refuse(Nrc::wrong_length, storage::Event::rejected, {}); }
+
+  [[nodiscard]] AuthorityCounts counts() const {
+    return {.granted = granted_, .refused = refused_, .unlogged = log_.unlogged()};
+  }
+
+ private:
+  struct Target {
+    std::uint16_t routine = 0;
+    std::uint8_t tendon = 0;
+  };
+
+  Nrc check_form(std::span<const std::byte> request, std::uint8_t sub_function, Target& target) {
+    const auto* row = std::find_if(
+        kRoutineTable.begin(), kRoutineTable.end(),
+        [&target](const RoutineRow& candidate) { return candidate.routine == target.routine; });
+    if (row == kRoutineTable.end()) {
+      return refuse(Nrc::request_out_of_range, storage::Event::rejected, target);
+    }
+    if (!gate_.enabled()) {
+      return refuse(Nrc::security_access_denied, storage::Event::disabled, target);
+    }
+    if ((sub_function & ~kSuppress) != kStartRoutine) {
+      return refuse(Nrc::sub_function_not_supported, storage::Event::rejected, target);
+    }
+    if (request.size() != kRoutineHeadBytes + row->argument_bytes + kProofBytes) {
+      return refuse(Nrc::wrong_length, storage::Event::rejected, target);
+    }
+    const auto tendon = static_cast<std::uint8_t>(request[kRoutineHeadBytes]);
+    if (tendon >= device_.tendons()) {
+      return refuse(Nrc::request_out_of_range, storage::Event::rejected, target);
+    }
+    target.tendon = tendon;
+    return Nrc::none;
+  }
+
+  Nrc carry_out(const Target& target, std::span<const std::byte> arguments) {
+    if (target.routine == kOpenEpoch.routine) {
+      return under_log(storage::Event::epoch_opened, target, device_.configuration(target.tendon),
+                       [&] { return device_.open_epoch(target.tendon); });
+    }
+    const auto sent = arguments.subspan(1);
+    const auto parameters = lifemodel::decode(sent);
+    if (!parameters) {
+      return refuse(Nrc::request_out_of_range, storage::Event::rejected, target);
+    }
+    lifemodel::ParameterBlock block{};
+    std::copy_n(sent.begin(), block.size(), block.begin());
+    return under_log(storage::Event::parameters_loaded, target,
+                     lifemodel::ByteReader(sent.last(4)).u32(),
+                     [&] { return device_.load_parameters(target.tendon, block, *parameters); });
+  }
+
+  /// Does it once its line is in the log.
+  template <class Deed>
+  Nrc under_log(storage::Event event, const Target& target, std::uint32_t configuration,
+                Deed deed) {
+    const hal::Error logged = log_.about_to(event, target.tendon, configuration);
+    if (logged != hal::Error::none) {
+      ++refused_;
+      return logged == hal::Error::full ? Nrc::conditions_not_correct : Nrc::programming_failure;
+    }
+    if (deed() != hal::Error::none) {
+      ++refused_;
+      log_.not_done(target.tendon, target.routine);
+      return Nrc::programming_failure;
+    }
+    ++granted_;
+    return Nrc::none;
+  }
+
+  Nrc refuse(Nrc nrc, storage::Event event, const Target& target) {
+    ++refused_;
+    log_.refused(event, target.tendon, target.routine);
+    return nrc;
+  }
+
+  DeviceT& device_;
+  authority::Gate& gate_;
+  Journal<DeviceT> log_;
+  std::uint32_t granted_ = 0;
+  std::uint32_t refused_ = 0;
+};
+
+}  // namespace protocol::uds

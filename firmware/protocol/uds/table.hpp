@@ -1,0 +1,90 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "firmware/protocol/authority/command.hpp"
+#include "lifemodel/block/parameter_block.hpp"
+
+namespace protocol::uds {
+
+/// What can be read, by data identifier. Identifiers are sent with the high byte first, as
+/// ISO 14229-1 has it; the data behind them are little-endian, as everything else of this node.
+///
+/// | identifier | bytes | data |
+/// |---|---|---|
+/// | 0x0200 + t | 61 | life record of tendon t: see LifeRecordData |
+/// | 0x0220 + t | 4 | CRC-32 of the parameter block of tendon t; 0 without one |
+/// | 0x0240 | 4 | storage counter |
+/// | 0x0241 | 16 | a fresh nonce; reading it closes the one before |
+/// | 0x0242 | 18 | authority: see AuthorityData |
+/// | 0x1000 + i | 16 | line i of the log, from the oldest: see LogData |
+/// | 0xf18c | 12 | serial number of the controller |
+/// | 0xf195 | 2 | version of the frame plan; of the firmware, major in the high 4 bits |
+///
+/// 0x0200 .. 0x1fff are the manufacturer's (ISO 14229-1, annex C.1).
+struct DataRow {
+  std::uint16_t first;
+  std::uint16_t last;
+  std::uint8_t bytes;
+  const char* name;
+};
+
+inline constexpr std::uint8_t kMostTendons = 32;
+inline constexpr std::size_t kLifeBytes = 61;
+inline constexpr std::size_t kAuthorityBytes = 18;
+inline constexpr std::size_t kLogBytes = 16;
+
+inline constexpr DataRow kLife{0x0200, 0x0200 + kMostTendons - 1, kLifeBytes,
+                               "life record of a tendon"};
+inline constexpr DataRow kConfiguration{0x0220, 0x0220 + kMostTendons - 1, 4,
+                                        "CRC-32 of the parameter block of a tendon"};
+inline constexpr DataRow kStorageCounter{0x0240, 0x0240, 4, "storage counter"};
+inline constexpr DataRow kNonce{0x0241, 0x0241, 16, "a fresh nonce, good for one command in 5 s"};
+inline constexpr DataRow kAuthority{0x0242, 0x0242, kAuthorityBytes, "state of the authority"};
+inline constexpr DataRow kLog{0x1000, 0x1fff, kLogBytes, "line of the log, from the oldest"};
+inline constexpr DataRow kSerial{0xf18c, 0xf18c, 12, "serial number of the controller"};
+inline constexpr DataRow kVersion{0xf195, 0xf195, 2, "versions of frame plan and firmware"};
+
+// With a deduced type GCC 12 would put it into RAM.
+inline constexpr std::array<DataRow, 8> kDataTable{
+    kLife, kConfiguration, kStorageCounter, kNonce, kAuthority, kLog, kSerial, kVersion};
+
+/// Routines that are started under authority:
+///
+///   31 01, routine (the high byte first), arguments, storage counter (4, little-endian), code (8)
+///
+/// with the code of authority::mac(). Arguments:
+///
+/// | routine | bytes | arguments |
+/// |---|---|---|
+/// | 0x0201 | 1 | tendon: a new wire was put in, its epoch begins |
+/// | 0x0202 | 85 | tendon, parameter block |
+///
+/// The answer is 71 01 and the routine.
+struct RoutineRow {
+  std::uint16_t routine;
+  std::uint8_t argument_bytes;
+  const char* name;
+};
+
+inline constexpr RoutineRow kOpenEpoch{0x0201, 1, "open a new epoch of a tendon"};
+inline constexpr RoutineRow kLoadParameters{0x0202, 1 + lifemodel::kBlockBytes,
+                                            "load the parameter block of a tendon"};
+
+inline constexpr std::array<RoutineRow, 2> kRoutineTable{kOpenEpoch, kLoadParameters};
+
+/// The sub-function that starts a routine.
+inline constexpr std::uint8_t kStartRoutine = 0x01;
+/// Before the arguments: service, sub-function, routine.
+inline constexpr std::size_t kRoutineHeadBytes = 4;
+/// Behind the arguments: storage counter and code.
+inline constexpr std::size_t kProofBytes = 4 + authority::kMacBytes;
+
+/// The longest request and answer of this server.
+inline constexpr std::size_t kMostMessageBytes = 128;
+static_assert(kRoutineHeadBytes + kLoadParameters.argument_bytes + kProofBytes <=
+              kMostMessageBytes);
+
+}  // namespace protocol::uds
