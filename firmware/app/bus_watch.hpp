@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "hal/can_port.hpp"
+#include "hal/clock.hpp"
 
 namespace app {
 

@@ -10,7 +10,7 @@ namespace app {
 /// How the node is, apart from the lives.
 struct Conditions {
   std::uint32_t configuration = 0;  ///< CRC-32 over the configurations of all tendons
-  bool trusted = false;             ///< the record of the past was found, or there was none to find
+  bool trusted = false;             ///< no record of the past was lost
   bool sensor_ok = false;
   bool storage_ok = false;
   bool locked = false;                  ///< the drive is held off

@@ -27,9 +27,9 @@ class LifeBook {
   }
 
   /// What is known of a tendon before the first reading. Without `life` it has no parameters.
-  void resume(std::size_t tendon, const std::optional<storage::LifeRecord>& record,
+  void resume(std::size_t tendon, const std::optional<storage::LifeRecord>& record, bool lost,
               std::uint32_t configuration, const std::optional<lifemodel::LifeDistribution>& life) {
-    lives_[tendon].resume(record, static_cast<std::uint8_t>(tendon), configuration);
+    lives_[tendon].resume(record, lost, static_cast<std::uint8_t>(tendon), configuration);
     distributions_[tendon] = life;
     records_[tendon] = lives_[tendon].record();
   }
@@ -90,6 +90,16 @@ class LifeBook {
       bits |= record.flags;
     }
     return lifemodel::Flags::from_bits(bits);
+  }
+
+  /// False where a record of the past was lost.
+  [[nodiscard]] bool whole() const {
+    for (const storage::LifeRecord& record : records_) {
+      if (record.past_lost) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /// Closed cycles of this epoch, all tendons; stops.

@@ -53,7 +53,7 @@ class Reporter {
     using namespace protocol::detail;
     switch (page) {
       case Identity::kPage:
-        return send(Identity{kSchema, kFirmwareVersion, conditions_.configuration});
+        return send(Identity{kSchemaVersion, kFirmwareVersion, conditions_.configuration});
       case Cycles::kPage:
         return send(Cycles{book_.cycles(), book_.cycles_per_min()});
       case DamageRate::kPage:
@@ -150,8 +150,6 @@ class Reporter {
             .dropped = conditions_.dropped,
             .refused = conditions_.refused};
   }
-
-  static constexpr std::uint8_t kSchema = 1;
 
   const LifeBook<kTendons>& book_;
   const Bins& bins_;

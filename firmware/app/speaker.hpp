@@ -1,12 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 
 #include "firmware/app/bus_budget.hpp"
 #include "firmware/app/emergencies.hpp"
 #include "firmware/protocol/codec.hpp"
-#include "firmware/protocol/e2e/protector.hpp"
+#include "firmware/protocol/e2e.hpp"
 #include "firmware/protocol/messages.hpp"
 #include "hal/can_port.hpp"
 
@@ -27,9 +28,9 @@ class Speaker {
   Speaker(CanT& can, protocol::Node node)
       : can_(can),
         node_(node),
-        status_protector_(protocol::e2e::protector<protocol::LifeStatus>(node)),
-        detail_protector_(protocol::e2e::protector<protocol::detail::Identity>(node)),
-        emergency_protector_(protocol::e2e::protector<protocol::Emergency>(node)) {}
+        status_protector_(protocol::e2e::stream_of<protocol::LifeStatus>(node)),
+        detail_protector_(protocol::e2e::stream_of<protocol::detail::Identity>(node)),
+        emergency_protector_(protocol::e2e::stream_of<protocol::Emergency>(node)) {}
 
   /// The boot-up message is the first to leave.
   void start(hal::Time now) {
@@ -44,9 +45,6 @@ class Speaker {
   void burst(std::uint8_t pages) { burst_ = pages; }
   /// Detail pages that found no room; stops.
   [[nodiscard]] std::uint8_t dropped() const { return dropped_; }
-  /// Tells all active emergencies again: what was on its way when the bus went off may be lost.
-  void bus_is_back(Emergencies& emergencies) { emergencies.tell_again(); }
-
   /// Sends what is due. `reporter` gives the messages, `link` the frames of answers.
   template <class Reporter, class Link>
   void speak(hal::Time now, Reporter& reporter, Emergencies& emergencies, Link& link) {
@@ -61,10 +59,7 @@ class Speaker {
 
   template <class Reporter>
   bool speak_emergency(hal::Time now, Reporter& reporter, Emergencies& emergencies) {
-    if (!emergencies.waiting()) {
-      return true;
-    }
-    if (now < next_emergency_) {
+    if (!emergencies.waiting() || now < next_emergency_) {
       return true;
     }
     protocol::Emergency message = *emergencies.next();
@@ -136,7 +131,9 @@ class Speaker {
       return false;
     }
     page_ = static_cast<std::uint8_t>((page_ + 1) % protocol::detail::kPages);
-    burst_ -= burst_ != 0 ? 1 : 0;
+    if (burst_ != 0) {
+      --burst_;
+    }
     last_detail_ = now;
     next_detail_ = after(next_detail_, kDetailPeriod, now);
     return true;
@@ -144,7 +141,9 @@ class Speaker {
 
   void count_late_detail(hal::Time now) {
     if (now >= next_detail_ + kDetailPeriod) {
-      dropped_ += dropped_ != 0xff ? 1 : 0;
+      if (dropped_ != std::numeric_limits<std::uint8_t>::max()) {
+        ++dropped_;
+      }
       page_ = static_cast<std::uint8_t>((page_ + 1) % protocol::detail::kPages);
       next_detail_ = after(next_detail_, kDetailPeriod, now);
     }
@@ -157,16 +156,14 @@ class Speaker {
     });
   }
 
-  /// Counts a message only where it has left.
   template <class Message>
   bool send_protected(const Message& message, protocol::e2e::Protector& protector, bool urgent) {
     hal::CanFrame frame = protocol::encode(node_, message);
-    protocol::e2e::Protector next = protector;
-    next.protect(frame);
+    protector.protect(frame);
     if (!send(frame, urgent)) {
+      protector.withdraw();
       return false;
     }
-    protector = next;
     return true;
   }
 

@@ -16,10 +16,11 @@ namespace app {
 /// and the count begins anew. A new epoch begins at the reading of the moment.
 class TendonLife {
  public:
-  /// Before the first reading: nothing where there is no record.
-  void resume(const std::optional<storage::LifeRecord>& record, std::uint8_t tendon,
+  /// Before the first reading. `record` is nothing where there is none; `lost` where there was one.
+  void resume(const std::optional<storage::LifeRecord>& record, bool lost, std::uint8_t tendon,
               std::uint32_t configuration) {
     past_ = record.value_or(storage::LifeRecord{});
+    past_.past_lost = past_.past_lost || (!record && lost);
     past_.tendon = tendon;
     past_.configuration = configuration;
   }
@@ -57,6 +58,7 @@ class TendonLife {
     next.epoch_damage = {};
     next.epoch_cycles = 0;
     next.flags = 0;
+    next.past_lost = false;
     return next;
   }
   /// Begins the epoch of `next`, which was made by next_epoch() with no reading taken since.

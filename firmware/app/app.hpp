@@ -1,0 +1,305 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "firmware/app/bus_watch.hpp"
+#include "firmware/app/conditions.hpp"
+#include "firmware/app/config.hpp"
+#include "firmware/app/devices.hpp"
+#include "firmware/app/emergencies.hpp"
+#include "firmware/app/intake.hpp"
+#include "firmware/app/keeper.hpp"
+#include "firmware/app/life_book.hpp"
+#include "firmware/app/listener.hpp"
+#include "firmware/app/liveness.hpp"
+#include "firmware/app/node.hpp"
+#include "firmware/app/rainflow_bins.hpp"
+#include "firmware/app/reporter.hpp"
+#include "firmware/app/safety.hpp"
+#include "firmware/app/speaker.hpp"
+#include "firmware/app/status_light.hpp"
+#include "firmware/app/stored_parameters.hpp"
+#include "firmware/protocol/uds/endpoint.hpp"
+#include "lifemodel/estimator.hpp"
+
+namespace app {
+
+/// The firmware of one actuator with `kTendons` tendons, the same on every board.
+///
+///   App app(devices, config, stored_parameters<1>(store, configured));
+///   app.start();
+///   // in the interrupt of the control loop:
+///   app.isr_sample();
+///   // below it:
+///   while (app.settle()) {}
+///   // in the idle loop, every few milliseconds at least:
+///   app.poll();
+///
+/// isr_sample() may interrupt everything; settle() may interrupt poll() where Devices::hold keeps
+/// it away from the readings. Nothing waits or allocates; each call is bounded.
+template <std::size_t kTendons, class DevicesT>
+class App {
+ public:
+  using Devices = DevicesT;
+
+  /// How often the lives are read.
+  static constexpr hal::Time kReadingPeriod = hal::milliseconds(100);
+
+  App(const Devices& devices, const Config& config, const ParameterSet<kTendons>& parameters)
+      : devices_(devices),
+        config_(config),
+        parameters_(parameters),
+        estimator_(all(parameters)),
+        keeper_(devices_.store),
+        safety_(devices_),
+        bus_(devices_.can),
+        listener_(config.node),
+        reporter_(book_, bins_, conditions_),
+        speaker_(devices_.can, config.node),
+        node_(devices_, config_, book_, keeper_),
+        endpoint_(node_, config.node, config.key) {}
+  App(const App&) = delete;
+  App& operator=(const App&) = delete;
+
+  /// Takes up the lives out of the store, and lets the drive go.
+  void start() {
+    const hal::Time now = devices_.clock.now();
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      resume(tendon);
+    }
+    book_.start(now);
+    keeper_.start(now, book_.records());
+    endpoint_.start(now);
+    speaker_.start(now);
+    light_.start(now);
+    liveness_.start(now);
+    next_reading_ = now;
+    kept_state_ = book_.state();
+    kept_flags_ = book_.flags();
+    safety_.start();
+  }
+
+  /// One period of the control loop: reads all sensors.
+  void isr_sample() { intake_.isr_sample(devices_.sensor, estimator_); }
+  /// The control loop left out `periods` periods.
+  void isr_missed(std::uint32_t periods) { intake_.isr_missed(periods, estimator_); }
+
+  /// Counts cycles, in bounded time. True while there is more.
+  bool settle() {
+    return estimator_.settle([this](std::size_t tendon) { return BinCycles{&bins_[tendon]}; });
+  }
+
+  /// All that can wait: safety lines, bus, store, light and watchdog.
+  void poll() {
+    const hal::Time now = devices_.clock.now();
+    safety_.check();
+    watch_bus(now);
+    listen(now);
+    if (now >= next_reading_) {
+      next_reading_ = now + kReadingPeriod;
+      read_lives(now);
+    }
+    judge(now);
+    keeper_.keep(now, book_.records(), state_changed());
+    fill_conditions();
+    speaker_.speak(now, reporter_, emergencies_, endpoint_);
+    keeper_.prepare();
+    show(now);
+    if (safety_.obeyed() && liveness_.alive(now, intake_.periods())) {
+      devices_.watchdog.feed();
+    }
+  }
+
+  /// Figures of the control loop, for the timing page.
+  void timing(const protocol::detail::Timing& timing) { conditions_.timing = timing; }
+
+  /// The controller is going down: drive off, and the lives saved. Nothing may interrupt it.
+  hal::Error stop() {
+    safety_.stop();
+    const hal::Time now = devices_.clock.now();
+    read_lives(now);
+    return keeper_.save(now, book_.records());
+  }
+
+  [[nodiscard]] const LifeBook<kTendons>& lives() const { return book_; }
+  [[nodiscard]] const Conditions& conditions() const { return conditions_; }
+  /// For a sensor whose samples are converted on the board.
+  lifemodel::Flags& input_flags(std::size_t tendon) { return estimator_.input_flags(tendon); }
+
+ private:
+  using Code = protocol::EmergencyCode;
+
+  static std::array<lifemodel::Parameters, kTendons> all(const ParameterSet<kTendons>& set) {
+    std::array<lifemodel::Parameters, kTendons> result{};
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      result[tendon] = set[tendon].value_or(lifemodel::Parameters{});
+    }
+    return result;
+  }
+
+  void resume(std::size_t tendon) {
+    const auto& parameters = parameters_[tendon];
+    const std::uint32_t configuration = parameters ? configuration_of(*parameters) : 0;
+    std::optional<lifemodel::LifeDistribution> life;
+    if (parameters) {
+      life = parameters->life;
+    } else {
+      intake_.leave_out(tendon);
+      emergencies_.set(Code::parameters, true);
+    }
+    book_.resume(tendon, devices_.store.load(tendon), devices_.store.past_lost(), configuration,
+                 life);
+    conditions_.configuration = combined(conditions_.configuration, configuration);
+  }
+
+  /// CRC-32 over the configurations of all tendons in turn.
+  static std::uint32_t combined(std::uint32_t before, std::uint32_t configuration) {
+    std::array<std::byte, 8> bytes{};
+    lifemodel::ByteWriter out(bytes);
+    out.u32(before);
+    out.u32(configuration);
+    return lifemodel::crc32(bytes);
+  }
+
+  void watch_bus(hal::Time now) {
+    switch (bus_.look(now)) {
+      case BusWatch<typename Devices::Can>::Turn::none:
+        return;
+      case BusWatch<typename Devices::Can>::Turn::went_off:
+        emergencies_.set(Code::bus, true);
+        return;
+      case BusWatch<typename Devices::Can>::Turn::came_back:
+        // What was on its way when the bus went off may be lost.
+        emergencies_.tell_again();
+        emergencies_.set(Code::bus, false);
+        return;
+    }
+  }
+
+  void listen(hal::Time now) {
+    for (std::uint32_t i = 0; i < kFramesAPoll; ++i) {
+      const auto frame = devices_.can.receive();
+      if (!frame) {
+        break;
+      }
+      if (const auto command = listener_.take(*frame)) {
+        obey(now, *command);
+      } else {
+        endpoint_.on_frame(*frame, now);
+      }
+    }
+    endpoint_.poll(now);
+  }
+
+  void obey(hal::Time now, const protocol::Command& command) {
+    switch (command.code) {
+      case protocol::CommandCode::identify:
+        return light_.identify(now, command.argument);
+      case protocol::CommandCode::select_page:
+        return speaker_.select_page(command.argument);
+      case protocol::CommandCode::burst:
+        return speaker_.burst(command.argument);
+    }
+  }
+
+  void read_lives(hal::Time now) {
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      if (!parameters_[tendon]) {
+        continue;
+      }
+      devices_.hold.hold();
+      const lifemodel::Reading reading = estimator_.reading(tendon, BinCycles{&bins_[tendon]});
+      devices_.hold.release();
+      book_.take(now, tendon, reading);
+    }
+  }
+
+  void judge(hal::Time now) {
+    const protocol::LifeState state = book_.state();
+    emergencies_.set(Code::life_inspect, state >= protocol::LifeState::inspect);
+    emergencies_.set(Code::life_replace, state >= protocol::LifeState::replace);
+    emergencies_.set(Code::life_worn, state >= protocol::LifeState::worn);
+    emergencies_.set(Code::overload, book_.flags().has(lifemodel::Flag::overload));
+    emergencies_.set(Code::emergency_stop, safety_.pulled());
+    emergencies_.set(Code::record_damaged, !book_.whole());
+    emergencies_.set(Code::sensor, !intake_.sensor_ok());
+    emergencies_.set(Code::storage, !keeper_.ok());
+    emergencies_.set(Code::deadline, liveness_.late(now, intake_.missed()));
+    emergencies_.set(Code::authority, endpoint_.server().gate().locked(now));
+  }
+
+  /// True once after each change of what a restart has to know at once.
+  bool state_changed() {
+    const protocol::LifeState state = book_.state();
+    const lifemodel::Flags flags = book_.flags();
+    const bool changed = state != kept_state_ || flags != kept_flags_;
+    kept_state_ = state;
+    kept_flags_ = flags;
+    return changed;
+  }
+
+  void fill_conditions() {
+    conditions_.trusted = book_.whole();
+    conditions_.sensor_ok = intake_.sensor_ok();
+    conditions_.storage_ok = keeper_.ok();
+    conditions_.locked = safety_.locked();
+    conditions_.sequence = devices_.store.sequence();
+    conditions_.unsaved_ppb = keeper_.unsaved_ppb();
+    conditions_.worst_unsaved_ppb = keeper_.worst_unsaved_ppb();
+    conditions_.bus = bus_.status();
+    conditions_.dropped = speaker_.dropped();
+    conditions_.refused = refused();
+  }
+
+  /// Frames and commands; stops.
+  [[nodiscard]] std::uint16_t refused() const {
+    const std::uint64_t sum = std::uint64_t{listener_.refused()} + endpoint_.counts().malformed +
+                              endpoint_.server().counts().refused;
+    constexpr std::uint64_t kHighest = std::numeric_limits<std::uint16_t>::max();
+    return static_cast<std::uint16_t>(sum < kHighest ? sum : kHighest);
+  }
+
+  void show(hal::Time now) {
+    const bool at_fault = safety_.locked() || emergencies_.active(Code::sensor) ||
+                          emergencies_.active(Code::storage) ||
+                          emergencies_.active(Code::parameters) ||
+                          emergencies_.active(Code::record_damaged);
+    const bool lit = light_.lit(now, book_.state(), at_fault);
+    if (lit != lit_) {
+      lit_ = lit;
+      (void)devices_.status_light.set(lit);
+    }
+  }
+
+  static constexpr std::uint32_t kFramesAPoll = 8;
+
+  Devices devices_;
+  Config config_;
+  ParameterSet<kTendons> parameters_;
+  lifemodel::Estimator<kTendons> estimator_;
+  typename Reporter<kTendons>::Bins bins_{};
+  Intake<kTendons> intake_;
+  LifeBook<kTendons> book_;
+  Conditions conditions_;
+  Emergencies emergencies_;
+  Keeper<kTendons, typename Devices::Store> keeper_;
+  Safety<Devices> safety_;
+  BusWatch<typename Devices::Can> bus_;
+  Listener listener_;
+  Reporter<kTendons> reporter_;
+  Speaker<typename Devices::Can> speaker_;
+  Node<kTendons, Devices> node_;
+  protocol::uds::Endpoint<Node<kTendons, Devices>> endpoint_;
+  StatusLight light_;
+  Liveness liveness_;
+  hal::Time next_reading_{};
+  protocol::LifeState kept_state_ = protocol::LifeState::unknown;
+  lifemodel::Flags kept_flags_;
+  bool lit_ = false;
+};
+
+}  // namespace app

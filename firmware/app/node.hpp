@@ -1,0 +1,80 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "firmware/app/config.hpp"
+#include "firmware/app/keeper.hpp"
+#include "firmware/app/life_book.hpp"
+#include "firmware/protocol/uds/identity.hpp"
+#include "lifemodel/block/parameter_block.hpp"
+
+namespace app {
+
+/// The node as its diagnostic server sees it (protocol::uds::Device).
+template <std::size_t kTendons, class Devices>
+class Node {
+ public:
+  using Store = typename Devices::Store;
+
+  Node(Devices& devices, const Config& config, LifeBook<kTendons>& book,
+       Keeper<kTendons, Store>& keeper)
+      : devices_(devices), config_(config), book_(book), keeper_(keeper) {}
+
+  [[nodiscard]] protocol::uds::Identity identity() const {
+    return {config_.serial, kSchemaVersion, kFirmwareVersion};
+  }
+  [[nodiscard]] std::uint8_t tendons() const { return kTendons; }
+  [[nodiscard]] storage::LifeRecord read_life(std::uint8_t tendon) const {
+    storage::LifeRecord life = book_.records()[tendon];
+    life.sequence = devices_.store.sequence();
+    return life;
+  }
+  [[nodiscard]] std::uint32_t configuration(std::uint8_t tendon) const {
+    return book_.records()[tendon].configuration;
+  }
+  [[nodiscard]] std::uint32_t storage_counter() const { return devices_.store.sequence(); }
+  hal::Error random(std::span<std::byte> out) { return devices_.entropy.fill(out); }
+
+  hal::Error log(storage::Event event, std::uint8_t tendon, std::uint32_t detail) {
+    storage::LogEntry entry;
+    entry.sequence = devices_.store.sequence();
+    entry.event = event;
+    entry.tendon = tendon;
+    entry.epoch = tendon < kTendons ? book_.records()[tendon].epoch : std::uint16_t{0};
+    entry.detail = detail;
+    return devices_.store.append(entry);
+  }
+  [[nodiscard]] std::optional<storage::LogEntry> log_entry(std::uint32_t number) const {
+    return devices_.store.log(number);
+  }
+
+  /// A new wire: its epoch begins at the last reading.
+  hal::Error open_epoch(std::uint8_t tendon) {
+    auto records = book_.records();
+    records[tendon] = book_.next_epoch(tendon);
+    const hal::Error error = keeper_.save(devices_.clock.now(), records);
+    if (error == hal::Error::none) {
+      book_.open(tendon, records[tendon]);
+    }
+    return error;
+  }
+
+  /// Takes effect at the next start: what is counted now goes on under the parameters under which
+  /// it began.
+  hal::Error load_parameters(std::uint8_t tendon, const lifemodel::ParameterBlock& block,
+                             const lifemodel::Parameters&) {
+    return devices_.store.save_parameters(tendon, block);
+  }
+
+ private:
+  Devices& devices_;
+  const Config& config_;
+  LifeBook<kTendons>& book_;
+  Keeper<kTendons, Store>& keeper_;
+};
+
+}  // namespace app

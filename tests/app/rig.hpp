@@ -1,0 +1,113 @@
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "firmware/app/app.hpp"
+#include "hal/fake/can_bus.hpp"
+#include "hal/fake/can_port.hpp"
+#include "hal/fake/clock.hpp"
+#include "hal/fake/digital.hpp"
+#include "hal/fake/entropy.hpp"
+#include "hal/fake/sensor.hpp"
+#include "hal/fake/watchdog.hpp"
+#include "lifemodel/pack/pack.hpp"
+#include "ram_store.hpp"
+
+namespace app {
+
+/// The paper's wire, sampled at 1 kHz. `ipl_scale` less than 1.53e5 makes it live shorter.
+inline lifemodel::Parameters paper_parameters(double ipl_scale = 1.53e5) {
+  return *lifemodel::pack::parameters({.ultimate_tension_N = 177.4,
+                                       .hysteresis_N = 0.2,
+                                       .ipl_scale = ipl_scale,
+                                       .ipl_exponent = 1.38,
+                                       .weibull_shape = 5.94,
+                                       .friction_coefficient = 0.128,
+                                       .bend_angle_rad = 4.712,
+                                       .tension_per_current_N_A = 20.592,
+                                       .current_offset_A = 0,
+                                       .sample_period_s = 1e-3,
+                                       .model_digest = 1});
+}
+
+inline constexpr protocol::Node kNode = 5;
+
+/// The application over fakes at 1 kHz, with a listener on its bus. Everything but the application
+/// itself outlives a restart.
+template <std::size_t kTendons = 1>
+class Rig {
+ public:
+  using Sensor = hal::fake::Sensor<lifemodel::Tension, kTendons>;
+  using Devices =
+      app::Devices<hal::fake::CanPort, Sensor, hal::fake::Clock, RamStore, hal::fake::DigitalOut,
+                   hal::fake::DigitalOut, hal::fake::DigitalOut, hal::fake::DigitalIn,
+                   hal::fake::Watchdog, hal::fake::Entropy, hal::NoHold>;
+  using App = app::App<kTendons, Devices>;
+
+  explicit Rig(double ipl_scale = 1.53e5) { parameters.fill(paper_parameters(ipl_scale)); }
+
+  void start() {
+    app = std::make_unique<App>(Devices{can, sensor, clock, store, drive_enable, brake, light, stop,
+                                        watchdog, entropy, hold},
+                                config, stored_parameters<kTendons>(store, parameters));
+    app->start();
+  }
+
+  /// One period of 1 ms with these tensions.
+  void step(double tension_N) {
+    clock.advance(hal::milliseconds(1));
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      sensor.give(tendon, lifemodel::pack::tension(tension_N, 177.4));
+    }
+    app->isr_sample();
+    while (app->settle()) {
+    }
+    app->poll();
+  }
+  /// Cycles of 20 ms between these tensions.
+  void run(std::uint32_t milliseconds, double low_N = 10, double high_N = 60) {
+    for (std::uint32_t i = 0; i < milliseconds; ++i) {
+      step(i / 10 % 2 == 0 ? low_N : high_N);
+    }
+  }
+  /// Periods with an idle tendon.
+  void idle(std::uint32_t milliseconds) { run(milliseconds, 10, 10); }
+
+  /// All messages of a kind that have left.
+  template <class Message>
+  [[nodiscard]] std::vector<Message> sent() const {
+    std::vector<Message> result;
+    for (const hal::fake::CanEvent& event : bus.sent()) {
+      if (event.sender == 0) {
+        if (const auto message = protocol::decode<Message>(event.frame)) {
+          result.push_back(*message);
+        }
+      }
+    }
+    return result;
+  }
+
+  hal::fake::Clock clock;
+  hal::fake::CanBus bus{clock};
+  hal::fake::CanPort can{bus};
+  hal::fake::CanPort tester{bus};
+  Sensor sensor{clock};
+  RamStore store{clock};
+  hal::fake::DigitalOut drive_enable{clock};
+  hal::fake::DigitalOut brake{clock};
+  hal::fake::DigitalOut light{clock};
+  hal::fake::DigitalIn stop{clock};
+  hal::fake::Watchdog watchdog{clock, hal::milliseconds(500)};
+  hal::fake::Entropy entropy{clock, 1};
+  hal::NoHold hold;
+  Config config{.node = kNode};
+  ParameterSet<kTendons> parameters;
+  std::unique_ptr<App> app;
+};
+
+}  // namespace app
