@@ -21,18 +21,18 @@ class Chip:
         (self._device / "live").write_text("1")
         self.name = (self._bank / "chip_name").read_text().strip()
         device = (self._device / "dev_name").read_text().strip()
-        self._state = pathlib.Path("/sys/devices/platform") / device / self.name
+        self.state = pathlib.Path("/sys/devices/platform") / device / self.name
 
     @property
     def path(self):
         return f"/dev/{self.name}"
 
     def pull(self, name, up):
-        line = self._state / f"sim_gpio{self._offsets[name]}"
+        line = self.state / f"sim_gpio{self._offsets[name]}"
         (line / "pull").write_text("pull-up" if up else "pull-down")
 
     def value(self, name):
-        line = self._state / f"sim_gpio{self._offsets[name]}"
+        line = self.state / f"sim_gpio{self._offsets[name]}"
         return (line / "value").read_text().strip() == "1"
 
     def close(self):
