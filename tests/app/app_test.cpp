@@ -247,6 +247,19 @@ TEST(App, AnEmergencyOutlivesBusOff) {
   EXPECT_EQ(rig.sent<protocol::detail::Bus>().back().bus_offs, 1);
 }
 
+TEST(App, WhatWasToldJustBeforeBusOffIsToldAgain) {
+  Rig rig;
+  rig.start();
+  rig.idle(300);
+  rig.stop.set(true);
+  rig.idle(2);
+  ASSERT_TRUE(told(rig, EmergencyCode::emergency_stop));
+  rig.bus.forget();
+  rig.can.go_off();
+  rig.idle(1'000);
+  EXPECT_TRUE(told(rig, EmergencyCode::emergency_stop));
+}
+
 TEST(App, AFullQueueDropsDetailPagesAndCountsThem) {
   Rig rig;
   rig.start();
