@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "firmware/protocol/codec/address.hpp"
 #include "firmware/protocol/e2e/crc8h2f.hpp"
@@ -37,17 +38,23 @@ constexpr std::uint8_t counter_of(const Stream& stream, const hal::CanFrame& fra
   return std::to_integer<std::uint8_t>(frame.data[stream.crc_byte + 1u]) & 0x0f;
 }
 
-/// The CRC that the frame ought to have: over all bytes but its own, and the data id of its counter
-/// (AUTOSAR FO PRS E2E Protocol, 6.13).
-constexpr std::uint8_t crc_of(const Stream& stream, const hal::CanFrame& frame) {
+/// The CRC of Profile 22 over all bytes but its own, and the data id after them (AUTOSAR FO PRS E2E
+/// Protocol, Profile 22, calculation of the CRC). Precondition: crc_byte < data.size().
+constexpr std::uint8_t crc_over(std::span<const std::byte> data, std::size_t crc_byte,
+                                std::uint8_t data_id) {
   Crc8h2f crc;
-  for (std::size_t i = 0; i < stream.length; ++i) {
-    if (i != stream.crc_byte) {
-      crc.add(std::to_integer<std::uint8_t>(frame.data[i]));
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    if (i != crc_byte) {
+      crc.add(std::to_integer<std::uint8_t>(data[i]));
     }
   }
-  crc.add(stream.data_ids.at(counter_of(stream, frame)));
+  crc.add(data_id);
   return crc.value();
+}
+
+/// The CRC that the frame ought to have. Precondition: it has the length of the stream's frames.
+constexpr std::uint8_t crc_of(const Stream& stream, const hal::CanFrame& frame) {
+  return crc_over(frame.payload(), stream.crc_byte, stream.data_ids.at(counter_of(stream, frame)));
 }
 
 }  // namespace protocol::e2e

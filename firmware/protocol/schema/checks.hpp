@@ -86,8 +86,8 @@ constexpr bool has_its_page(const MessageView& message) {
 
 /// No signal name is there twice in one frame, and no page.
 constexpr bool are_distinct(const MessageView& one, const MessageView& other) {
-  if (one.frame != other.frame) {
-    return one.frame->name != other.frame->name;
+  if (one.frame->base_id != other.frame->base_id) {
+    return true;
   }
   return one.page != other.page &&
          std::none_of(one.signals.begin(), one.signals.end(), [&](const Signal& signal) {
@@ -100,7 +100,7 @@ constexpr bool is_sound(const Frame& frame) {
   return is_name(frame.name) && (frame.base_id & 0x7f) == 0 && frame.base_id <= 0x780 &&
          frame.length >= 1 && frame.length <= 8 && is_text(frame.sent) && is_text(frame.comment) &&
          (!frame.page || is_sound(*frame.page)) &&
-         (!frame.integrity || frame.integrity->id_list < 10);
+         (!frame.integrity || frame.integrity->id_list < 4);
 }
 
 /// No identifier, no name and no list of data ids is there twice.

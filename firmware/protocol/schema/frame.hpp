@@ -14,7 +14,7 @@ enum class Sender : std::uint8_t { node, host };
 /// it the counter.
 struct Integrity {
   std::uint8_t crc_byte = 0;
-  std::uint8_t id_list = 0;  ///< which lists of data ids it uses; each protected frame has its own
+  std::uint8_t id_list = 0;  ///< 0 .. 3, see e2e/data_id.hpp; each protected frame has its own
 };
 
 /// One frame of the plan, with the node id left out of its identifier (CiA 301, 7.3.3).

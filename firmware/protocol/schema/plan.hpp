@@ -19,8 +19,8 @@
 /// in bits that are free. Receivers refuse bits that they do not know, so count up kSchemaVersion.
 /// To add a page: a struct with the next kPage in messages.hpp, its Layout in page_layouts.hpp, and
 /// its name in AllMessages below.
-/// To add a frame: a Frame in frames.hpp with a free base id and, if protected, the next id_list;
-/// a struct, its Layout, and its name in AllMessages.
+/// To add a frame: a Frame in frames.hpp with a free base id and, if protected, an id_list of its
+/// own; a struct, its Layout, its name in AllMessages and the frame in kFrames.
 /// Then let protocol_generate write the table of README.md anew. What contradicts itself does not
 /// compile: see checks.hpp.
 namespace protocol::schema {
