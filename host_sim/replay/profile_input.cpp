@@ -36,32 +36,59 @@ ProfileInput::ProfileInput(const ProfileReader& profile, const Model& model,
 }
 
 void ProfileInput::take(const ProfileRow& row, lifemodel::Flags& flags) {
+  sample_flags_ = {};
   switch (kind_) {
     case InputKind::kInputTension:
       tension_N_ = row.value;
-      tension_ = saturating<Tension>(row.value / ultimate_tension_N_, flags);
-      return;
+      measured_ = saturating<Tension>(row.value / ultimate_tension_N_, sample_flags_);
+      break;
     case InputKind::kMotorCurrent:
       tension_N_ = reference::input_tension_from_current(row.value, drive_);
-      tension_ =
-          parameters_.drive.tension(saturating<lifemodel::MotorCurrent>(row.value, flags), flags);
-      return;
+      current_ = saturating<lifemodel::MotorCurrent>(row.value, sample_flags_);
+      break;
     case InputKind::kOutputTension:
-      take_output(row, flags);
-      return;
+      take_output(row);
+      break;
   }
+  flags = flags | sample_flags_;
+  tension_ = converted(flags);
 }
 
-void ProfileInput::take_output(const ProfileRow& row, lifemodel::Flags& flags) {
+void ProfileInput::take_output(const ProfileRow& row) {
   direction_ = reference::direction_of(row.tendon_velocity_m_s, direction_);
   const double bend_rad = has_bend_angle_ ? radians(row.bend_angle_deg) : model_bend_rad_;
   tension_N_ = reference::input_tension_from_output(
       row.value, reference::capstan_efficiency(friction_coefficient_, bend_rad), direction_);
-  tension_ = parameters_.capstan.input_tension(
-      saturating<Tension>(row.value / ultimate_tension_N_, flags),
-      has_bend_angle_ ? from_double<lifemodel::Angle>(bend_rad) : parameters_.bend,
-      direction_ == reference::Direction::kPulling ? Direction::pulling : Direction::releasing,
-      flags);
+  measured_ = saturating<Tension>(row.value / ultimate_tension_N_, sample_flags_);
+  bend_ = has_bend_angle_ ? from_double<lifemodel::Angle>(bend_rad) : parameters_.bend;
+}
+
+Tension ProfileInput::converted(lifemodel::Flags& flags) const {
+  switch (kind_) {
+    case InputKind::kInputTension:
+      return measured_;
+    case InputKind::kMotorCurrent:
+      return parameters_.drive.tension(current_, flags);
+    case InputKind::kOutputTension:
+      return parameters_.capstan.input_tension(measured_, bend_, direction(), flags);
+  }
+  return {};
+}
+
+Direction ProfileInput::direction() const {
+  return direction_ == reference::Direction::kPulling ? Direction::pulling : Direction::releasing;
+}
+
+BoardSample ProfileInput::sample() const {
+  switch (kind_) {
+    case InputKind::kInputTension:
+      return measured_;
+    case InputKind::kMotorCurrent:
+      return current_;
+    case InputKind::kOutputTension:
+      return app::OutputTension{measured_, direction(), bend_};
+  }
+  return measured_;
 }
 
 }  // namespace host_sim

@@ -3,6 +3,7 @@
 #include "host_sim/io/model.hpp"
 #include "host_sim/io/profile.hpp"
 #include "host_sim/reference/equations.hpp"
+#include "host_sim/replay/virtual_board.hpp"
 #include "lifemodel/block/parameters.hpp"
 
 namespace host_sim {
@@ -20,10 +21,16 @@ class ProfileInput {
   void take(const ProfileRow& row, lifemodel::Flags& flags);
 
   [[nodiscard]] lifemodel::Tension tension() const { return tension_; }
+  /// The row as the sensor of a board would give it.
+  [[nodiscard]] BoardSample sample() const;
+  /// What became of the row on its way into that sample.
+  [[nodiscard]] lifemodel::Flags sample_flags() const { return sample_flags_; }
   [[nodiscard]] double tension_N() const { return tension_N_; }
 
  private:
-  void take_output(const ProfileRow& row, lifemodel::Flags& flags);
+  void take_output(const ProfileRow& row);
+  [[nodiscard]] lifemodel::Direction direction() const;
+  [[nodiscard]] lifemodel::Tension converted(lifemodel::Flags& flags) const;
 
   InputKind kind_;
   bool has_bend_angle_;
@@ -33,6 +40,10 @@ class ProfileInput {
   const lifemodel::Parameters& parameters_;
   reference::Drive drive_{};
   reference::Direction direction_ = reference::Direction::kPulling;
+  lifemodel::Flags sample_flags_;
+  lifemodel::Tension measured_;
+  lifemodel::MotorCurrent current_;
+  lifemodel::Angle bend_;
   lifemodel::Tension tension_;
   double tension_N_ = 0;
 };

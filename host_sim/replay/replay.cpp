@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <stdexcept>
 
 #include "host_sim/io/input_error.hpp"
 #include "host_sim/replay/constants.hpp"
@@ -55,10 +56,20 @@ class Pass {
     if (options.trajectory != nullptr) {
       trajectory_.emplace(*options.trajectory, model.cable.ultimate_tension_N);
     }
+    if (options.can) {
+      board_.emplace(profile.kind(), parameters_, options.node,
+                     [this](hal::Time time, const hal::CanFrame& frame) {
+                       ++can_frames_;
+                       options_.can(time, frame);
+                     });
+    }
   }
+  Pass(const Pass&) = delete;
+  Pass& operator=(const Pass&) = delete;
 
   void take(const ProfileRow& row) {
-    if (const std::uint32_t missing = clock_.missing_before(row.time_s); missing != 0) {
+    const std::uint32_t missing = clock_.missing_before(row.time_s);
+    if (missing != 0) {
       estimator_.push_missing(0, missing);
     }
     input_.take(row, estimator_.input_flags(0));
@@ -66,6 +77,10 @@ class Pass {
     while (estimator_.settle([this](std::size_t) { return cycles_to_plots(); })) {
     }
     exact_.push(input_.tension_N());
+    if (board_) {
+      board_->take(since_start(clock_.duration_s()), missing, input_.sample(),
+                   input_.sample_flags());
+    }
     if (plots_) {
       plots_->sample(row.time_s, input_.tension());
     }
@@ -114,10 +129,25 @@ class Pass {
     if (plots_) {
       plots_->finish(*options_.report);
     }
+    if (board_) {
+      finish_board(reading.total);
+      result.can_frames = can_frames_;
+    }
     return result;
   }
 
  private:
+  static hal::Time since_start(double time_s) {
+    return hal::microseconds(static_cast<std::uint64_t>(std::llround(time_s * 1e6)));
+  }
+
+  /// Both took the same samples through the same estimator.
+  void finish_board(const lifemodel::Damage& damage) {
+    if (board_->finish() != damage) {
+      throw std::logic_error("the firmware has counted another damage than the replay");
+    }
+  }
+
   [[nodiscard]] CyclesToPlots cycles_to_plots() { return {plots_ ? &*plots_ : nullptr}; }
 
   /// Reads and tells the trajectory, unless the last sample has been told.
@@ -146,6 +176,8 @@ class Pass {
   SampleClock clock_;
   std::optional<Plots> plots_;
   std::optional<TrajectoryFile> trajectory_;
+  std::optional<VirtualBoard> board_;
+  std::uint64_t can_frames_ = 0;
   double time_s_ = 0;
   double told_s_ = std::numeric_limits<double>::quiet_NaN();
   double next_told_s_ = -std::numeric_limits<double>::infinity();

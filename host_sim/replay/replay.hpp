@@ -12,6 +12,7 @@
 #include "host_sim/reference/equations.hpp"
 #include "host_sim/reference/life.hpp"
 #include "host_sim/reference/reference.hpp"
+#include "host_sim/replay/virtual_board.hpp"
 #include "host_sim/report/report_data.hpp"
 
 namespace host_sim {
@@ -34,6 +35,7 @@ struct ReplayResult {
   std::uint64_t missing_samples = 0;
   double peak_tension_N = 0;
   std::string model_digest;
+  std::optional<std::uint64_t> can_frames;  ///< that the firmware sent, where it was asked for
 };
 
 /// What a replay writes and shows besides its result.
@@ -41,11 +43,14 @@ struct ReplayOptions {
   std::ostream* trajectory = nullptr;
   double trajectory_step_s = 0.1;  ///< at most one row of the trajectory in this time
   ReplayReport* report = nullptr;  ///< its plots are filled
+  VirtualBoard::Listener can;      ///< hears what the firmware sends; time 0 is the first sample
+  protocol::Node node = 1;         ///< of that firmware
   std::function<void(std::uint64_t bytes)> progress;
 };
 
 /// Feeds a profile sample by sample through the estimator, with the double-precision reference
-/// beside it. Constant memory, whatever the length of the profile.
+/// beside it, and where the bus is asked for through the whole firmware. Constant memory, whatever
+/// the length of the profile.
 /// @param model_name stands for the model in errors
 /// @throws InputError for a profile that cannot be trusted or does not go with the model
 ReplayResult replay(ProfileReader& profile, const Model& model, const std::string& model_name,

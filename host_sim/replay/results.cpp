@@ -42,7 +42,7 @@ std::string_view in_words(InputKind kind) {
 }  // namespace
 
 std::string replay_json(const ReplayResult& result) {
-  const ordered_json json{
+  ordered_json json{
       {"input", to_string(result.input)},
       {"samples", result.samples},
       {"duration_s", result.duration_s},
@@ -64,6 +64,9 @@ std::string replay_json(const ReplayResult& result) {
       {"warnings", result.warnings},
       {"model_digest", result.model_digest},
   };
+  if (result.can_frames) {
+    json["can_frames"] = *result.can_frames;
+  }
   return json.dump(2) + "\n";
 }
 
@@ -81,6 +84,9 @@ void write_summary(std::ostream& out, const ReplayResult& result, const std::str
   fmt::print(out, "  repeats       {} to B10, {} to B50, {} to the mean life, {} to B90\n",
              repeats_text(result.repeats_to.b10), repeats_text(result.repeats_to.b50),
              repeats_text(result.repeats_to.mean), repeats_text(result.repeats_to.b90));
+  if (result.can_frames) {
+    fmt::print(out, "  bus           {} frames of the firmware\n", *result.can_frames);
+  }
   for (const std::string& flag : result.flags) {
     fmt::print(out, "  flag          {}: {}\n", flag, flag_text(flag).meaning);
   }

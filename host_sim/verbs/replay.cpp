@@ -2,11 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 
+#include "host_sim/io/candump.hpp"
 #include "host_sim/io/interruption.hpp"
 #include "host_sim/io/output_file.hpp"
 #include "host_sim/io/progress.hpp"
@@ -26,8 +28,14 @@ struct Arguments {
   std::string trajectory;
   double trajectory_step_s = 0.1;
   std::string report;
+  std::string can;
+  protocol::Node node = 1;
   std::vector<std::string> fail_on;
 };
+
+std::array<std::string, 4> outputs_of(const Arguments& arguments) {
+  return {arguments.json, arguments.trajectory, arguments.report, arguments.can};
+}
 
 std::optional<OutputFile> open_if_asked(const std::string& path) {
   return path.empty() ? std::nullopt : std::optional<OutputFile>(std::in_place, path);
@@ -48,12 +56,20 @@ int run(const Arguments& arguments) {
   auto json = open_if_asked(arguments.json);
   auto trajectory = open_if_asked(arguments.trajectory);
   auto page = open_if_asked(arguments.report);
+  auto can = open_if_asked(arguments.can);
 
   ReplayReport report;
   ReplayOptions options;
   options.trajectory = trajectory ? &trajectory->stream() : nullptr;
   options.trajectory_step_s = arguments.trajectory_step_s;
   options.report = page ? &report : nullptr;
+  options.node = arguments.node;
+  if (can) {
+    options.can = [&log = can->stream()](hal::Time time, const hal::CanFrame& frame) {
+      stop_if_interrupted();
+      log << candump_line(time.us, "can0", frame);
+    };
+  }
   Progress progress("replay", profile.bytes_total());
   options.progress = [&](std::uint64_t bytes) {
     stop_if_interrupted();
@@ -72,13 +88,13 @@ int run(const Arguments& arguments) {
     fill_report(report, result, model);
     write_replay_report(page->stream(), report);
   }
-  for (auto* file : {&json, &trajectory, &page}) {
+  for (auto* file : {&json, &trajectory, &page, &can}) {
     if (*file) {
       (*file)->commit();
     }
   }
-  const bool stdout_taken =
-      arguments.json == "-" || arguments.trajectory == "-" || arguments.report == "-";
+  const auto outputs = outputs_of(arguments);
+  const bool stdout_taken = std::find(outputs.begin(), outputs.end(), "-") != outputs.end();
   write_summary(stdout_taken ? std::cerr : std::cout, result, arguments.profile, arguments.model);
   return found(arguments.fail_on, result.flags) ? kFoundInData : 0;
 }
@@ -86,7 +102,7 @@ int run(const Arguments& arguments) {
 /// Two outputs into one file would leave only one of them.
 std::string check_outputs(const Arguments& arguments) {
   std::vector<std::string> paths;
-  for (const std::string& path : {arguments.json, arguments.trajectory, arguments.report}) {
+  for (const std::string& path : outputs_of(arguments)) {
     if (!path.empty()) {
       paths.push_back(path == "-" ? path : std::filesystem::weakly_canonical(path).string());
     }
@@ -116,6 +132,13 @@ void add_replay(CLI::App& app, int& status) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   verb->add_option("--report", arguments->report, "Write a page with plots as HTML");
+  CLI::Option* can = verb->add_option(
+      "--can", arguments->can,
+      "Write what the firmware sends on the bus as candump -L does; time 0 is the first sample");
+  verb->add_option("--node", arguments->node, "CANopen node id of the firmware")
+      ->check(CLI::Range(1, 127))
+      ->needs(can)
+      ->capture_default_str();
   std::vector<std::string> choices = all_flag_names();
   choices.emplace_back("any");
   verb->add_option("--fail-on", arguments->fail_on,

@@ -1,13 +1,12 @@
+#include "tests/replay/program.hpp"
+
 #include <gtest/gtest.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -17,52 +16,9 @@
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string contents(const fs::path& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-class Program : public testing::Test {
- protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "host_sim_XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-    write("model.toml", contents(fs::path(EXAMPLES) / "upper_arm.toml"));
-    write("good.csv", "time_s,input_tension_N\n0,10\n0.005,60\n0.01,10\n0.015,60\n");
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-  }
-
-  /// Runs host_sim in the folder; sets out_ and err_, gives the exit status.
-  int run(const std::string& arguments) {
-    const std::string command = "cd '" + folder_.string() + "' && '" HOST_SIM "' " + arguments +
-                                " > out.txt 2> err.txt < /dev/null";
-    const int status = std::system(command.c_str());
-    out_ = contents(folder_ / "out.txt");
-    err_ = contents(folder_ / "err.txt");
-    fs::remove(folder_ / "out.txt");
-    fs::remove(folder_ / "err.txt");
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-
-  [[nodiscard]] std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : fs::directory_iterator(folder_)) {
-      names.push_back(entry.path().filename().string());
-    }
-    std::sort(names.begin(), names.end());
-    return names;
-  }
-
-  fs::path folder_;
-  std::string out_;
-  std::string err_;
-};
+using host_sim_test::contents;
+using host_sim_test::Program;
+using host_sim_test::with;
 
 TEST_F(Program, ReplaysTheExampleOfThePapersUpperArm) {
   ASSERT_EQ(run("replay '" EXAMPLES "/upper_arm.csv' --model '" EXAMPLES
@@ -119,13 +75,6 @@ TEST_F(Program, BadModelsAreRefusedWithTheLine) {
   EXPECT_EQ(err_.rfind("absent.csv", 0), 0u) << err_;
 }
 
-std::string with(std::string text, const std::string& key, const std::string& value) {
-  const std::size_t at = text.find("\n" + key + " = ");
-  EXPECT_NE(at, std::string::npos) << key;
-  const std::size_t end = text.find('\n', at + 1);
-  return text.replace(at + 1, end - at - 1, key + " = " + value);
-}
-
 TEST_F(Program, ModelsThatTheBoardCannotRepresentAreRefusedWithWhatItAccepts) {
   const std::string model = contents(folder_ / "model.toml");
   struct Bad {
@@ -180,7 +129,8 @@ TEST_F(Program, AnInterruptionLeavesNothingBehind) {
       "cd '" + folder_.string() +
       "' && awk 'BEGIN { print \"time_s,input_tension_N\"; for (i = 0;; i++) print i \",\" i % 50 "
       "}' 2> /dev/null | timeout --preserve-status -s INT 1 '" HOST_SIM
-      "' replay - --model model.toml --json r.json --trajectory t.csv --report p.html 2> err.txt";
+      "' replay - --model model.toml --json r.json --trajectory t.csv --report p.html --can c.log "
+      "2> err.txt";
   const int status = std::system(command.c_str());
   EXPECT_EQ(WEXITSTATUS(status), 130);
   EXPECT_NE(contents(folder_ / "err.txt").find("interrupted"), std::string::npos);

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <variant>
+
+#include "firmware/app/intake.hpp"
+#include "firmware/protocol/messages.hpp"
+#include "hal/can_frame.hpp"
+#include "hal/clock.hpp"
+#include "host_sim/io/profile.hpp"
+#include "lifemodel/block/parameters.hpp"
+#include "lifemodel/damage/damage.hpp"
+#include "lifemodel/quantity/units.hpp"
+#include "lifemodel/state/flags.hpp"
+
+namespace host_sim {
+
+/// What the sensor of a board gives for one tendon; the kind follows InputKind.
+using BoardSample = std::variant<lifemodel::Tension, lifemodel::MotorCurrent, app::OutputTension>;
+
+/// The firmware for one tendon on a board of fakes: virtual time from 0, blank storage, a bus on
+/// which nobody else talks. The same input gives the same frames.
+class VirtualBoard {
+ public:
+  /// Hears of each frame as it leaves.
+  using Listener = std::function<void(hal::Time, const hal::CanFrame&)>;
+
+  VirtualBoard(InputKind kind, const lifemodel::Parameters& parameters, protocol::Node node,
+               Listener listener);
+  VirtualBoard(VirtualBoard&&) noexcept;
+  VirtualBoard& operator=(VirtualBoard&&) noexcept;
+  ~VirtualBoard();
+
+  /// Lets the time go by until `time`, then runs one period of the control loop with this sample.
+  /// @param missing periods that the control loop left out before it
+  /// @param flags what became of the sample on its way from the file
+  /// Precondition: times do not fall; the sample is of the kind of the board.
+  void take(hal::Time time, std::uint32_t missing, const BoardSample& sample,
+            lifemodel::Flags flags);
+
+  /// The control loop has ended. Goes on until the bus has been told of all that was sampled, then
+  /// stops the firmware. Gives the damage that it has counted.
+  lifemodel::Damage finish();
+
+ private:
+  class Firmware;
+  template <class Sample>
+  class FirmwareFor;
+  std::unique_ptr<Firmware> firmware_;
+};
+
+}  // namespace host_sim
