@@ -41,10 +41,10 @@ class FieldCodec {
   using Member = std::remove_cvref_t<decltype(std::declval<Message&>().*kMember)>;
   static_assert(std::is_unsigned_v<Member> || std::is_enum_v<Member>);
   static_assert(sizeof(Member) * 8 >= kSignal.bits, "the member does not hold the signal");
-  static_assert(!schema::kIsClosed<Member> || !kSignal.values.empty(), "its values have no names");
+  static_assert(!kSignal.is_closed || !kSignal.values.empty(), "its values have no names");
 
   static constexpr bool has_meaning(std::uint32_t raw) {
-    if constexpr (schema::kIsClosed<Member>) {
+    if constexpr (kSignal.is_closed) {
       return [raw]<std::size_t... kValues>(std::index_sequence<kValues...>) {
         return ((raw == std::integral_constant<std::uint32_t, kSignal.values[kValues].value>{}) ||
                 ...);

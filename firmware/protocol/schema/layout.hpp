@@ -16,8 +16,10 @@ struct Field {
   Signal signal;
 };
 
+/// Values of an enumeration are closed: receivers refuse those without a name.
 template <class Message, class Member>
-consteval Field<Message, Member> field(Member Message::*member, const Signal& signal) {
+consteval Field<Message, Member> field(Member Message::*member, Signal signal) {
+  signal.is_closed = std::is_enum_v<Member>;
   return {member, signal};
 }
 
@@ -37,9 +39,5 @@ template <class Message>
 inline constexpr bool kIsPage = requires {
   Message::kPage;
 };
-
-/// Whether only the named values of a signal of this member may appear.
-template <class Member>
-inline constexpr bool kIsClosed = std::is_enum_v<Member>;
 
 }  // namespace protocol::schema

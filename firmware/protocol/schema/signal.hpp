@@ -23,6 +23,7 @@ struct Signal {
   std::string_view unit = {};     ///< of the physical value; empty where it has none
   std::string_view comment = {};  ///< what it tells
   std::span<const ValueName> values = {};
+  bool is_closed = false;  ///< only named values may appear; set by field() from the member's type
 };
 
 /// The largest raw value that `bits` hold.

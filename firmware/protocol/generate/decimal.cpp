@@ -1,0 +1,49 @@
+#include "firmware/protocol/generate/decimal.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+namespace protocol::generate {
+namespace {
+
+/// A decimal as a whole number of its last place.
+struct Scaled {
+  std::uint64_t value = 0;
+  std::size_t places = 0;
+};
+
+Scaled scaled(std::string_view decimal) {
+  const std::size_t point = decimal.find('.');
+  std::string digits(decimal.substr(0, point));
+  Scaled result;
+  if (point != std::string_view::npos) {
+    digits += decimal.substr(point + 1);
+    result.places = decimal.size() - point - 1;
+  }
+  std::from_chars(digits.data(), digits.data() + digits.size(), result.value);
+  return result;
+}
+
+}  // namespace
+
+std::string times(std::uint32_t count, std::string_view decimal) {
+  const auto [value, places] = scaled(decimal);
+  std::string digits = fmt::format("{:0{}}", count * value, places + 1);
+  if (places == 0) {
+    return digits;
+  }
+  digits.insert(digits.size() - places, ".");
+  digits.erase(digits.find_last_not_of('0') + 1);
+  if (digits.back() == '.') {
+    digits.pop_back();
+  }
+  return digits;
+}
+
+std::string readable(std::string_view decimal) {
+  const auto [value, places] = scaled(decimal);
+  return places > 3 ? fmt::format("{}e-{}", value, places) : std::string(decimal);
+}
+
+}  // namespace protocol::generate
