@@ -127,6 +127,16 @@ TEST_F(ReplayToBus, EveryFrameOfTheExampleIsWholeAndInSequence) {
   EXPECT_EQ(pages.size(), protocol::detail::kPages);
 }
 
+TEST_F(ReplayToBus, WhatComesAtTheVeryEndIsToldToo) {
+  // By now the bus budget is spent and statuses are late, so that one leaves before the next
+  // reading.
+  write("late.csv",
+        contents(EXAMPLES "/upper_arm.csv") +
+            "60.005,10,0.01,270\n60.01,120,0.01,270\n60.015,10,0.01,270\n60.02,120,0.01,270\n");
+  ASSERT_EQ(run("replay late.csv --model model.toml --json r.json --can out.log"), 0) << err_;
+  EXPECT_EQ(all<protocol::LifeStatus>(log("out.log")).back().damage_ppb, damage_ppb());
+}
+
 TEST_F(ReplayToBus, TheSameProfileGivesTheSameBytes) {
   const std::string replay = "replay '" EXAMPLES "/upper_arm.csv' --model model.toml --can ";
   ASSERT_EQ(run(replay + "a.log"), 0) << err_;
