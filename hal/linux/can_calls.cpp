@@ -195,10 +195,4 @@ CanRestart CanCalls::restart() {
   }
 }
 
-Time CanCalls::now() const {
-  ::timespec time{};
-  ::clock_gettime(CLOCK_MONOTONIC, &time);
-  return microseconds(static_cast<std::uint64_t>(nanoseconds(time)) / 1'000);
-}
-
 }  // namespace hal::linux_os

@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "hal/clock.hpp"
 #include "hal/linux/can_wire.hpp"
 #include "hal/linux/descriptor.hpp"
 
@@ -51,7 +50,6 @@ class CanCalls {
   /// Whether the interface is there and up.
   [[nodiscard]] bool is_up() const;
   CanRestart restart();
-  [[nodiscard]] Time now() const;
 
  private:
   int configure();

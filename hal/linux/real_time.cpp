@@ -1,5 +1,6 @@
 #include "hal/linux/real_time.hpp"
 
+#include <malloc.h>
 #include <pthread.h>
 #include <sched.h>
 #include <sys/mman.h>
@@ -10,7 +11,9 @@
 namespace hal::linux_os {
 
 std::string lock_memory() {
-  if (::mlockall(MCL_CURRENT | MCL_FUTURE) == 0) {
+  ::mallopt(M_TRIM_THRESHOLD, -1);
+  ::mallopt(M_MMAP_MAX, 0);
+  if (::mlockall(MCL_CURRENT) == 0) {
     return {};
   }
   return std::string("memory cannot be locked: ") + std::strerror(errno) +
@@ -26,6 +29,11 @@ std::string schedule_fifo(int priority) {
   }
   return "SCHED_FIFO at priority " + std::to_string(priority) +
          " is refused: " + std::strerror(error) + " (needs CAP_SYS_NICE or LimitRTPRIO)";
+}
+
+void schedule_normally() {
+  const ::sched_param parameter{};
+  ::pthread_setschedparam(::pthread_self(), SCHED_OTHER, &parameter);
 }
 
 }  // namespace hal::linux_os

@@ -12,4 +12,7 @@ std::string lock_memory();
 /// what would help. Precondition: 1 <= priority <= 99.
 std::string schedule_fifo(int priority);
 
+/// Puts the calling thread under SCHED_OTHER; threads that it started keep theirs.
+void schedule_normally();
+
 }  // namespace hal::linux_os

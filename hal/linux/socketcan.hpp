@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdint>
 #include <optional>
@@ -27,7 +26,7 @@ struct SocketCanCounts {
 };
 
 /// A CAN port over a raw socket. Nothing waits, but for recover(), which may take the lock of the
-/// network configuration once an attempt; attempts are 100 ms apart, growing to 3.2 s.
+/// network configuration: the caller leaves growing pauses between its attempts.
 ///
 /// The port is off while the controller is off the bus, while the interface is down and while it is
 /// gone. recover() asks the kernel to restart the controller, which needs CAP_NET_ADMIN; where the
@@ -94,22 +93,20 @@ class BasicSocketCan {
     if (status().state != CanState::off) {
       return Error::none;
     }
-    const Time now = calls_.now();
-    if (now < next_attempt_) {
+    if (gone_ && !reopen()) {
       return Error::off;
     }
-    const Error error = attempt();
-    pause_ = error == Error::none ? kFirstPause : std::min(pause_ + pause_, kLongestPause);
-    next_attempt_ = now + pause_;
-    return error;
+    down_ = !calls_.is_up();
+    if (down_) {
+      return Error::off;
+    }
+    return status_.state == CanState::off ? restart() : Error::none;
   }
 
   [[nodiscard]] const SocketCanCounts& counts() const { return counts_; }
 
  private:
   static constexpr int kMostReceipts = 32;
-  static constexpr Time kFirstPause = milliseconds(100);
-  static constexpr Time kLongestPause = milliseconds(3'200);
 
   void note_loss(int error) {
     if (error == ENETDOWN && !down_) {
@@ -131,20 +128,14 @@ class BasicSocketCan {
     counts_.timestamp_ns = receipt.time_ns;
   }
 
-  Error attempt() {
-    if (gone_) {
-      if (calls_.reopen() != 0) {
-        return Error::off;
-      }
-      gone_ = false;
-      ++counts_.reopened;
-      status_.state = CanState::active;
+  bool reopen() {
+    if (calls_.reopen() != 0) {
+      return false;
     }
-    down_ = !calls_.is_up();
-    if (down_) {
-      return Error::off;
-    }
-    return status_.state == CanState::off ? restart() : Error::none;
+    gone_ = false;
+    ++counts_.reopened;
+    status_.state = CanState::active;
+    return true;
   }
 
   Error restart() {
@@ -166,8 +157,6 @@ class BasicSocketCan {
   CanStatus status_;
   SocketCanCounts counts_;
   std::uint32_t lost_before_ = 0;
-  Time next_attempt_{};
-  Time pause_ = kFirstPause;
   bool down_ = false;
   bool gone_ = false;
 };

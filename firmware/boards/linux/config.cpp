@@ -1,0 +1,221 @@
+#include "firmware/boards/linux/config.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string>
+
+#include "firmware/boards/linux/text_file.hpp"
+#include "firmware/boards/linux/toml_table.hpp"
+#include "host_sim/io/input_error.hpp"
+
+namespace board {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kSizeLimit = std::size_t{1} << 20;
+constexpr std::array<std::string_view, 3> kRealTime{"off", "prefer", "require"};
+constexpr std::array<std::string_view, 3> kSensorKinds{"iio", "iio-buffer", "profile"};
+constexpr std::array<std::string_view, 2> kAtEnd{"stop", "repeat"};
+
+class ConfigReader {
+ public:
+  ConfigReader(std::string_view name, const toml::table& root, const fs::path& folder)
+      : folder_(folder),
+        root_(name, "the file", root,
+              {"schema", "node", "can", "loop", "store", "sensor", "tendon", "gpio"}) {}
+
+  Config read() {
+    static_cast<void>(root_.integer("schema", 1, 1));
+    read_node();
+    read_can();
+    read_loop();
+    config_.store =
+        path(root_.table("store", {"folder"}), "folder", "a folder to keep the lives in");
+    read_sensor();
+    read_tendons();
+    read_gpio();
+    return config_;
+  }
+
+ private:
+  fs::path path(const TomlTable& table, std::string_view key, std::string_view accepted) const {
+    return folder_ / table.text(key, accepted);
+  }
+
+  void read_node() {
+    const TomlTable node = root_.table("node", {"id", "serial", "authority_key"});
+    config_.node = static_cast<protocol::Node>(node.integer("id", 1, 127));
+    constexpr std::string_view kSerial = "serial of 1 to 12 characters";
+    config_.serial = node.text_or("serial", kSerial, "");
+    if (config_.serial.size() > 12) {
+      node.refuse("serial", kSerial);
+    }
+    if (node.has("authority_key")) {
+      config_.authority_key = path(node, "authority_key", "a file with the key of this node");
+    }
+  }
+
+  void read_can() {
+    const TomlTable can = root_.table("can", {"interface", "log"});
+    config_.can.interface = can.text("interface", "the name of a CAN interface, or \"none\"");
+    if (can.has("log")) {
+      if (config_.can.interface != kNoBus) {
+        can.refuse("log", "a log beside a bus",
+                   "log where interface is \"none\"; candump logs a bus");
+      }
+      config_.can.log = path(can, "log", "a file for the frames");
+    }
+  }
+
+  void read_loop() {
+    const TomlTable loop = root_.table("loop", {"rate_Hz", "real_time", "priority"});
+    config_.loop.period_us =
+        static_cast<std::uint32_t>(std::lround(1e6 / loop.number("rate_Hz", {1, 20'000})));
+    if (loop.has("real_time")) {
+      config_.loop.real_time = static_cast<RealTime>(loop.choice("real_time", kRealTime));
+    }
+    config_.loop.priority = loop.integer_or("priority", 1, 98, config_.loop.priority);
+  }
+
+  void read_sensor() {
+    const TomlTable sensor = root_.table("sensor", {"kind", "device", "trigger", "at_end"});
+    SensorConfig& config = config_.sensor;
+    config.kind = static_cast<SensorKind>(sensor.choice("kind", kSensorKinds));
+    only_for(sensor, {"at_end"}, config.kind == SensorKind::profile, "kind is \"profile\"");
+    only_for(sensor, {"device"}, config.kind != SensorKind::profile, "kind is \"iio\"");
+    only_for(sensor, {"trigger"}, config.kind == SensorKind::iio_buffer, "kind is \"iio-buffer\"");
+    if (config.kind == SensorKind::profile) {
+      config.at_end = static_cast<AtEnd>(sensor.choice("at_end", kAtEnd));
+    } else {
+      config.device = sensor.text("device", "an IIO device, e.g. \"iio:device0\" or its name");
+      config.trigger = sensor.text_or("trigger", "the name of an IIO trigger", "");
+    }
+  }
+
+  static void only_for(const TomlTable& table, std::initializer_list<std::string_view> keys,
+                       bool allowed, std::string_view when) {
+    for (const std::string_view key : keys) {
+      if (table.has(key) && !allowed) {
+        table.refuse(key, fmt::format("{} is of no use here", key),
+                     fmt::format("{} where {}", key, when));
+      }
+    }
+  }
+
+  void read_tendons() {
+    const std::string accepted = fmt::format("1 to {} tables [[tendon]]", kMostTendons);
+    const auto* const array = root_.node("tendon", accepted).as_array();
+    if (array == nullptr || array->empty() || array->size() > kMostTendons ||
+        !array->is_homogeneous<toml::table>()) {
+      root_.refuse("tendon",
+                   array == nullptr ? "tendon is no array of tables"
+                                    : fmt::format("tendon has {} entries", array->size()),
+                   accepted);
+    }
+    for (const toml::node& entry : *array) {
+      read_tendon(*entry.as_table());
+    }
+  }
+
+  void read_tendon(const toml::table& entry) {
+    const TomlTable tendon(root_.file(), "[[tendon]]", entry,
+                           {"parameters", "channel", "ampere_per_unit", "profile"});
+    const bool profile = config_.sensor.kind == SensorKind::profile;
+    only_for(tendon, {"profile"}, profile, "the sensor is a profile");
+    only_for(tendon, {"channel", "ampere_per_unit"}, !profile, "the sensor is of IIO");
+    TendonConfig config;
+    config.parameters = path(tendon, "parameters", "a parameter block, made by `host_sim pack`");
+    if (profile) {
+      config.profile = path(tendon, "profile", "a profile (CSV)");
+    } else {
+      config.channel = channel(tendon);
+      config.ampere_per_unit =
+          tendon.number_or("ampere_per_unit", {-1e6, 1e6}, config.ampere_per_unit);
+    }
+    config_.tendons.push_back(config);
+  }
+
+  static std::string channel(const TomlTable& tendon) {
+    constexpr std::string_view kAccepted = "a channel of the IIO device, e.g. \"in_current0\"";
+    const std::string channel = tendon.text("channel", kAccepted);
+    if (channel.find('/') != std::string::npos) {
+      tendon.refuse("channel", kAccepted);
+    }
+    return channel;
+  }
+
+  static LineConfig line(const TomlTable& table, std::string_view key) {
+    constexpr std::string_view kAccepted =
+        "the name or offset of a line as a text, or { line = \"...\", active_low = true }";
+    if (table.node(key, kAccepted).is_string()) {
+      return {table.text(key, kAccepted), false};
+    }
+    if (!table.node(key, kAccepted).is_table()) {
+      table.refuse(key, kAccepted);
+    }
+    const TomlTable entry = table.table(key, {"line", "active_low"});
+    const auto* const low =
+        entry.has("active_low") ? entry.node("active_low", "true or false").as_boolean() : nullptr;
+    if (entry.has("active_low") && low == nullptr) {
+      entry.refuse("active_low", "true or false");
+    }
+    return {entry.text("line", "the name or offset of a line as a text"),
+            low != nullptr && low->get()};
+  }
+
+  static std::optional<LineConfig> line_if_any(const TomlTable& table, std::string_view key) {
+    return table.has(key) ? std::optional(line(table, key)) : std::nullopt;
+  }
+
+  void read_gpio() {
+    const TomlTable gpio = root_.table("gpio", {"chip", "drive_enable", "brake", "emergency_stop",
+                                                "debounce_ms", "status_light", "watchdog"});
+    GpioConfig config;
+    config.chip = gpio.text("chip", "a gpiochip by path, name or label, or \"none\"");
+    if (config.chip == kNoBus) {
+      only_for(
+          gpio,
+          {"drive_enable", "brake", "emergency_stop", "debounce_ms", "status_light", "watchdog"},
+          false, "chip is not \"none\"");
+      return;
+    }
+    config.drive_enable = line(gpio, "drive_enable");
+    config.brake = line(gpio, "brake");
+    config.emergency_stop = line(gpio, "emergency_stop");
+    config.debounce =
+        std::chrono::microseconds(std::lround(1e3 * gpio.number_or("debounce_ms", {1, 5}, 2)));
+    config.status_light = line_if_any(gpio, "status_light");
+    config.watchdog = line_if_any(gpio, "watchdog");
+    config_.gpio = config;
+  }
+
+  fs::path folder_;
+  TomlTable root_;
+  Config config_;
+};
+
+toml::table parse(std::string_view text, std::string_view name) {
+  try {
+    return toml::parse(text);
+  } catch (const toml::parse_error& error) {
+    const toml::source_position at = error.source().begin;
+    throw host_sim::InputError(name, at.line, at.column, error.description(), "TOML 1.0");
+  }
+}
+
+}  // namespace
+
+Config parse_config(std::string_view text, std::string_view name, const fs::path& folder) {
+  const toml::table root = parse(text, name);
+  return ConfigReader(name, root, folder).read();
+}
+
+Config read_config(const fs::path& path) {
+  const std::string text =
+      read_small_file(path, kSizeLimit, "a configuration (TOML) of at most 1 MiB");
+  return parse_config(text, path.string(), path.parent_path());
+}
+
+}  // namespace board

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "firmware/protocol/messages.hpp"
+
+namespace board {
+
+/// An interface name that stands for no bus: frames go into a log.
+inline constexpr std::string_view kNoBus = "none";
+
+struct CanConfig {
+  std::string interface;
+  std::filesystem::path log;  ///< without a bus, where the frames go; empty: nowhere
+};
+
+/// What to do where the real-time scheduling of the control loop is refused.
+enum class RealTime : std::uint8_t { off, prefer, require };
+
+struct LoopConfig {
+  std::uint32_t period_us = 1'000;
+  RealTime real_time = RealTime::prefer;
+  int priority = 50;
+};
+
+enum class SensorKind : std::uint8_t { iio, iio_buffer, profile };
+enum class AtEnd : std::uint8_t { stop, repeat };
+
+struct SensorConfig {
+  SensorKind kind = SensorKind::iio;
+  std::string device;   ///< of IIO
+  std::string trigger;  ///< of IIO; empty: the one that is set
+  AtEnd at_end = AtEnd::stop;
+};
+
+struct TendonConfig {
+  std::filesystem::path parameters;
+  std::string channel;            ///< of IIO
+  double ampere_per_unit = 1e-3;  ///< of IIO
+  std::filesystem::path profile;
+};
+
+struct LineConfig {
+  std::string line;  ///< name, or offset in digits
+  bool active_low = false;
+};
+
+struct GpioConfig {
+  std::string chip;
+  LineConfig drive_enable;
+  LineConfig brake;
+  LineConfig emergency_stop;
+  std::chrono::microseconds debounce{2'000};
+  std::optional<LineConfig> status_light;
+  std::optional<LineConfig> watchdog;
+};
+
+inline constexpr std::size_t kMostTendons = 4;
+
+/// What `controller.toml` says; see examples/controller.toml.
+struct Config {
+  protocol::Node node = 1;
+  std::string serial;  ///< at most 12 characters
+  std::optional<std::filesystem::path> authority_key;
+  CanConfig can;
+  LoopConfig loop;
+  std::filesystem::path store;
+  SensorConfig sensor;
+  std::vector<TendonConfig> tendons;  ///< 1 .. kMostTendons
+  std::optional<GpioConfig> gpio;     ///< nothing: bench without lines
+};
+
+/// Reads a configuration; relative paths in it start at `folder`. Throws host_sim::InputError.
+Config parse_config(std::string_view text, std::string_view name,
+                    const std::filesystem::path& folder = {});
+/// The same of a file of at most 1 MiB; relative paths start at its folder.
+Config read_config(const std::filesystem::path& path);
+
+}  // namespace board

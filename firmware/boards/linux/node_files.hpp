@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+
+#include "firmware/app/config.hpp"
+#include "lifemodel/block/parameters.hpp"
+
+namespace board {
+
+/// Reads the key of a node: 32 hexadecimal digits in a regular file that only its owner may read or
+/// write, as OpenSSH asks of private keys. Throws host_sim::InputError.
+app::Key read_authority_key(const std::filesystem::path& path);
+
+/// Reads a parameter block that `host_sim pack` made, for a loop of this period. Throws
+/// host_sim::InputError.
+lifemodel::Parameters read_parameters(const std::filesystem::path& path, std::uint32_t period_us);
+
+}  // namespace board

@@ -1,0 +1,3 @@
+#include "firmware/boards/linux/run_tendons.hpp"
+
+template board::Report board::run_tendons<4>(const Setup&, const std::atomic<bool>&);
