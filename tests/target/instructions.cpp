@@ -7,13 +7,13 @@
 #include <cstdint>
 #include <span>
 
+#include "firmware/boards/qemu_mps2/arguments.hpp"
 #include "firmware/boards/qemu_mps2/instruction_counter.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
-#include "tests/target/arguments.hpp"
+#include "firmware/boards/qemu_mps2/text.hpp"
 #include "tests/target/entry/entry.hpp"
 #include "tests/target/model/parameters.hpp"
 #include "tests/target/signals.hpp"
-#include "tests/target/text.hpp"
 
 namespace board = firmware::qemu_mps2;
 
@@ -108,7 +108,7 @@ class Measurement {
 
  private:
   void report(const char* name, const char* suffix, std::uint32_t thousandths) {
-    Text<100> line;
+    board::Text<100> line;
     line << "  " << name << suffix << " " << thousandths / 1000 << ".";
     line.decimal(thousandths % 1000, 3) << "\n";
     board::write(line.c_str());
@@ -162,14 +162,14 @@ class Measurement {
   }
 
   board::InstructionCounter counter_;
-  Text<4096> json_;
+  board::Text<4096> json_;
 };
 
 }  // namespace
 }  // namespace target
 
 int main() {
-  const target::Arguments arguments;
+  const firmware::qemu_mps2::Arguments arguments;
   if (arguments.count() != 2) {
     return 2;
   }

@@ -7,13 +7,13 @@
 #include <cstring>
 #include <span>
 
+#include "firmware/boards/qemu_mps2/arguments.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
 #include "firmware/boards/qemu_mps2/stack_bytes.hpp"
-#include "tests/target/arguments.hpp"
+#include "firmware/boards/qemu_mps2/text.hpp"
 #include "tests/target/entry/entry.hpp"
 #include "tests/target/model/parameters.hpp"
 #include "tests/target/signals.hpp"
-#include "tests/target/text.hpp"
 
 namespace board = firmware::qemu_mps2;
 
@@ -70,7 +70,7 @@ int run(const char* path) {
   }
   measure_library(deepest);
 
-  Text<400> json;
+  board::Text<400> json;
   json << "{\n  \"push_one\": " << deepest.push << ",\n  \"settle_one\": " << deepest.settle
        << ",\n  \"reading_one\": " << deepest.reading << ",\n  \"memcpy\": " << deepest.memcpy
        << ",\n  \"memset\": " << deepest.memset << "\n}\n";
@@ -83,6 +83,6 @@ int run(const char* path) {
 }  // namespace target
 
 int main() {
-  const target::Arguments arguments;
+  const firmware::qemu_mps2::Arguments arguments;
   return arguments.count() == 2 ? target::run(arguments[1]) : 2;
 }

@@ -35,12 +35,16 @@ extern "C" [[noreturn, gnu::used]] void report_fault(const std::uint32_t* frame)
   exit(kFaultExitCode);
 }
 
-extern "C" [[gnu::naked]] void fault() {
+extern "C" [[gnu::naked]] void fault() noexcept {
   __asm__ volatile(
       "mrs r0, msp\n"
       "ldr r1, =fault_stack_top\n"
       "mov sp, r1\n"
       "b report_fault\n");
 }
+
+extern "C" [[gnu::weak, gnu::alias("fault")]] void pend_sv() noexcept;
+extern "C" [[gnu::weak, gnu::alias("fault")]] void sys_tick() noexcept;
+extern "C" [[gnu::weak, gnu::alias("fault")]] void uart0_receive() noexcept;
 
 }  // namespace firmware::qemu_mps2

@@ -2,7 +2,8 @@
 
 #include <cstdint>
 
-/// Core registers, ARMv7-M Architecture Reference Manual (DDI 0403E), B3.2.2, B3.3.2 and B3.5.4.
+/// Core registers, ARMv7-M Architecture Reference Manual (DDI 0403E), B3.2.2, B3.3.2, B3.4.3
+/// and B3.5.4.
 namespace firmware::qemu_mps2::registers {
 
 class Register {
@@ -22,6 +23,9 @@ inline constexpr Register kSysTickControl{0xE000E010};
 inline constexpr Register kSysTickReload{0xE000E014};
 inline constexpr Register kSysTickCurrent{0xE000E018};
 inline constexpr Register kInterruptControlState{0xE000ED04};
+inline constexpr Register kSystemHandlerPriority3{0xE000ED20};
+inline constexpr Register kInterruptSetEnable0{0xE000E100};
+inline constexpr Register kInterruptPriority0{0xE000E400};
 inline constexpr Register kConfigurableFaultStatus{0xE000ED28};
 inline constexpr Register kMpuControl{0xE000ED94};
 inline constexpr Register kMpuRegionNumber{0xE000ED98};

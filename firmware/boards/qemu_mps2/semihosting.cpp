@@ -11,6 +11,7 @@ enum class Operation : std::uint32_t {
   write0 = 0x04,
   write = 0x05,
   read = 0x06,
+  seek = 0x0a,
   get_command_line = 0x15,
   exit_extended = 0x20,
 };
@@ -70,6 +71,11 @@ std::size_t HostFile::read(std::span<std::byte> out) {
   const std::array<std::uint32_t, 3> block{handle_, word(out.data()), size};
   const std::uint32_t missing = call(Operation::read, block.data());
   return missing > size ? 0 : size - missing;
+}
+
+bool HostFile::seek(std::uint32_t position) {
+  const std::array<std::uint32_t, 2> block{handle_, position};
+  return call(Operation::seek, block.data()) == 0;
 }
 
 bool HostFile::write(std::span<const std::byte> bytes) {

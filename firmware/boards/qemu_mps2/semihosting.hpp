@@ -20,8 +20,9 @@ std::size_t command_line(std::span<char> out);
 /// A file of the host; closed at the end of the scope.
 class HostFile {
  public:
-  /// Values of the standard: modes of fopen, binary.
-  enum class Mode : std::uint32_t { read = 1, write = 5 };
+  /// Values of the standard: modes of fopen, binary; `update` wants a file that is there, `replace`
+  /// makes a new one, and both read and write.
+  enum class Mode : std::uint32_t { read = 1, update = 3, write = 5, replace = 7 };
 
   HostFile(const char* path, Mode mode);
   ~HostFile();
@@ -31,6 +32,8 @@ class HostFile {
   [[nodiscard]] bool is_open() const { return handle_ != kNoHandle; }
   /// Bytes that were read: fewer than asked for only at the end of the file.
   [[nodiscard]] std::size_t read(std::span<std::byte> out);
+  /// The next byte that is read or written. True when it is there.
+  [[nodiscard]] bool seek(std::uint32_t position);
   /// True when all bytes were written.
   [[nodiscard]] bool write(std::span<const std::byte> bytes);
 

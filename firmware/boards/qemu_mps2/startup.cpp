@@ -22,6 +22,7 @@ namespace {
 struct VectorTable {
   std::uint32_t* initial_stack;
   std::array<void (*)(), 15> handlers;
+  std::array<void (*)(), 32> interrupts;
 };
 
 /// Everything below the SRAM becomes read-only: QEMU would take writes to a null pointer and past
@@ -49,10 +50,19 @@ extern "C" [[noreturn]] void reset() {
   exit(run_program());
 }
 
-// ARMv7-M Architecture Reference Manual (DDI 0403E), B1.5.3.
-extern "C" [[gnu::section(".vectors"), gnu::used]] const VectorTable vector_table{
+constexpr std::array<void (*)(), 32> interrupts() {
+  std::array<void (*)(), 32> all{};
+  all.fill(fault);
+  all[0] = uart0_receive;
+  return all;
+}
+
+// ARMv7-M Architecture Reference Manual (DDI 0403E), B1.5.3. Interrupt 0 of the AN386 image is
+// the receive interrupt of UART 0.
+extern "C" [[gnu::section(".vectors"), gnu::used]] constinit const VectorTable vector_table{
     stack_top,
     {reset, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault, fault,
-     fault, fault}};
+     pend_sv, sys_tick},
+    interrupts()};
 
 }  // namespace firmware::qemu_mps2

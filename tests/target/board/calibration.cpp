@@ -4,7 +4,7 @@
 
 #include "firmware/boards/qemu_mps2/instruction_counter.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
-#include "tests/target/text.hpp"
+#include "firmware/boards/qemu_mps2/text.hpp"
 
 namespace board = firmware::qemu_mps2;
 
@@ -19,7 +19,7 @@ int failures = 0;
 void expect(const char* what, std::uint32_t n, std::uint32_t expected, std::uint32_t counted) {
   if (counted != expected) {
     ++failures;
-    target::Text<120> line;
+    firmware::qemu_mps2::Text<120> line;
     line << what << "(" << n << "): expected " << expected << ", counted " << counted << "\n";
     board::write(line.c_str());
   }

@@ -4,8 +4,8 @@
 #include <array>
 #include <cstddef>
 
+#include "firmware/boards/qemu_mps2/arguments.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
-#include "tests/target/arguments.hpp"
 
 namespace board = firmware::qemu_mps2;
 
@@ -38,7 +38,7 @@ bool read_file(const char* path) {
 }  // namespace
 
 int main() {
-  const target::Arguments arguments;
+  const firmware::qemu_mps2::Arguments arguments;
   if (arguments.count() != 2) {
     board::write("expected one argument\n");
     return 2;

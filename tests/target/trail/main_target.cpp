@@ -7,8 +7,8 @@
 #include <span>
 #include <string_view>
 
+#include "firmware/boards/qemu_mps2/arguments.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
-#include "tests/target/arguments.hpp"
 #include "tests/target/trail/trail.hpp"
 
 namespace {
@@ -43,7 +43,7 @@ class Files {
 }  // namespace
 
 int main() {
-  const target::Arguments arguments;
+  const firmware::qemu_mps2::Arguments arguments;
   if (arguments.count() != 3) {
     return 2;
   }

@@ -5,11 +5,11 @@
 #include <cstdint>
 #include <span>
 
+#include "firmware/boards/qemu_mps2/text.hpp"
 #include "lifemodel/estimator.hpp"
 #include "lifemodel/support/crc32.hpp"
 #include "tests/target/model/parameters.hpp"
 #include "tests/target/signals.hpp"
-#include "tests/target/text.hpp"
 
 namespace target {
 
@@ -35,7 +35,7 @@ class Trail {
  private:
   using Estimator = lifemodel::Estimator<2>;
   using Tension = lifemodel::Tension;
-  using Line = Text<240>;
+  using Line = firmware::qemu_mps2::Text<240>;
 
   void signal(const Signal& signal) {
     Estimator estimator(paper_parameters<2>());

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "firmware/app/app.hpp"
+#include "firmware/boards/qemu_mps2/image/format.hpp"
+#include "firmware/storage/flash_store.hpp"
+#include "hal/qemu_mps2/lines.hpp"
+#include "hal/qemu_mps2/memory_flash.hpp"
+#include "hal/qemu_mps2/played_sensor.hpp"
+#include "hal/qemu_mps2/seeded_entropy.hpp"
+#include "hal/slcan/port.hpp"
+
+namespace firmware::qemu_mps2 {
+
+inline constexpr std::uint32_t kFlashPages = 20;
+inline constexpr std::uint32_t kFlashBytes = kFlashPages * 2'048;
+
+struct Settings {
+  app::Config config;
+  app::ParameterSet<kTendons> parameters;  ///< where the store has none
+  std::uint32_t seed = 1;                  ///< of the entropy
+  hal::slcan::Channel channel = hal::slcan::Channel::closed;
+};
+
+/// The application and its devices. The same on the board and, with other lines and files below it,
+/// on the host.
+template <hal::ByteStream Stream, hal::Clock Clock, hal::qemu_mps2::Backing Backing,
+          hal::Hold Hold = hal::NoHold>
+class Machine {
+ public:
+  using Flash = hal::qemu_mps2::MemoryFlash<kFlashPages, Backing>;
+  using Store = storage::FlashStore<Flash, kTendons>;
+  using Can = hal::slcan::Port<Stream>;
+  using Sensor = hal::qemu_mps2::PlayedSensor<kTendons>;
+  using Line = hal::qemu_mps2::OutputLine;
+  using Devices =
+      app::Devices<Can, Sensor, Clock, Store, Line, Line, Line, hal::qemu_mps2::InputLine,
+                   hal::qemu_mps2::CountingWatchdog, hal::qemu_mps2::SeededEntropy, Hold>;
+  using App = app::App<kTendons, Devices>;
+
+  Machine(Stream& stream, const Clock& clock, Backing& backing, Hold& hold,
+          const Settings& settings)
+      : flash(backing),
+        store(flash),
+        can(stream, settings.channel),
+        entropy(settings.seed),
+        app(Devices{can, sensor, clock, store, drive_enable, brake, light, emergency_stop, watchdog,
+                    entropy, hold},
+            settings.config, app::stored_parameters<kTendons>(store, settings.parameters)) {}
+  Machine(const Machine&) = delete;
+  Machine& operator=(const Machine&) = delete;
+
+  Flash flash;
+  Store store;
+  Can can;
+  Sensor sensor;
+  Line drive_enable;
+  Line brake;
+  Line light;
+  hal::qemu_mps2::InputLine emergency_stop;
+  hal::qemu_mps2::CountingWatchdog watchdog;
+  hal::qemu_mps2::SeededEntropy entropy;
+  App app;
+};
+
+}  // namespace firmware::qemu_mps2

@@ -1,0 +1,152 @@
+// Makes a recording: the samples of a scenario, and what a live host does to the node while it
+// runs.
+//
+// usage: record SCENARIO SERIAL profile=FILE block=FILE events=FILE [NAME=VALUE]...
+//        record --list
+
+#include <array>
+#include <deque>
+#include <fstream>
+#include <iostream>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "firmware/boards/qemu_mps2/image/options.hpp"
+#include "firmware/boards/qemu_mps2/image/virtual_run.hpp"
+#include "tests/target/firmware/host_file.hpp"
+#include "tests/target/firmware/scenarios.hpp"
+#include "tests/target/firmware/serial_file.hpp"
+
+namespace board = firmware::qemu_mps2;
+
+namespace firmware_test {
+namespace {
+
+template <class Container>
+void put(std::ofstream& out, const Container& data) {
+  out.write(reinterpret_cast<const char*>(std::data(data)),
+            static_cast<std::streamsize>(std::size(data)));
+}
+
+void put_word(std::ofstream& out, std::uint32_t word) {
+  std::array<std::byte, 4> bytes_of{};
+  lifemodel::ByteWriter(bytes_of).u32(word);
+  put(out, bytes_of);
+}
+
+bool write_profile(const Scenario& scenario, const char* path) {
+  using Header = board::ProfileHeader;
+  std::ofstream out(path, std::ios::binary);
+  for (const std::uint32_t word : {Header::kMagic, Header::kVersion, std::uint32_t{board::kTendons},
+                                   scenario.sample_period_us}) {
+    put_word(out, word);
+  }
+  const std::uint32_t samples = scenario.duration_ms * 1'000 / scenario.sample_period_us;
+  for (std::uint32_t i = 0; i < samples; ++i) {
+    for (std::size_t tendon = 0; tendon < board::kTendons; ++tendon) {
+      const double time_s = i * 1e-6 * scenario.sample_period_us;
+      put_word(out, static_cast<std::uint32_t>(scenario.current(time_s, tendon)));
+    }
+  }
+  return out.flush().good();
+}
+
+/// Lets the scenario and its tester act while the node runs, and writes down what they do.
+class LiveScript {
+ public:
+  LiveScript(const Scenario& scenario, const app::Config& config, SerialFile& serial,
+             const char* events)
+      : scenario_(scenario),
+        tester_(config.node, config.key),
+        serial_(serial),
+        events_(events, std::ios::binary) {}
+
+  std::optional<Event> due(hal::Time now) {
+    if (now.us % 1'000 == 0 && now != last_) {
+      last_ = now;
+      act(now);
+    }
+    if (happening_.empty()) {
+      return std::nullopt;
+    }
+    Event event = happening_.front();
+    happening_.pop_front();
+    event.at_ms = static_cast<std::uint32_t>(now.us / 1'000);
+    put_word(events_, event.at_ms);
+    put_word(events_, static_cast<std::uint32_t>(event.kind));
+    put(events_, event.payload);
+    return event;
+  }
+
+  [[nodiscard]] bool close() {
+    events_.close();
+    return events_.good() && next_ == scenario_.deeds.size();
+  }
+
+ private:
+  void act(hal::Time now) {
+    for (; next_ < scenario_.deeds.size() && hal::milliseconds(scenario_.deeds[next_].at_ms) <= now;
+         ++next_) {
+      for (const Event& event : scenario_.deeds[next_].act(tester_)) {
+        happening_.push_back(event);
+      }
+    }
+    for (const std::string& line : tester_.turn(now, serial_.news())) {
+      happening_.push_back(line_of(line));
+    }
+  }
+
+  const Scenario& scenario_;
+  Tester tester_;
+  SerialFile& serial_;
+  std::ofstream events_;
+  std::deque<Event> happening_;
+  std::size_t next_ = 0;
+  hal::Time last_{};
+};
+
+int record(const Scenario& scenario, const char* serial_path, const board::Options& options) {
+  std::ofstream block(options.block, std::ios::binary);
+  put(block, target::kPaperBlock);
+  block.close();
+  if (!block.good() || !write_profile(scenario, options.profile)) {
+    std::cerr << "record: cannot write profile or block\n";
+    return 1;
+  }
+  SerialFile serial(serial_path);
+  LiveScript script(scenario, options.config, serial, options.events);
+  const board::Failure failure = board::play_profile<HostFile>(options, serial, script);
+  if (failure || !script.close() || !serial.close()) {
+    std::cerr << "record: " << (failure ? failure.what : "not all could be written") << "\n";
+    return 1;
+  }
+  return 0;
+}
+
+int run(std::span<char*> words) {
+  const std::string_view name = words.size() > 1 ? words[1] : "";
+  for (const Scenario& scenario : scenarios()) {
+    if (name == "--list") {
+      std::cout << scenario.name << "\n";
+    } else if (name == scenario.name && words.size() > 2) {
+      board::OptionReader reader;
+      for (const char* word : words.subspan(3)) {
+        if (const char* accepted = reader.take(word)) {
+          std::cerr << "record: " << word << ": accepted: " << accepted << "\n";
+          return 2;
+        }
+      }
+      return record(scenario, words[2], reader.options());
+    }
+  }
+  return name == "--list" ? 0 : 2;
+}
+
+}  // namespace
+}  // namespace firmware_test
+
+int main(int argc, char** argv) {
+  return firmware_test::run(std::span(argv, static_cast<std::size_t>(argc)));
+}

@@ -1,0 +1,206 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <numbers>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "firmware/boards/qemu_mps2/image/format.hpp"
+#include "hal/qemu_mps2/played_sensor.hpp"
+#include "lifemodel/support/bytes.hpp"
+#include "tests/target/firmware/tester.hpp"
+#include "tests/target/model/block.hpp"
+#include "tests/target/signals.hpp"
+
+namespace firmware_test {
+
+using firmware::qemu_mps2::Event;
+using firmware::qemu_mps2::EventKind;
+
+/// What the host does at a moment: lines it types, and requests it hands to the tester.
+struct Deed {
+  std::uint32_t at_ms;
+  std::function<std::vector<Event>(Tester&)> act;
+};
+
+struct Scenario {
+  const char* name;
+  std::uint32_t sample_period_us;
+  std::uint32_t duration_ms;
+  /// Raw motor current of a tendon.
+  std::function<std::int32_t(double time_s, std::size_t tendon)> current;
+  std::vector<Deed> deeds;
+};
+
+/// The paper's drive: 20.592 N for each ampere, in steps of 2^-24 A.
+inline std::int32_t raw_current(double tension_N) {
+  return static_cast<std::int32_t>(std::lround(tension_N / 20.592 * (1 << 24)));
+}
+
+inline double sine(double time_s, double frequency_Hz) {
+  return std::sin(2 * std::numbers::pi * frequency_Hz * time_s);
+}
+
+inline Event event_of(EventKind kind, std::uint32_t word) {
+  Event event;
+  event.kind = kind;
+  lifemodel::ByteWriter(event.payload).u32(word);
+  return event;
+}
+
+inline Event line_of(std::string_view text) {
+  Event event;
+  event.kind = EventKind::line;
+  std::ranges::copy(std::as_bytes(std::span(text)), event.payload.begin());
+  return event;
+}
+
+inline Deed happens(std::uint32_t at_ms, EventKind kind, std::uint32_t word) {
+  return {at_ms, [=](Tester&) { return std::vector{event_of(kind, word)}; }};
+}
+inline Deed types(std::uint32_t at_ms, const char* text) {
+  return {at_ms, [=](Tester&) { return std::vector{line_of(text)}; }};
+}
+inline Deed commands(std::uint32_t at_ms, protocol::CommandCode code, std::uint8_t argument) {
+  return {at_ms, [=](Tester& tester) {
+            return std::vector{line_of(tester.command({code, argument}))};
+          }};
+}
+inline Deed asks(std::uint32_t at_ms, std::function<void(Tester&)> what) {
+  return {at_ms, [=](Tester& tester) {
+            what(tester);
+            return std::vector<Event>{};
+          }};
+}
+
+/// 38.5 N +- 10 N at 2 Hz on one tendon, half of that on the other; long enough for a save.
+inline Scenario sine_scenario() {
+  return {"sine",
+          1'000,
+          63'000,
+          [](double time_s, std::size_t tendon) {
+            const double tension_N = 38.5 + 10 * sine(time_s, 2);
+            return raw_current(tendon == 0 ? tension_N : tension_N / 2);
+          },
+          {}};
+}
+
+/// Uniform, 0 .. 100 N.
+inline Scenario noise_scenario() {
+  auto random = std::make_shared<target::Random>(20);
+  return {"noise",
+          1'000,
+          15'000,
+          [random](double, std::size_t) { return raw_current(random->below(1'000'000) * 1e-4); },
+          {}};
+}
+
+/// Everything that can be missing: samples, the sensor, periods of the loop, the host; and the
+/// emergency stop.
+inline Scenario gaps_scenario() {
+  auto random = std::make_shared<target::Random>(21);
+  return {"gaps",
+          1'000,
+          20'000,
+          [random](double time_s, std::size_t tendon) {
+            const bool missing = random->below(100) < 2;
+            return missing ? hal::qemu_mps2::kNoSample
+                           : raw_current(40 + (tendon == 0 ? 20 : 5) * sine(time_s, 5));
+          },
+          {happens(2'000, EventKind::sensor_failed, 1), happens(2'500, EventKind::sensor_failed, 0),
+           happens(4'000, EventKind::missed, 250), happens(5'000, EventKind::emergency_stop, 1),
+           happens(7'000, EventKind::emergency_stop, 0), happens(8'000, EventKind::stalled, 1),
+           happens(14'000, EventKind::stalled, 0), happens(15'000, EventKind::missed, 1)}};
+}
+
+/// Far beyond what the wire bears, until it is worn.
+inline Scenario overload_scenario() {
+  return {"overload",
+          1'000,
+          30'000,
+          [](double time_s, std::size_t tendon) {
+            const double amplitude_N = time_s < 25 ? 75 : 100;
+            return raw_current(tendon == 0 ? amplitude_N * (1 + sine(time_s, 20)) : 20);
+          },
+          {}};
+}
+
+/// Commands, and what a host should not write.
+inline Scenario commands_scenario() {
+  using protocol::CommandCode;
+  return {
+      "commands",
+      1'000,
+      12'000,
+      [](double time_s, std::size_t tendon) {
+        return raw_current(30 + (tendon == 0 ? 5 : 25) * sine(time_s, 3));
+      },
+      {commands(1'000, CommandCode::identify, 3), commands(2'000, CommandCode::select_page, 2),
+       commands(3'000, CommandCode::burst, 9), types(4'000, "t2058FF00000000000000\r"),
+       types(4'200, "hello\r"), types(4'400, "r2058\rT18DA05F10\r"),
+       types(4'600, "t2058000000000000000000000000\r"), types(4'800, "t2058000000000000000"),
+       types(5'000, "t20580000000000000000\r\r\nV\rF\r"), types(6'000, "C\r"), types(7'000, "O\r"),
+       types(8'000, "T18DA05F180210220000000000\r"), types(8'100, "T18DA05F1810FF000000000000\r"),
+       types(8'300, "T18DA05F1823E8000000000000\r"), commands(9'000, CommandCode::burst, 255)}};
+}
+
+/// Opens an epoch and loads parameters under authority, with refusals in between.
+inline Scenario epoch_scenario() {
+  return {"epoch",
+          1'000,
+          40'000,
+          [](double time_s, std::size_t tendon) {
+            const bool busy = time_s < 5 || (time_s >= 24 && time_s < 28);
+            return raw_current(50 + (tendon == 0 ? 40 : 10) * (busy ? sine(time_s, 4) : 0));
+          },
+          {asks(1'000,
+                [](Tester& tester) {
+                  tester.ask(bytes({0x3E, 0x00}));
+                  tester.ask(bytes({0x22, 0x02, 0x00}));
+                  tester.ask(bytes({0x22, 0xF1, 0x95}));
+                  tester.ask(bytes({0x19, 0x02}));
+                }),
+           asks(8'000,
+                [](Tester& tester) {
+                  tester.ask_with_authority(0x0201, bytes({0}), 0x01);
+                  tester.ask_with_authority(0x0201, bytes({0}));
+                  tester.ask(bytes({0x22, 0x02, 0x00}));
+                }),
+           asks(14'000,
+                [](Tester& tester) {
+                  Bytes arguments = bytes({1});
+                  arguments.insert(arguments.end(), target::kPaperBlock.begin(),
+                                   target::kPaperBlock.end());
+                  tester.ask_with_authority(0x0202, arguments);
+                  tester.ask(bytes({0x22, 0x10, 0x00}));
+                  tester.ask(bytes({0x22, 0x02, 0x42}));
+                }),
+           asks(32'000, [](Tester& tester) { tester.ask_with_authority(0x0201, bytes({7})); })}};
+}
+
+/// After a restart on the flash of the one before, at 10 kHz.
+inline Scenario restart_scenario() {
+  return {"restart",
+          100,
+          4'000,
+          [](double time_s, std::size_t tendon) {
+            return raw_current(45 + (tendon == 0 ? 30 : 8) * sine(time_s, 50));
+          },
+          {asks(1'000, [](Tester& tester) {
+            tester.ask(bytes({0x22, 0x02, 0x00}));
+          })}};
+}
+
+inline std::vector<Scenario> scenarios() {
+  return {sine_scenario(),     noise_scenario(), gaps_scenario(),   overload_scenario(),
+          commands_scenario(), epoch_scenario(), restart_scenario()};
+}
+
+}  // namespace firmware_test
