@@ -20,7 +20,8 @@ namespace storage {
 template <hal::NonVolatile Memory, PageRange kPages>
 class EntryLog {
   static constexpr std::uint32_t kStride = slot_stride<Memory>(kEntryBytes);
-  static constexpr std::uint32_t kSlotsPerPage = Memory::kPageBytes / kStride;
+  static constexpr std::uint32_t kSlotsPerPage =
+      static_cast<std::uint32_t>(Memory::kPageBytes / kStride);
 
  public:
   static constexpr std::uint32_t kSlots = kPages.count * kSlotsPerPage;
@@ -74,8 +75,8 @@ class EntryLog {
 
  private:
   static constexpr std::uint32_t address(std::uint32_t slot) {
-    return (kPages.first + slot / kSlotsPerPage) * Memory::kPageBytes +
-           slot % kSlotsPerPage * kStride;
+    constexpr auto kPageBytes = static_cast<std::uint32_t>(Memory::kPageBytes);
+    return (kPages.first + slot / kSlotsPerPage) * kPageBytes + slot % kSlotsPerPage * kStride;
   }
 
   [[nodiscard]] std::optional<LogEntry> read(std::uint32_t slot) {

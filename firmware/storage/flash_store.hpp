@@ -22,8 +22,8 @@ namespace storage {
 /// The life of `kTendons` tendons in flash; see NewestLog for what a power cut leaves and what a
 /// save may cost.
 ///
-/// The memory has to be erased before its first use. past_lost() is also true where the power was
-/// cut in the last write of the very first save of a tendon: that looks like a record that rotted.
+/// The memory has to be erased before its first use. A tendon whose very first record, and only
+/// that, cannot be read counts as new: it cannot be told from one whose first save was cut.
 template <hal::NonVolatile Memory, std::size_t kTendons, FlashLayout kLayout = FlashLayout{}>
 class FlashStore {
  public:

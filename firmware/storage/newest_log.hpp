@@ -31,7 +31,8 @@ class NewestLog {
   using View = std::span<const std::byte, Format::kBytes>;
 
  public:
-  static constexpr std::uint32_t kSlots = Memory::kPageBytes / kStride;  ///< a page
+  static constexpr std::uint32_t kSlots =  ///< a page
+      static_cast<std::uint32_t>(Memory::kPageBytes / kStride);
   static_assert(kSlots > kKeys, "a fresh page takes the copies of all keys and what is new");
   static_assert(kPages.count >= 2 && kPages.count <= 32);
 
@@ -50,8 +51,9 @@ class NewestLog {
   /// Slots that could not be read at the start. None had more than one sequence to itself, so the
   /// next sequence is new for certain if it is above highest() + spent().
   [[nodiscard]] std::uint32_t spent() const { return spent_; }
-  /// Whether one of these was written to its end.
-  [[nodiscard]] bool damaged() const { return damaged_; }
+  /// Whether more of these were written to their end than the one that a power cut may leave, so
+  /// that something that was committed was lost.
+  [[nodiscard]] bool damaged() const { return finished_ > 1; }
 
   /// Writes a slot that Format::name() trusts. failed: no page takes it, and the newest is as it
   /// was.
@@ -146,8 +148,10 @@ class NewestLog {
 
   void note_damaged(std::uint32_t page, std::uint32_t slot) {
     constexpr std::uint32_t kUnit = Memory::kUnitBytes;
-    damaged_ = damaged_ || !is_blank(*memory_, address(page, slot) + kStride - kUnit, kUnit);
     ++spent_;
+    if (!is_blank(*memory_, address(page, slot) + kStride - kUnit, kUnit)) {
+      ++finished_;
+    }
   }
 
   /// Whether the page of the slot is the one in use, as far as can be told.
@@ -288,8 +292,8 @@ class NewestLog {
   std::uint32_t slot_ = kSlots;            ///< next of it; all from it on are blank
   std::uint32_t highest_ = 0;
   std::uint32_t spent_ = 0;
+  std::uint32_t finished_ = 0;
   std::uint32_t failing_ = 0;  ///< a bit for each page that is left out
-  bool damaged_ = false;
   bool prepared_ = false;
 };
 

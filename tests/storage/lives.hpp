@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "firmware/storage/life_record.hpp"
+#include "firmware/storage/store.hpp"
+#include "lifemodel/block/parameter_block.hpp"
+
+namespace storage_test {
+
+/// Records of a life that goes on: a step later means more damage of every tendon, each with its
+/// own. No two steps and no two tendons have the same.
+inline storage::LifeRecord record_of(std::size_t tendon, std::uint32_t step,
+                                     std::uint16_t epoch = 0, std::uint32_t opened = 0) {
+  const auto key = static_cast<std::uint32_t>(tendon);
+  storage::LifeRecord record;
+  record.tendon = static_cast<std::uint8_t>(tendon);
+  record.flags = step > 100 ? 8 : 0;
+  record.epoch = epoch;
+  record.epoch_damage =
+      lifemodel::Damage::from_words({step * 7 + 1, 0x1000 * key + 5, step - opened, 0});
+  record.lifetime_damage =
+      lifemodel::Damage::from_words({step * 7 + 1, 0x1000 * key + 5, step + 1, key});
+  record.epoch_cycles = (std::uint64_t{step - opened} << 30) + key;
+  record.configuration = 0xc0ffee00u + key;
+  return record;
+}
+
+template <std::size_t kTendons>
+std::array<storage::LifeRecord, kTendons> records_of(std::uint32_t step) {
+  std::array<storage::LifeRecord, kTendons> records;
+  for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+    records[tendon] = record_of(tendon, step);
+  }
+  return records;
+}
+
+/// The same record but for what the store sets.
+inline bool same_life(storage::LifeRecord a, const storage::LifeRecord& b) {
+  a.sequence = b.sequence;
+  a.past_lost = b.past_lost;
+  return a == b;
+}
+
+/// A block that is told from others by `number`; the store does not look into it.
+inline lifemodel::ParameterBlock block_of(std::uint32_t number) {
+  lifemodel::ParameterBlock block{};
+  for (std::size_t i = 0; i < block.size(); ++i) {
+    block[i] = static_cast<std::byte>(number * 31 + i);
+  }
+  return block;
+}
+
+inline storage::LogEntry entry_of(std::uint32_t number) {
+  storage::LogEntry entry;
+  entry.sequence = number * 3;
+  entry.event = storage::Event::parameters_loaded;
+  entry.tendon = static_cast<std::uint8_t>(number % 4);
+  entry.epoch = static_cast<std::uint16_t>(number);
+  entry.detail = ~number;
+  return entry;
+}
+
+}  // namespace storage_test
