@@ -1,0 +1,145 @@
+#include "firmware/protocol/uds/server.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/protocol/services/bytes.hpp"
+#include "tests/protocol/services/model_device.hpp"
+#include "tests/protocol/services/requests.hpp"
+
+namespace protocol::testing {
+namespace {
+
+class ServerTest : public ::testing::Test {
+ protected:
+  ServerTest() { server_.start({}); }
+
+  Bytes ask(const Bytes& request, std::size_t room = 128) {
+    Bytes response(room);
+    response.resize(server_.handle(request, now_, response));
+    return response;
+  }
+  Bytes ask(std::string_view request, std::size_t room = 128) { return ask(hex(request), room); }
+
+  hal::Time now_ = hal::seconds(1);
+  ModelDevice device_{2};
+  uds::Server<ModelDevice> server_{device_, kNode, kKey};
+};
+
+TEST_F(ServerTest, TesterPresent) {
+  EXPECT_EQ(ask("3e 00"), hex("7e 00"));
+  EXPECT_EQ(ask("3e 80"), Bytes{});
+  EXPECT_EQ(ask("3e"), hex("7f 3e 13"));
+  EXPECT_EQ(ask("3e 01"), hex("7f 3e 12"));
+  EXPECT_EQ(ask("3e 81"), hex("7f 3e 12"));
+  EXPECT_EQ(ask("3e 00 00"), hex("7f 3e 13"));
+}
+
+TEST_F(ServerTest, OtherServicesAreNotThere) {
+  EXPECT_EQ(ask(""), Bytes{});
+  for (unsigned service = 0; service < 256; ++service) {
+    if (service != 0x22 && service != 0x31 && service != 0x3e) {
+      EXPECT_EQ(ask(Bytes{static_cast<std::byte>(service), std::byte{1}}),
+                (Bytes{std::byte{0x7f}, static_cast<std::byte>(service), std::byte{0x11}}));
+    }
+  }
+  EXPECT_EQ(server_.counts(), uds::AuthorityCounts{});
+}
+
+TEST_F(ServerTest, ReadsTheLifeRecord) {
+  EXPECT_EQ(ask("22 02 01"), hex("62 02 01"
+                                 "28 00 00 00"  // sequence 40
+                                 "01 08 02 00"  // tendon, flags, epoch
+                                 "00 65 cd 1d"  // 500,000,000
+                                 "00 2f 68 59"  // 1,500,000,000
+                                 "00 00 00 00 00 00 00 00 00 00 00 00 80 00 00 00"  // 2^103
+                                 "00 00 00 00 00 00 00 00 00 00 00 00 80 01 00 00"
+                                 "02 00 00 00 01 00 00 00"
+                                 "01 ee ff c0"
+                                 "00"));
+  device_.life.records[1].past_lost = true;
+  EXPECT_EQ(ask("22 02 01").back(), std::byte{1});
+}
+
+TEST_F(ServerTest, ReadsWhatElseThereIs) {
+  EXPECT_EQ(ask("22 02 20"), hex("62 02 20 00 ee ff c0"));
+  EXPECT_EQ(ask("22 02 21"), hex("62 02 21 01 ee ff c0"));
+  EXPECT_EQ(ask("22 02 40"), hex("62 02 40 29 00 00 00"));
+  EXPECT_EQ(ask("22 f1 8c"), hex("62 f1 8c e0 e1 e2 e3 e4 e5 e6 e7 e8 e9 ea eb"));
+  EXPECT_EQ(ask("22 f1 95"), hex("62 f1 95 01 23"));
+}
+
+TEST_F(ServerTest, ReadsTheLog) {
+  EXPECT_EQ(ask("22 10 00"), hex("7f 22 31"));
+  device_.lines = {{.number = 0, .sequence = 1, .event = storage::Event::epoch_opened},
+                   {.number = 1,
+                    .sequence = 0x12345678,
+                    .event = storage::Event::wrong_mac,
+                    .tendon = 3,
+                    .epoch = 0x0405,
+                    .detail = 0x0201}};
+  EXPECT_EQ(ask("22 10 01"), hex("62 10 01 01 00 00 00 78 56 34 12 03 03 05 04 01 02 00 00"));
+  EXPECT_EQ(ask("22 10 02"), hex("7f 22 31"));
+  EXPECT_EQ(ask("22 1f ff"), hex("7f 22 31"));
+}
+
+TEST_F(ServerTest, EachReadIssuesAFreshNonce) {
+  const Bytes first = ask("22 02 41");
+  const Bytes second = ask("22 02 41");
+  EXPECT_EQ(first, hex("62 02 41 01000000 01000000 01000000 01000000"));
+  EXPECT_EQ(second, hex("62 02 41 02000000 02000000 02000000 02000000"));
+}
+
+TEST_F(ServerTest, ABrokenSourceIssuesNoNonce) {
+  device_.random_fault = hal::Error::failed;
+  EXPECT_EQ(ask("22 02 41"), hex("7f 22 22"));
+  device_.random_fault = hal::Error::none;
+  EXPECT_EQ(ask("22 02 41").size(), 19u);
+  device_.stuck_random = true;
+  EXPECT_EQ(ask("22 02 41"), hex("7f 22 22"));
+}
+
+TEST_F(ServerTest, ReadsSeveralAndLeavesOutWhatIsNotThere) {
+  EXPECT_EQ(ask("22 02 40 ff ff f1 95 02 22"), hex("62 02 40 29 00 00 00 f1 95 01 23"));
+  EXPECT_EQ(ask("22 ff ff"), hex("7f 22 31"));
+  EXPECT_EQ(ask("22 02 02"), hex("7f 22 31"));
+  EXPECT_EQ(ask("22 02 22"), hex("7f 22 31"));
+  EXPECT_EQ(ask("22 01 ff"), hex("7f 22 31"));
+  EXPECT_EQ(ask("22 02 43"), hex("7f 22 31"));
+}
+
+TEST_F(ServerTest, ReadRequestsOfWrongLength) {
+  for (const auto* request :
+       {"22", "22 02", "22 02 40 02", "22 0240 0240 0240 0240 0240 0240 0240 0240 0240"}) {
+    EXPECT_EQ(ask(request), hex("7f 22 13")) << request;
+  }
+  EXPECT_EQ(ask("22 0240 0240 0240 0240 0240 0240 0240 0240").size(), 1u + 8 * 6);
+}
+
+TEST_F(ServerTest, AnAnswerThatIsTooLong) {
+  EXPECT_EQ(ask("22 0200 0201").size(), 127u);
+  EXPECT_EQ(ask("22 0200 0201 0240"), hex("7f 22 14"));
+  EXPECT_EQ(ask("22 0240", 7), hex("62 0240 29000000"));
+  EXPECT_EQ(ask("22 0240", 6), hex("7f 22 14"));
+  EXPECT_EQ(ask("31 01 02 01", 3), hex("7f 31 13"));
+}
+
+TEST_F(ServerTest, TellsTheStateOfTheAuthority) {
+  EXPECT_EQ(ask("22 0242"), hex("62 0242 01 00 00000000 00000000 00000000 00000000"));
+  for (int i = 0; i < 3; ++i) {
+    ask(start_request({}));
+  }
+  now_ = now_ + hal::Time{1'500};
+  // 10 s less 1.5 ms, rounded up: 9999 ms.
+  EXPECT_EQ(ask("22 0242"), hex("62 0242 01 03 0f270000 00000000 03000000 00000000"));
+}
+
+TEST(Server, TellsThatItHasNoKey) {
+  ModelDevice device(1);
+  uds::Server<ModelDevice> server(device, kNode, authority::Key{});
+  Bytes response(128);
+  response.resize(server.handle(hex("22 0242"), {}, response));
+  EXPECT_EQ(response.at(3), std::byte{0});
+}
+
+}  // namespace
+}  // namespace protocol::testing
