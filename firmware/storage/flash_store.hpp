@@ -55,7 +55,7 @@ class FlashStore {
   }
 
   hal::Error save(std::span<const LifeRecord> records) {
-    if (!acceptable(records)) {
+    if (!may_follow<kTendons>(records, committed_)) {
       return hal::Error::out_of_range;
     }
     if (attempted_ == std::numeric_limits<std::uint32_t>::max()) {
@@ -113,25 +113,8 @@ class FlashStore {
     return b < kHighest - a ? a + b : kHighest;
   }
 
-  [[nodiscard]] bool acceptable(std::span<const LifeRecord> records) const {
-    if (records.size() != kTendons) {
-      return false;
-    }
-    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-      const LifeRecord& record = records[tendon];
-      const auto& last = committed_[tendon];
-      if (record.tendon != tendon || (last ? !may_follow(record, *last) : !plausible(record))) {
-        return false;
-      }
-    }
-    return true;
-  }
-
-  hal::Error save_one(std::size_t tendon, LifeRecord record) {
-    const auto& last = committed_[tendon];
-    const bool next_wire = last && record.epoch > last->epoch;
-    record.sequence = attempted_;
-    record.past_lost = lost_[tendon] && !next_wire;
+  hal::Error save_one(std::size_t tendon, const LifeRecord& given) {
+    const LifeRecord record = successor(given, committed_[tendon], lost_[tendon], attempted_);
     const hal::Error error = life_.append(encode(record));
     if (error == hal::Error::none) {
       committed_[tendon] = record;
@@ -143,7 +126,7 @@ class FlashStore {
   NewestLog<Memory, RecordSlot, kTendons, kLayout.life> life_;
   NewestLog<Memory, ParameterSlot, kTendons, kLayout.parameters> parameters_;
   EntryLog<Memory, kLayout.log> log_;
-  std::array<std::optional<LifeRecord>, kTendons> committed_{};
+  Lives<kTendons> committed_{};
   std::array<bool, kTendons> lost_{};
   std::uint32_t sequence_ = 0;
   std::uint32_t attempted_ = 0;  ///< the highest sequence that may have been written

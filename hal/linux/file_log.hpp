@@ -1,0 +1,113 @@
+#pragma once
+
+#include <fcntl.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "firmware/storage/entry_codec.hpp"
+#include "firmware/storage/store.hpp"
+#include "hal/error.hpp"
+#include "hal/linux/file_calls.hpp"
+#include "hal/linux/file_error.hpp"
+#include "hal/linux/file_io.hpp"
+
+namespace hal::linux_os {
+
+/// The log as a file of entries, each synced. What an append that was cut has left at the end is
+/// ignored, and gone with the next append; a damaged entry before it is passed over and stays.
+template <FileCalls Calls>
+class FileLog {
+ public:
+  static constexpr std::size_t kCapacity = 65'536;
+
+  FileLog() = default;
+
+  static std::variant<FileLog, FileError> open(Calls calls, std::string path,
+                                               std::vector<FileError>& notices) {
+    FileLog log;
+    log.calls_ = calls;
+    log.file_ = FileHandle<Calls>(calls, path, O_RDWR | O_CREAT | O_NOFOLLOW);
+    if (log.file_.error() != 0) {
+      return FileError{path, std::string("cannot open it: ") + std::strerror(log.file_.error())};
+    }
+    const auto read = read_all(calls, log.file_.get(), (kCapacity + 1) * storage::kEntryBytes);
+    if (const Errno* error = std::get_if<Errno>(&read)) {
+      return FileError{path, std::string("cannot read it: ") + std::strerror(*error)};
+    }
+    log.take(std::get<std::vector<std::byte>>(read), path, notices);
+    return log;
+  }
+
+  hal::Error append(storage::LogEntry entry) {
+    if (static_cast<std::size_t>(end_) / storage::kEntryBytes >= kCapacity) {
+      return hal::Error::full;
+    }
+    entry.number = entries_.empty() ? 0 : entries_.back().number + 1;
+    if (tail_ && calls_.truncate(file_.get(), end_) != 0) {
+      return hal::Error::failed;
+    }
+    tail_ = true;
+    const auto bytes = storage::encode(entry);
+    if (write_all(calls_, file_.get(), bytes, end_) != 0 || calls_.fsync(file_.get()) != 0) {
+      return hal::Error::failed;
+    }
+    tail_ = false;
+    end_ += static_cast<off_t>(bytes.size());
+    entries_.push_back(entry);
+    return hal::Error::none;
+  }
+
+  [[nodiscard]] std::optional<storage::LogEntry> entry(std::uint32_t i) const {
+    return i < entries_.size() ? std::optional(entries_[i]) : std::nullopt;
+  }
+  /// Whether an entry was made after a save.
+  [[nodiscard]] bool saved_once() const {
+    return std::ranges::any_of(entries_, [](const auto& entry) { return entry.sequence != 0; });
+  }
+
+ private:
+  void take(std::span<const std::byte> bytes, const std::string& path,
+            std::vector<FileError>& notices) {
+    constexpr std::size_t kEntry = storage::kEntryBytes;
+    for (std::size_t at = 0; at + kEntry <= bytes.size(); at += kEntry) {
+      const auto entry = storage::decode_entry(bytes.subspan(at).template first<kEntry>());
+      if (entry) {
+        entries_.push_back(*entry);
+      } else if (at + kEntry < bytes.size()) {
+        notices.push_back({path, "entry " + std::to_string(at / kEntry) +
+                                     " is damaged and was passed over; accepted: entries of " +
+                                     std::to_string(kEntry) + " bytes whose CRC-32 fits"});
+      } else {
+        tail_ = true;
+      }
+    }
+    std::size_t whole = bytes.size() / kEntry;
+    if (bytes.size() % kEntry != 0) {
+      tail_ = true;
+    } else if (tail_) {
+      --whole;
+    }
+    end_ = static_cast<off_t>(whole * kEntry);
+    if (tail_) {
+      notices.push_back({path, "its last entry was cut while it was written, and is ignored"});
+    }
+  }
+
+  Calls calls_{};
+  FileHandle<Calls> file_;
+  std::vector<storage::LogEntry> entries_;
+  off_t end_ = 0;      ///< of the last whole entry
+  bool tail_ = false;  ///< there may be something after it
+};
+
+}  // namespace hal::linux_os

@@ -1,0 +1,151 @@
+// Fails and cuts every system call of a file store on a disk that loses what was not synced.
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <cstdint>
+#include <variant>
+
+#include "hal/linux/file_store.hpp"
+#include "tests/storage/memory_files.hpp"
+#include "tests/storage/model.hpp"
+
+namespace storage_test {
+namespace {
+
+constexpr std::size_t kTendons = 2;
+constexpr std::uint32_t kSteps = 40;
+using Store = hal::linux_os::FileStore<kTendons, MemoryCalls>;
+using Expected = Model<kTendons>;
+using Fault = MemoryFiles::Fault;
+
+#if defined(__SANITIZE_ADDRESS__)
+constexpr std::uint64_t kSeeds = 4;
+#else
+constexpr std::uint64_t kSeeds = 16;
+#endif
+
+/// A store that has made some steps, and what it must hold.
+struct Life {
+  explicit Life(std::uint32_t steps) {
+    auto opened = Store::open("/store", MemoryCalls(files));
+    Store& store = std::get<Store>(opened);
+    for (std::uint32_t i = 0; i < steps; ++i) {
+      EXPECT_EQ(expected.call(store, i), hal::Error::none);
+    }
+  }
+
+  /// Opens it anew, makes a step and gives how many calls were made up to then.
+  hal::Error step(std::uint32_t i) {
+    auto opened = Store::open("/store", MemoryCalls(files));
+    if (Store* store = std::get_if<Store>(&opened)) {
+      return expected.call(*store, i);
+    }
+    return hal::Error::failed;
+  }
+
+  void check_and_go_on(std::uint32_t from) {
+    {
+      auto opened = Store::open("/store", MemoryCalls(files));
+      ASSERT_TRUE(std::holds_alternative<Store>(opened))
+          << to_string(std::get<hal::linux_os::FileError>(opened));
+      Store& store = std::get<Store>(opened);
+      expected.check(store);
+      for (std::uint32_t i = from; i < from + 10; ++i) {
+        ASSERT_EQ(expected.call(store, i), hal::Error::none);
+      }
+    }
+    auto again = Store::open("/store", MemoryCalls(files));
+    expected.check(std::get<Store>(again));
+    ASSERT_FALSE(std::get<Store>(again).past_lost());
+    ASSERT_TRUE(std::get<Store>(again).notices().empty());
+  }
+
+  MemoryFiles files{"/store"};
+  Expected expected;
+};
+
+/// Calls that opening and a step take, all of them.
+std::uint64_t calls_of(const Life& life, std::uint32_t i) {
+  Life copy = life;
+  EXPECT_EQ(copy.step(i), hal::Error::none);
+  return copy.files.calls() - life.files.calls();
+}
+
+TEST(FileFaults, PowerCutAtEveryCall) {
+  for (std::uint32_t i = 0; i < kSteps; ++i) {
+    const Life before(i);
+    const std::uint64_t calls = calls_of(before, i);
+    ASSERT_GT(calls, 5);
+    for (std::uint64_t call = 0; call < calls; ++call) {
+      for (const auto kind : {Fault::Kind::cut_before, Fault::Kind::cut_after}) {
+        for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
+          Life life = before;
+          life.files.fault({life.files.calls() + call, kind});
+          (void)life.step(i);
+          ASSERT_FALSE(life.files.powered());
+          life.files.restart(seed);
+          life.check_and_go_on(i + 1);
+          ASSERT_FALSE(testing::Test::HasFatalFailure())
+              << "step " << i << " call " << call << " seed " << seed;
+        }
+      }
+    }
+  }
+}
+
+TEST(FileFaults, AnErrorOfEveryCallIsToldAndLosesNothing) {
+  std::uint32_t told = 0;
+  for (std::uint32_t i = 0; i < kSteps; ++i) {
+    const Life before(i);
+    const std::uint64_t calls = calls_of(before, i);
+    for (std::uint64_t call = 0; call < calls; ++call) {
+      for (const int error : {EIO, ENOSPC, EINTR, EACCES}) {
+        Life life = before;
+        life.files.fault({life.files.calls() + call, Fault::Kind::error, error});
+        told += life.step(i) != hal::Error::none ? 1u : 0u;
+        life.files.restart(2);
+        life.check_and_go_on(i + 1);
+        ASSERT_FALSE(testing::Test::HasFatalFailure())
+            << "step " << i << " call " << call << " error " << error;
+      }
+    }
+  }
+  EXPECT_GT(told, 1'000u);
+}
+
+TEST(FileFaults, AShortWriteIsWrittenToItsEnd) {
+  for (std::uint32_t i = 0; i < kSteps; ++i) {
+    const Life before(i);
+    const std::uint64_t calls = calls_of(before, i);
+    for (std::uint64_t call = 0; call < calls; ++call) {
+      Life life = before;
+      life.files.fault({life.files.calls() + call, Fault::Kind::short_write});
+      ASSERT_EQ(life.step(i), hal::Error::none);
+      life.check_and_go_on(i + 1);
+      ASSERT_FALSE(testing::Test::HasFatalFailure()) << "step " << i << " call " << call;
+    }
+  }
+}
+
+// A store that stays open over errors, as a controller does on a disk that is full for a while.
+TEST(FileFaults, AFullDiskForAWhile) {
+  Life life(6);
+  auto opened = Store::open("/store", MemoryCalls(life.files));
+  Store& store = std::get<Store>(opened);
+  const auto committed = store.load(1);
+  for (std::uint32_t i = 0; i < 5; ++i) {
+    life.files.fault({life.files.calls() + 1, Fault::Kind::error, ENOSPC});
+    EXPECT_EQ(store.save(records_of<kTendons>(20 + i)), hal::Error::failed);
+    ASSERT_TRUE(store.problem());
+    EXPECT_EQ(to_string(*store.problem()),
+              "/store/life.partial: cannot write it: No space left on device");
+    EXPECT_EQ(store.load(1), committed);
+  }
+  EXPECT_EQ(store.save(records_of<kTendons>(30)), hal::Error::none);
+  EXPECT_FALSE(store.problem());
+  EXPECT_TRUE(same_life(*store.load(1), record_of(1, 30)));
+  EXPECT_EQ(store.sequence(), committed->sequence + 6);
+}
+
+}  // namespace
+}  // namespace storage_test
