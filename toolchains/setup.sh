@@ -13,7 +13,7 @@ run_packages=(
 )
 test_packages=(
   git python3
-  libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev libboost-math-dev
+  libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev libboost-math-dev libssl-dev
   gcc-arm-none-eabi binutils-arm-none-eabi libnewlib-arm-none-eabi
   libstdc++-arm-none-eabi-newlib qemu-system-arm
   clang clang-tidy clang-format libclang-rt-14-dev
