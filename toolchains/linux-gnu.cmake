@@ -19,7 +19,7 @@ set(ENV{PKG_CONFIG_LIBDIR} "${_libraries}/pkgconfig")
 set(ENV{PKG_CONFIG_SYSROOT_DIR} "${_sysroot}")
 
 foreach(_language C CXX)
-  set(CMAKE_${_language}_FLAGS_INIT "-isystem ${_sysroot}/usr/include")
+  set(CMAKE_${_language}_STANDARD_INCLUDE_DIRECTORIES "${_sysroot}/usr/include")
 endforeach()
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-L${_libraries} -Wl,-rpath-link,${_libraries}")
 

@@ -18,9 +18,9 @@
 #include "firmware/boards/linux/sensors.hpp"
 #include "firmware/boards/linux/settle_turn.hpp"
 #include "firmware/boards/linux/setup.hpp"
+#include "firmware/boards/linux/store.hpp"
 #include "firmware/boards/linux/watchdog.hpp"
 #include "hal/linux/entropy.hpp"
-#include "hal/linux/file_store.hpp"
 #include "hal/linux/jitter.hpp"
 #include "hal/linux/loop.hpp"
 #include "hal/linux/service_manager.hpp"
@@ -34,13 +34,14 @@ namespace board {
 template <std::size_t kTendons, class SensorT>
 class Controller {
  public:
-  /// Throws hal::linux_os::DeviceError, host_sim::InputError or host_sim::OutputError.
+  /// Throws std::runtime_error, its what() one line: hal::linux_os::DeviceError where a device
+  /// cannot be used, host_sim::InputError or OutputError where a file cannot.
   Controller(const Setup& setup, SensorT& sensor)
       : setup_(setup),
         sensor_(sensor),
         clock_(setup.virtual_clock),
         can_(setup.config.can, setup.config.node, clock_),
-        store_(setup.config.store, kTendons),
+        store_(open_store<kTendons>(setup.config.store)),
         lines_(setup.config.gpio),
         light_(setup.config.gpio, &GpioConfig::status_light),
         watchdog_(setup.config.gpio, manager_),
@@ -68,9 +69,10 @@ class Controller {
 
  private:
   using Lock = Interlock<SafetyLines>;
-  using Devices = app::Devices<BoardCan, SensorT, BoardClock, hal::linux_os::FileStore, Lock::Drive,
-                               Lock::Brake, OptionalOutput, Lock::Stop, Watchdog,
-                               hal::linux_os::KernelEntropy, SettleTurn>;
+  using Store = hal::linux_os::FileStore<kTendons>;
+  using Devices =
+      app::Devices<BoardCan, SensorT, BoardClock, Store, Lock::Drive, Lock::Brake, OptionalOutput,
+                   Lock::Stop, Watchdog, hal::linux_os::KernelEntropy, SettleTurn>;
 
   static constexpr hal::Time kPollPeriod = hal::milliseconds(1);
   static constexpr hal::Time kTimingPeriod = hal::milliseconds(100);
@@ -204,6 +206,9 @@ class Controller {
     report.lives.assign(records.begin(), records.end());
     report.saved = saved;
     report.sequence = store_.sequence();
+    if (store_.problem()) {
+      report.store_problem = to_string(*store_.problem());
+    }
     report.worst_unsaved_ppb = app_.conditions().worst_unsaved_ppb;
     report.bus = can_.status();
     if (const auto* const counts = can_.counts()) {
@@ -216,12 +221,12 @@ class Controller {
   SensorT& sensor_;
   BoardClock clock_;
   BoardCan can_;
-  hal::linux_os::FileStore store_;
+  Store store_;
   SafetyLines lines_;
   Lock interlock_{lines_};
-  typename Lock::Drive drive_{interlock_};
-  typename Lock::Brake brake_{interlock_};
-  typename Lock::Stop stop_{interlock_};
+  Lock::Drive drive_{interlock_};
+  Lock::Brake brake_{interlock_};
+  Lock::Stop stop_{interlock_};
   OptionalOutput light_;
   hal::linux_os::ServiceManager manager_;
   Watchdog watchdog_;

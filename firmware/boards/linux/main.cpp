@@ -79,8 +79,10 @@ int control(const Arguments& arguments) {
   const board::Report report = board::run(setup, stop_asked);
   write(report, arguments.report);
   if (report.saved != hal::Error::none) {
-    std::cerr << setup.config.store.string()
-              << ": the lives could not be saved: " << hal::to_string(report.saved) << '\n';
+    std::cerr << "the lives could not be saved: "
+              << (report.store_problem.empty() ? hal::to_string(report.saved)
+                                               : report.store_problem)
+              << '\n';
     return kFault;
   }
   return 0;

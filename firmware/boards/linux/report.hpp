@@ -21,6 +21,7 @@ struct Report {
   std::uint64_t worst_jitter_us = 0;
   std::vector<storage::LifeRecord> lives;  ///< one a tendon, as they were saved
   hal::Error saved = hal::Error::none;
+  std::string store_problem;  ///< why the last save failed
   std::uint32_t sequence = 0;
   std::uint32_t worst_unsaved_ppb = 0;
   hal::CanStatus bus;
