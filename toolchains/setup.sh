@@ -90,6 +90,7 @@ fi
 
 "$here/fetch_uplot.sh"
 if [ "$1" = test ]; then
+  "$here/fetch_dbc_decoder.sh"
   "$here/sysroot.sh" arm64
   "$here/sysroot.sh" armhf
 fi

@@ -19,13 +19,13 @@ struct Integrity {
 
 /// One frame of the plan, with the node id left out of its identifier (CiA 301, 7.3.3).
 struct Frame {
-  std::string_view name;
+  std::string_view name = {};
   std::uint16_t base_id = 0;   ///< identifier without node; the node takes its low 7 bits
   std::uint8_t length = 0;     ///< bytes, always all of them
   std::uint16_t cycle_ms = 0;  ///< longest time between two frames; 0 where it is not cyclic
   Sender sender = Sender::node;
-  std::string_view sent;  ///< when, in words
-  std::string_view comment;
+  std::string_view sent = {};  ///< when, in words
+  std::string_view comment = {};
   std::optional<Integrity> integrity = {};
   std::optional<Signal> page = {};  ///< the multiplexor, where the frame has pages
 };

@@ -39,10 +39,10 @@ using AllMessages =
 /// A message without its type, for what writes about it.
 struct MessageView {
   const Frame* frame = nullptr;
-  std::optional<std::uint8_t> page;
-  std::string_view name;
-  std::string_view comment;
-  std::span<const Signal> signals;
+  std::optional<std::uint8_t> page = {};
+  std::string_view name = {};
+  std::string_view comment = {};
+  std::span<const Signal> signals = {};
 };
 
 /// The signals of a message, those of its frame left out.
