@@ -23,16 +23,22 @@ def pairs(text):
     return {k: int(v) for k, v in (item.split("=") for item in text.split(",") if item)}
 
 
+def one_name(title):
+    """Complete and base constructors and destructors of a class without virtual bases are one function
+    with two names (Itanium C++ ABI 5.1.4.3), of which the graph defines only one."""
+    return re.sub(r"([CD])1(E)", r"\g<1>2\2", title)
+
+
 def read_graphs(paths):
     frames, calls = {}, {}
     for path in paths:
         for line in pathlib.Path(path).read_text().splitlines():
             if node := NODE.match(line):
-                frame = FRAME.search(node[2])
+                name, frame = one_name(node[1]), FRAME.search(node[2])
                 if frame:
-                    frames[node[1]] = int(frame[1])
+                    frames[name] = max(int(frame[1]), frames.get(name, 0))
             elif edge := EDGE.match(line):
-                calls.setdefault(edge[1], set()).add(edge[2])
+                calls.setdefault(one_name(edge[1]), set()).add(one_name(edge[2]))
     return frames, calls
 
 

@@ -3,8 +3,11 @@
 //
 // usage: record SCENARIO SERIAL profile=FILE block=FILE events=FILE [NAME=VALUE]...
 //        record --list
+//        record --block FILE                the parameter block alone
+//        record --command NODE CODE ARGUMENT   the line of the first command of a host
 
 #include <array>
+#include <cstdlib>
 #include <deque>
 #include <fstream>
 #include <iostream>
@@ -107,11 +110,15 @@ class LiveScript {
   hal::Time last_{};
 };
 
-int record(const Scenario& scenario, const char* serial_path, const board::Options& options) {
-  std::ofstream block(options.block, std::ios::binary);
+bool write_block(const char* path) {
+  std::ofstream block(path, std::ios::binary);
   put(block, target::kPaperBlock);
   block.close();
-  if (!block.good() || !write_profile(scenario, options.profile)) {
+  return block.good();
+}
+
+int record(const Scenario& scenario, const char* serial_path, const board::Options& options) {
+  if (!write_block(options.block) || !write_profile(scenario, options.profile)) {
     std::cerr << "record: cannot write profile or block\n";
     return 1;
   }
@@ -125,23 +132,45 @@ int record(const Scenario& scenario, const char* serial_path, const board::Optio
   return 0;
 }
 
-int run(std::span<char*> words) {
-  const std::string_view name = words.size() > 1 ? words[1] : "";
-  for (const Scenario& scenario : scenarios()) {
-    if (name == "--list") {
-      std::cout << scenario.name << "\n";
-    } else if (name == scenario.name && words.size() > 2) {
-      board::OptionReader reader;
-      for (const char* word : words.subspan(3)) {
-        if (const char* accepted = reader.take(word)) {
-          std::cerr << "record: " << word << ": accepted: " << accepted << "\n";
-          return 2;
-        }
-      }
-      return record(scenario, words[2], reader.options());
+void print_command(const char* node, const char* code, const char* argument) {
+  Tester tester(static_cast<protocol::Node>(std::atoi(node)), {});
+  std::cout << tester.command({static_cast<protocol::CommandCode>(std::atoi(code)),
+                               static_cast<std::uint8_t>(std::atoi(argument))});
+}
+
+int record(std::string_view name, std::span<char*> words) {
+  board::OptionReader reader;
+  for (const char* word : words.subspan(1)) {
+    if (const char* accepted = reader.take(word)) {
+      std::cerr << "record: " << word << ": accepted: " << accepted << "\n";
+      return 2;
     }
   }
-  return name == "--list" ? 0 : 2;
+  for (const Scenario& scenario : scenarios()) {
+    if (name == scenario.name) {
+      return record(scenario, words[0], reader.options());
+    }
+  }
+  std::cerr << "record: " << name << ": accepted: what --list prints\n";
+  return 2;
+}
+
+int run(std::span<char*> words) {
+  const std::string_view first = words.size() > 1 ? words[1] : "";
+  if (first == "--list" && words.size() == 2) {
+    for (const Scenario& scenario : scenarios()) {
+      std::cout << scenario.name << "\n";
+    }
+    return 0;
+  }
+  if (first == "--block" && words.size() == 3) {
+    return write_block(words[2]) ? 0 : 1;
+  }
+  if (first == "--command" && words.size() == 5) {
+    print_command(words[2], words[3], words[4]);
+    return 0;
+  }
+  return words.size() > 2 ? record(first, words.subspan(2)) : 2;
 }
 
 }  // namespace
