@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "firmware/storage/entry_codec.hpp"
+#include "firmware/storage/parameter_slot.hpp"
+#include "firmware/storage/record_codec.hpp"
+#include "firmware/storage/succession.hpp"
+#include "tests/storage/lives.hpp"
+
+namespace storage_test {
+namespace {
+
+using storage::RecordError;
+
+template <class... T>
+constexpr std::array<std::byte, sizeof...(T)> bytes_of(T... values) {
+  return {static_cast<std::byte>(values)...};
+}
+
+// Written by hand; the last four are CRC-32/ISO-HDLC of the rest, by zlib.
+constexpr storage::RecordBytes kRecord = bytes_of(
+    0x54, 0x4c, 0x4c, 0x52, 0x01, 0x03, 0x21, 0x01, 0x04, 0x03, 0x02, 0x01, 0x06, 0x05, 0, 0,  //
+    1, 0, 0, 0, 2, 0, 0, 0, 3, 0, 0, 0, 4, 0, 0, 0,                                            //
+    0x11, 0, 0, 0, 0x12, 0, 0, 0, 0x13, 0, 0, 0, 0x14, 0, 0, 0,                                //
+    0x18, 0x17, 0x16, 0x15, 0x14, 0x13, 0x12, 0x11, 0xa4, 0xa3, 0xa2, 0xa1, 0x95, 0xf1, 0x83, 0x78);
+
+storage::LifeRecord record() {
+  storage::LifeRecord record;
+  record.sequence = 0x01020304;
+  record.tendon = 3;
+  record.flags = 0x21;
+  record.epoch = 0x0506;
+  record.epoch_damage = lifemodel::Damage::from_words({1, 2, 3, 4});
+  record.lifetime_damage = lifemodel::Damage::from_words({0x11, 0x12, 0x13, 0x14});
+  record.epoch_cycles = 0x1112131415161718;
+  record.configuration = 0xa1a2a3a4;
+  record.past_lost = true;
+  return record;
+}
+
+/// `bytes` with one word replaced and the CRC made to fit.
+storage::RecordBytes with_word(std::size_t at, std::uint32_t word) {
+  storage::RecordBytes bytes = kRecord;
+  lifemodel::ByteWriter(std::span(bytes).subspan(at)).u32(word);
+  lifemodel::ByteWriter(std::span(bytes).last(4)).u32(lifemodel::crc32(std::span(bytes).first(60)));
+  return bytes;
+}
+
+TEST(RecordCodec, IsAsWrittenByHand) {
+  EXPECT_EQ(storage::encode(record()), kRecord);
+  const auto decoded = storage::decode(kRecord);
+  ASSERT_TRUE(decoded);
+  EXPECT_EQ(*decoded, record());
+}
+
+TEST(RecordCodec, EveryFlippedBitIsNoticed) {
+  for (std::size_t bit = 0; bit < 8 * kRecord.size(); ++bit) {
+    auto bytes = kRecord;
+    bytes[bit / 8] ^= static_cast<std::byte>(1u << (bit % 8));
+    EXPECT_FALSE(storage::decode(bytes)) << "bit " << bit;
+  }
+}
+
+TEST(RecordCodec, TellsWhyItRefuses) {
+  EXPECT_EQ(storage::decode(std::span(kRecord).first(63)).error(), RecordError::wrong_size);
+  EXPECT_EQ(storage::decode(with_word(0, 0x524c4c55)).error(), RecordError::not_a_record);
+  EXPECT_EQ(storage::decode(with_word(4, 0x01210302)).error(), RecordError::unknown_schema);
+  auto damaged = kRecord;
+  damaged[20] ^= std::byte{1};
+  EXPECT_EQ(storage::decode(damaged).error(), RecordError::damaged);
+  EXPECT_EQ(storage::decode(with_word(4, 0x01400301)).error(), RecordError::implausible);  // flags
+  EXPECT_EQ(storage::decode(with_word(4, 0x02210301)).error(), RecordError::implausible);  // notes
+  EXPECT_EQ(storage::decode(with_word(12, 0x10506)).error(), RecordError::implausible);    // epoch
+  EXPECT_EQ(storage::decode(with_word(28, 0x15)).error(), RecordError::implausible);       // damage
+  EXPECT_TRUE(storage::decode(with_word(28, 0x13)));
+  EXPECT_EQ(to_string(RecordError::wrong_size),
+            std::string("wrong size: a life record has 64 bytes"));
+}
+
+TEST(EntryCodec, IsAsWrittenByHand) {
+  constexpr storage::EntryBytes kEntry =
+      bytes_of(0x54, 0x4c, 0x4c, 0x45, 7, 0, 0, 0, 4, 3, 2, 1, 2, 3, 6, 5, 0xa4, 0xa3, 0xa2, 0xa1,
+               0x3c, 0x37, 0x6b, 0x0b);
+  const storage::LogEntry entry{7, 0x01020304, storage::Event::parameters_loaded,
+                                3, 0x0506,     0xa1a2a3a4};
+  EXPECT_EQ(storage::encode(entry), kEntry);
+  EXPECT_EQ(storage::decode_entry(kEntry), entry);
+  for (std::size_t bit = 0; bit < 8 * kEntry.size(); ++bit) {
+    auto bytes = kEntry;
+    bytes[bit / 8] ^= static_cast<std::byte>(1u << (bit % 8));
+    EXPECT_FALSE(storage::decode_entry(bytes)) << "bit " << bit;
+  }
+}
+
+TEST(ParameterSlot, IsAsWrittenByHand) {
+  const auto slot = storage::ParameterSlot::make({3, 0x01020304}, block_of(5));
+  constexpr auto kHead = bytes_of(0x54, 0x4c, 0x50, 0x53, 1, 3, 0, 0, 4, 3, 2, 1);
+  constexpr auto kTail = bytes_of(0, 0, 0, 0, 0x8c, 0x36, 0x74, 0x29);
+  EXPECT_TRUE(std::ranges::equal(std::span(slot).first(12), kHead));
+  EXPECT_TRUE(std::ranges::equal(std::span(slot).subspan(12, 84), block_of(5)));
+  EXPECT_TRUE(std::ranges::equal(std::span(slot).last(8), kTail));
+  EXPECT_EQ(storage::ParameterSlot::name(slot), (storage::SlotName{3, 0x01020304}));
+  EXPECT_EQ(storage::ParameterSlot::block(slot), block_of(5));
+  for (std::size_t bit = 0; bit < 8 * slot.size(); ++bit) {
+    auto bytes = slot;
+    bytes[bit / 8] ^= static_cast<std::byte>(1u << (bit % 8));
+    EXPECT_FALSE(storage::ParameterSlot::name(bytes)) << "bit " << bit;
+  }
+}
+
+TEST(Succession, OfOneWireNothingFalls) {
+  const auto last = record_of(0, 10, 2);
+  EXPECT_TRUE(storage::may_follow(last, last));
+  EXPECT_TRUE(storage::may_follow(record_of(0, 11, 2), last));
+  EXPECT_FALSE(storage::may_follow(record_of(0, 9, 2), last));
+
+  auto fewer_cycles = last;
+  --fewer_cycles.epoch_cycles;
+  EXPECT_FALSE(storage::may_follow(fewer_cycles, last));
+  auto less_of_the_wire = record_of(0, 11, 2, 2);
+  EXPECT_FALSE(storage::may_follow(less_of_the_wire, last));
+}
+
+TEST(Succession, ANewWireBeginsAnewAndTheLifetimeGoesOn) {
+  const auto last = record_of(0, 10, 2);
+  EXPECT_TRUE(storage::may_follow(record_of(0, 10, 3, 10), last));
+  EXPECT_FALSE(storage::may_follow(record_of(0, 9, 3, 9), last));
+  EXPECT_FALSE(storage::may_follow(record_of(0, 11, 1), last));
+}
+
+}  // namespace
+}  // namespace storage_test
