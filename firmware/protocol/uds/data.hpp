@@ -13,14 +13,13 @@
 
 namespace protocol::uds {
 
-/// Writes an answer, little-endian. What finds no room is not written, and it fails.
+/// Writes an answer, little-endian. What finds no room is left out.
 class Answer {
  public:
   constexpr explicit Answer(std::span<std::byte> out) : out_(out) {}
 
   LIFEMODEL_ONE_COPY constexpr void u8(std::uint8_t value) {
     if (size_ == out_.size()) {
-      failed_ = true;
       return;
     }
     out_[size_++] = std::byte{value};
@@ -46,12 +45,10 @@ class Answer {
 
   [[nodiscard]] constexpr std::size_t size() const { return size_; }
   [[nodiscard]] constexpr std::size_t room() const { return out_.size() - size_; }
-  [[nodiscard]] constexpr bool failed() const { return failed_; }
 
  private:
   std::span<std::byte> out_;
   std::size_t size_ = 0;
-  bool failed_ = false;
 };
 
 /// A life record, kLifeBytes:

@@ -18,6 +18,8 @@ namespace protocol::uds {
 inline constexpr std::uint8_t kTesterPresent = 0x3e;
 inline constexpr std::uint8_t kNegativeResponse = 0x7f;
 inline constexpr std::size_t kNegativeBytes = 3;
+/// The longest answer but for data that are read.
+inline constexpr std::size_t kShortAnswerBytes = 4;
 
 /// A server of the Unified Diagnostic Services (ISO 14229-1) in its default session:
 /// ReadDataByIdentifier, RoutineControl (startRoutine) and TesterPresent. table.hpp has what can be
@@ -35,17 +37,14 @@ class Server {
   void start(hal::Time now) { starter_.start(now); }
 
   /// Answers a request; gives the length of the answer, 0 where there is none.
-  /// Precondition: `response` has at least kNegativeBytes.
+  /// Precondition: `response` has at least kShortAnswerBytes.
   std::size_t handle(std::span<const std::byte> request, hal::Time now,
                      std::span<std::byte> response) {
     if (request.empty()) {
       return 0;
     }
     Answer answer(response);
-    Nrc nrc = dispatch(request, now, answer);
-    if (nrc == Nrc::none && answer.failed()) {
-      nrc = Nrc::response_too_long;
-    }
+    const Nrc nrc = dispatch(request, now, answer);
     return nrc == Nrc::none ? answer.size() : refuse(request[0], nrc, response);
   }
 

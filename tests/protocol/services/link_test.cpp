@@ -194,6 +194,16 @@ TEST_F(LinkTest, WaitsOneSecondForTheRest) {
   expect_usable();
 }
 
+TEST_F(LinkTest, EachFrameGivesTimeForTheNext) {
+  hear("10 14 00 01 02 03 04 05");
+  expect_next("30 00 05");
+  wait(hal::Time{999'999});
+  hear("21 06 07 08 09 0a 0b 0c");
+  wait(hal::Time{999'999});
+  hear("22 0d 0e 0f 10 11 12 13");
+  EXPECT_EQ(received(), counting(20));
+}
+
 TEST_F(LinkTest, TheTimeForTheRestBeginsWithTheFlowControl) {
   hear("10 0a 00 01 02 03 04 05");
   wait(hal::seconds(5));
@@ -308,6 +318,19 @@ TEST_F(LinkTest, AReceiverMayAskToWaitTenTimes) {
   }
   EXPECT_FALSE(link_.sending());
   EXPECT_EQ(link_.counts().send_refused, 1u);
+}
+
+TEST_F(LinkTest, EachBlockMayWaitTenTimes) {
+  ASSERT_EQ(link_.send(counting(20)), hal::Error::none);
+  ASSERT_TRUE(next());
+  for (const auto* block : {"21 06 07 08 09 0a 0b 0c", "22 0d 0e 0f 10 11 12 13"}) {
+    for (int i = 0; i < 10; ++i) {
+      hear("31 00 00");
+    }
+    hear("30 01 00");
+    expect_next(block);
+  }
+  EXPECT_EQ(link_.counts().sent, 1u);
 }
 
 TEST_F(LinkTest, WaitsOneSecondForFlowControl) {

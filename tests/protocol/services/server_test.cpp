@@ -120,7 +120,13 @@ TEST_F(ServerTest, AnAnswerThatIsTooLong) {
   EXPECT_EQ(ask("22 0200 0201 0240"), hex("7f 22 14"));
   EXPECT_EQ(ask("22 0240", 7), hex("62 0240 29000000"));
   EXPECT_EQ(ask("22 0240", 6), hex("7f 22 14"));
-  EXPECT_EQ(ask("31 01 02 01", 3), hex("7f 31 13"));
+  EXPECT_EQ(ask("22 0240", 4), hex("7f 22 14"));
+}
+
+TEST_F(ServerTest, ANonceThatFindsNoRoomIsNotIssued) {
+  EXPECT_EQ(ask("22 0241", 18), hex("7f 22 14"));
+  EXPECT_EQ(device_.nonces, 0u);
+  EXPECT_EQ(ask("22 0241", 19).size(), 19u);
 }
 
 TEST_F(ServerTest, TellsTheStateOfTheAuthority) {
