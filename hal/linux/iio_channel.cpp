@@ -16,6 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* kDigits = "0123456789";
+
 /// Takes texts and numbers off the front of a text.
 class Scanner {
  public:
@@ -47,9 +49,16 @@ std::optional<double> finite_number(const std::string& text) {
                                                                    : std::nullopt;
 }
 
-// `in_current` of `in_current0`.
+// `in_current` of `in_current0`, `in_voltage-voltage` of `in_voltage1-voltage2`.
 std::string type_of(const std::string& channel) {
-  return channel.substr(0, channel.find_last_not_of("0123456789") + 1);
+  std::string type;
+  for (const char letter : channel) {
+    if (letter == '-') {
+      type.erase(type.find_last_not_of(kDigits) + 1);
+    }
+    type += letter;
+  }
+  return type.erase(type.find_last_not_of(kDigits) + 1);
 }
 
 std::optional<std::string> shared_attribute(const fs::path& device, const std::string& channel,
