@@ -1,0 +1,137 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "rig.hpp"
+#include "tests/protocol/services/bytes.hpp"
+#include "tests/protocol/services/requests.hpp"
+
+namespace app {
+namespace {
+
+using protocol::testing::Bytes;
+using protocol::testing::hex;
+using protocol::testing::Order;
+using protocol::testing::start_request;
+using protocol::testing::operator+;
+
+std::uint32_t word_at(const Bytes& bytes, std::size_t at) {
+  return lifemodel::ByteReader(std::span(bytes).subspan(at)).u32();
+}
+
+/// A tester on the bus of a rig that runs meanwhile.
+class Client {
+ public:
+  explicit Client(Rig<>& rig) : rig_(rig) {}
+
+  /// Empty where no answer comes within ten seconds.
+  Bytes ask(const Bytes& request) {
+    link_.clear();
+    EXPECT_EQ(link_.send(request), hal::Error::none);
+    for (int i = 0; i < 10'000 && link_.received().empty(); ++i) {
+      if (const auto frame = link_.next_frame(rig_.clock.now())) {
+        EXPECT_EQ(rig_.tester.send(*frame), hal::Error::none);
+      }
+      rig_.run(1);
+      while (const auto frame = rig_.tester.receive()) {
+        link_.on_frame(*frame, rig_.clock.now());
+      }
+    }
+    return protocol::testing::to_bytes(link_.received());
+  }
+
+ private:
+  Rig<>& rig_;
+  protocol::isotp::Link<200> link_{protocol::isotp::Address::to_node(kNode)};
+};
+
+/// An order that the node will grant: with its counter and a fresh nonce.
+Order order_for(Client& client, std::uint16_t routine, const Bytes& arguments) {
+  Order order{.routine = routine, .arguments = arguments};
+  const Bytes nonce = client.ask(hex("22 0241"));
+  std::copy_n(nonce.begin() + 3, order.nonce.size(), order.nonce.begin());
+  order.counter = word_at(client.ask(hex("22 0240")), 3);
+  return order;
+}
+
+class Services : public ::testing::Test {
+ protected:
+  Services() {
+    static_assert(protocol::testing::kNode == kNode);
+    rig.config.key = protocol::testing::kKey;
+    rig.start();
+    rig.run(1'000);
+  }
+
+  Rig<> rig;
+  Client client{rig};
+};
+
+TEST_F(Services, TheLifeRecordIsThatOfTheMoment) {
+  const Bytes answer = client.ask(hex("22 0200"));
+  ASSERT_EQ(answer.size(), 3u + protocol::uds::kLifeBytes);
+  EXPECT_EQ(Bytes(answer.begin(), answer.begin() + 3), hex("62 0200"));
+  EXPECT_GT(word_at(answer, 3 + 8), 0u);
+  EXPECT_LE(word_at(answer, 3 + 8), rig.app->lives().damage_ppb(0));
+  EXPECT_EQ(word_at(answer, 3 + 56), configuration_of(*rig.parameters[0]));
+}
+
+TEST_F(Services, ANewEpochBeginsAtNothingAndTheLifetimeStays) {
+  const Order order = order_for(client, 0x0201, hex("00"));
+  const lifemodel::Damage lifetime = rig.app->lives().records()[0].lifetime_damage;
+  EXPECT_EQ(client.ask(start_request(order)), hex("71 01 0201"));
+  EXPECT_EQ(rig.app->lives().records()[0].epoch, 1);
+  EXPECT_GE(rig.app->lives().records()[0].lifetime_damage, lifetime);
+  EXPECT_LT(rig.app->lives().damage(0), lifetime);
+  EXPECT_EQ(rig.store.load(0)->epoch, 1);
+  ASSERT_TRUE(rig.store.log(0).has_value());
+  EXPECT_EQ(rig.store.log(0)->event, storage::Event::epoch_opened);
+
+  // The same order again: its nonce is used.
+  EXPECT_EQ(client.ask(start_request(order))[0], std::byte{0x7f});
+  EXPECT_EQ(rig.app->lives().records()[0].epoch, 1);
+}
+
+TEST_F(Services, AWrongCodeChangesNothingAndIsCounted) {
+  Order order = order_for(client, 0x0201, hex("00"));
+  order.node = kNode + 1;
+  const std::uint16_t refused = rig.app->conditions().refused;
+  EXPECT_EQ(client.ask(start_request(order))[0], std::byte{0x7f});
+  rig.run(10);
+  EXPECT_EQ(rig.app->lives().records()[0].epoch, 0);
+  EXPECT_EQ(rig.app->conditions().refused, refused + 1);
+}
+
+TEST_F(Services, FailuresInARowAreToldOnTheBus) {
+  for (int i = 0; i < 3; ++i) {
+    Order order = order_for(client, 0x0201, hex("00"));
+    order.node = kNode + 1;
+    client.ask(start_request(order));
+  }
+  rig.run(500);
+  const auto told = rig.sent<protocol::Emergency>();
+  EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const auto& emergency) {
+    return emergency.code == protocol::EmergencyCode::authority;
+  }));
+}
+
+TEST_F(Services, ALoadedBlockCountsFromTheNextStart) {
+  const lifemodel::Parameters stronger = paper_parameters(3e5);
+  const Bytes block = protocol::testing::to_bytes(lifemodel::encode(stronger));
+  EXPECT_EQ(client.ask(start_request(order_for(client, 0x0202, hex("00") + block))),
+            hex("71 01 0202"));
+  EXPECT_EQ(rig.app->lives().records()[0].configuration, configuration_of(*rig.parameters[0]));
+  rig.start();
+  rig.run(10);
+  EXPECT_EQ(rig.app->lives().records()[0].configuration, configuration_of(stronger));
+}
+
+TEST_F(Services, AnEpochThatCannotBeSavedIsNotOpened) {
+  const Order order = order_for(client, 0x0201, hex("00"));
+  rig.store.faults.during(rig.clock.now(), rig.clock.now() + hal::seconds(5), hal::Error::failed);
+  EXPECT_EQ(client.ask(start_request(order))[0], std::byte{0x7f});
+  EXPECT_EQ(rig.app->lives().records()[0].epoch, 0);
+}
+
+}  // namespace
+}  // namespace app
