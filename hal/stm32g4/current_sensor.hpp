@@ -32,21 +32,31 @@ class CurrentSensor {
     return current_.finish_rest();
   }
 
-  /// One tendon: out_of_range for others. missing, where the trigger has not come since.
+  /// First in the interrupt: takes what the converters have, which ends their request.
+  void isr_latch() {
+    if (converters_.isr_ready()) {
+      latched_ = converters_.isr_take();
+    }
+  }
+
+  /// One tendon: out_of_range for others. missing, where nothing was latched since.
   [[nodiscard]] Result<Sample> isr_read(std::size_t tendon) {
     if (tendon != 0) {
       return Error::out_of_range;
     }
-    if (!converters_.isr_ready()) {
+    if (!latched_) {
       return Error::missing;
     }
-    return current_.isr_amplitude(converters_.isr_take());
+    const PhaseCounts counts = *latched_;
+    latched_.reset();
+    return current_.isr_amplitude(counts);
   }
 
  private:
   static constexpr std::uint32_t kPolls = 1'000'000;
   ShuntConverters<W>& converters_;
   PhaseCurrent current_;
+  std::optional<PhaseCounts> latched_;
 };
 
 }  // namespace hal::stm32g4

@@ -49,7 +49,7 @@ class FlashMemory {
     for (std::size_t done = 0; done < out.size();) {
       const auto place = static_cast<std::uint32_t>(address + done);
       const std::uint32_t within = place % kUnitBytes;
-      const std::size_t count = std::min(kUnitBytes - within, out.size() - done);
+      const std::size_t count = std::min<std::size_t>(kUnitBytes - within, out.size() - done);
       DoubleWord value{};
       if (!operations_.read(offset(place - within), value)) {
         result = Error::damaged;

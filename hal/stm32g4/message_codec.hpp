@@ -41,7 +41,7 @@ std::optional<CanFrame> take_message(const MessageElement<W>& element) {
   frame.extended = (id & message_ram::kExtendedId) != 0;
   frame.id = frame.extended ? id & 0x1FFFFFFFu : id >> message_ram::kStandardIdShift & 0x7FFu;
   const std::uint32_t length = element.header[1].read() >> message_ram::kLengthShift & 0xFu;
-  frame.length = static_cast<std::uint8_t>(std::min(length, 8u));
+  frame.length = static_cast<std::uint8_t>(std::min<std::uint32_t>(length, 8));
   const std::uint32_t words[2] = {element.data[0].read(), element.data[1].read()};
   for (std::size_t i = 0; i < frame.length; ++i) {
     frame.data[i] = static_cast<std::byte>(words[i / 4] >> (8 * (i % 4)));

@@ -21,8 +21,13 @@ class SampleTiming {
     const std::uint32_t periods = (elapsed_us + period_us / 2) / period_us;
     const std::uint32_t due_us = periods * period_us;
     note(elapsed_us > due_us ? elapsed_us - due_us : due_us - elapsed_us);
-    return periods > 1 ? periods - 1 : 0;
+    const std::uint32_t missed = periods > 1 ? periods - 1 : 0;
+    missed_ += missed;
+    return missed;
   }
+
+  /// Periods missed so far.
+  [[nodiscard]] std::uint32_t missed() const { return missed_; }
 
   [[nodiscard]] std::uint32_t worst_us() const { return worst_us_; }
 
@@ -58,6 +63,7 @@ class SampleTiming {
   bool started_ = false;
   std::uint32_t last_us_ = 0;
   std::uint32_t worst_us_ = 0;
+  std::uint32_t missed_ = 0;
   std::uint32_t total_ = 0;
   std::array<std::uint32_t, kClasses> counts_{};
 };

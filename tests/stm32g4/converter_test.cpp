@@ -73,8 +73,8 @@ TEST_F(Converters, SensorTakesZerosAtRest) {
   chip.opamp.output = {2100, 1990, 2048};
   ASSERT_EQ(sensor.calibrate_at_rest(), Error::none);
   chip.adc2.looks_a_trigger = 0;
-  static_cast<void>(sensor.isr_read(0));
   chip.trigger();
+  sensor.isr_latch();
   const auto current = sensor.isr_read(0);
   ASSERT_TRUE(current);
   EXPECT_EQ(current->raw(), 0);
@@ -85,8 +85,8 @@ TEST_F(Converters, SensorFailsWithABrokenAmplifier) {
   chip.opamp.output = {2048, 1535, 2048};
   EXPECT_EQ(sensor.calibrate_at_rest(), Error::failed);
   chip.trigger();
-  const auto current = sensor.isr_read(0);
-  EXPECT_EQ(current.error(), Error::failed);
+  sensor.isr_latch();
+  EXPECT_EQ(sensor.isr_read(0).error(), Error::failed);
 }
 
 TEST_F(Converters, SensorFailsWithoutATrigger) {
@@ -97,10 +97,15 @@ TEST_F(Converters, SensorFailsWithoutATrigger) {
 TEST_F(Converters, SensorKnowsOneTendonAndOneSampleATrigger) {
   start();
   ASSERT_EQ(sensor.calibrate_at_rest(), Error::none);
-  EXPECT_EQ(sensor.isr_read(1).error(), Error::out_of_range);
   chip.adc2.looks_a_trigger = 0;
-  static_cast<void>(sensor.isr_read(0));
-  EXPECT_EQ(sensor.isr_read(0).error(), Error::missing);
+  EXPECT_EQ(sensor.isr_read(1).error(), Error::out_of_range);
+  sensor.isr_latch();
+  EXPECT_EQ(sensor.isr_read(0).error(), Error::missing) << "before the trigger";
+  chip.trigger();
+  sensor.isr_latch();
+  EXPECT_FALSE(converters.isr_ready()) << "the request would come again";
+  EXPECT_TRUE(sensor.isr_read(0));
+  EXPECT_EQ(sensor.isr_read(0).error(), Error::missing) << "a sample was used twice";
 }
 
 PhaseCurrent calibrated(PhaseCounts zeros = {2048, 2048, 2048}) {

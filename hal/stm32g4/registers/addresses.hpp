@@ -22,6 +22,7 @@ inline constexpr std::uintptr_t kAdc2 = 0x50000100;
 inline constexpr std::uintptr_t kAdc12Common = 0x50000300;
 inline constexpr std::uintptr_t kRng = 0x50060800;
 inline constexpr std::uintptr_t kSystemControl = 0xE000ED00;
+inline constexpr std::uintptr_t kMpu = 0xE000ED90;
 inline constexpr std::uintptr_t kInterruptController = 0xE000E100;
 
 inline constexpr std::uintptr_t kFlashArray = 0x08000000;

@@ -1,0 +1,29 @@
+#include "firmware/boards/b_g431b_esc1/application.hpp"
+
+#include <span>
+
+#include "firmware/boards/b_g431b_esc1/places.hpp"
+#include "lifemodel/block/parameter_block.hpp"
+
+namespace board {
+
+Place<Application> application_place;
+
+namespace {
+
+// Made by host_sim pack from model.toml.
+#include "firmware/boards/b_g431b_esc1/parameter_block.inc"
+
+/// The block that came with the firmware.
+app::ParameterSet<kTendons> configured() {
+  const auto parameters = lifemodel::decode(std::as_bytes(std::span(tendonlife_parameter_block)));
+  return {parameters ? std::optional(*parameters) : std::nullopt};
+}
+
+}  // namespace
+
+App& make_application(Hardware& hardware, const app::Config& config) {
+  return application_place.make(hardware, config, configured()).app();
+}
+
+}  // namespace board

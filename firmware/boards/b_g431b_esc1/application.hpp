@@ -1,0 +1,43 @@
+#pragma once
+
+#include "firmware/app/app.hpp"
+#include "firmware/app/devices.hpp"
+#include "firmware/app/stored_parameters.hpp"
+#include "firmware/boards/b_g431b_esc1/hardware.hpp"
+#include "firmware/storage/flash_store.hpp"
+
+namespace board {
+
+/// The motor of the board pulls one tendon.
+inline constexpr std::size_t kTendons = 1;
+
+using Store = storage::FlashStore<Hardware::Memory, kTendons, kStoreLayout>;
+using Devices =
+    app::Devices<decltype(Hardware::can), decltype(Hardware::sensor), decltype(Hardware::clock),
+                 Store, Hardware::Output, Hardware::Output, Hardware::Output, Hardware::Stop,
+                 decltype(Hardware::watchdog), decltype(Hardware::entropy), SettleHold>;
+
+using App = app::App<kTendons, Devices>;
+
+/// The application on the devices of the board.
+class Application {
+ public:
+  Application(Hardware& hardware, const app::Config& config,
+              const app::ParameterSet<kTendons>& configured)
+      : store_(hardware.store_memory),
+        app_(Devices{hardware.can, hardware.sensor, hardware.clock, store_, hardware.drive_enable,
+                     hardware.brake, hardware.status_light, hardware.emergency_stop,
+                     hardware.watchdog, hardware.entropy, hardware.hold},
+             config, app::stored_parameters<kTendons>(store_, configured)) {}
+
+  App& app() { return app_; }
+
+ private:
+  Store store_;
+  App app_;
+};
+
+/// Makes the one there is, with the parameters that came with the firmware where none were loaded.
+App& make_application(Hardware& hardware, const app::Config& config);
+
+}  // namespace board

@@ -1,0 +1,53 @@
+#include "firmware/boards/b_g431b_esc1/hardware.hpp"
+
+#include "firmware/protocol/isotp/address.hpp"
+#include "firmware/protocol/schema/frames.hpp"
+#include "hal/stm32g4/clock_tree.hpp"
+#include "hal/stm32g4/sample_timer.hpp"
+
+namespace board {
+
+hal::Error Hardware::start() {
+  hal::stm32g4::ClockTree<Register> tree(registers::rcc(), registers::pwr(), registers::flash());
+  if (!tree.start() || hal::stm32g4::enable_peripherals(registers::rcc()) != hal::Error::none) {
+    return hal::Error::failed;
+  }
+  drive_enable.start(false);
+  brake.start(true);
+  status_light.start(false);
+  emergency_stop.start(hal::stm32g4::Pull::up);
+  clock.start(hal::stm32g4::kCore_Hz);
+  entropy.start();
+  constexpr std::uint32_t kWatchdog_ms = 250;
+  return watchdog.start(kWatchdog_ms);
+}
+
+hal::Error Hardware::start_sensor() {
+  // UM2516: inputs and outputs of the three shunt amplifiers.
+  for (const unsigned line : {1u, 2u, 3u, 5u, 6u, 7u}) {
+    hal::stm32g4::make_analog(pins::Pin{registers::gpio_a(), line});
+  }
+  for (const unsigned line : {0u, 1u, 2u}) {
+    hal::stm32g4::make_analog(pins::Pin{registers::gpio_b(), line});
+  }
+  hal::stm32g4::SampleTimer<Register> timer(registers::tim1());
+  timer.start(hal::stm32g4::kCore_Hz, kLoop_Hz);
+  if (converters.start(clock) != hal::Error::none) {
+    return hal::Error::failed;
+  }
+  // Broken amplifiers leave a sensor that fails, which the application tells.
+  (void)sensor.calibrate_at_rest();
+  converters.enable_interrupt();
+  return hal::Error::none;
+}
+
+hal::Error Hardware::start_can(std::uint8_t node) {
+  hal::stm32g4::make_output(pins::can_termination(), hal::stm32g4::Level::high);
+  hal::stm32g4::make_output(pins::can_shutdown(), hal::stm32g4::Level::low);
+  hal::stm32g4::make_alternate(pins::can_receive(), pins::kCanFunction);
+  hal::stm32g4::make_alternate(pins::can_transmit(), pins::kCanFunction);
+  return can.start({std::uint32_t{protocol::schema::kCommandFrame.base_id} + node,
+                    protocol::isotp::Address::to_node(node).id()});
+}
+
+}  // namespace board

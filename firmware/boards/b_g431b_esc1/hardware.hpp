@@ -1,0 +1,56 @@
+#pragma once
+
+#include "firmware/boards/b_g431b_esc1/board_flash.hpp"
+#include "firmware/boards/b_g431b_esc1/flash_map.hpp"
+#include "firmware/boards/b_g431b_esc1/pins.hpp"
+#include "firmware/boards/b_g431b_esc1/priorities.hpp"
+#include "hal/stm32g4/can_controller.hpp"
+#include "hal/stm32g4/current_sensor.hpp"
+#include "hal/stm32g4/debounced_input.hpp"
+#include "hal/stm32g4/flash_memory.hpp"
+#include "hal/stm32g4/microsecond_clock.hpp"
+#include "hal/stm32g4/random.hpp"
+#include "hal/stm32g4/sample_timing.hpp"
+#include "hal/stm32g4/shunt_converters.hpp"
+#include "hal/stm32g4/watchdog.hpp"
+
+namespace board {
+
+inline constexpr std::uint32_t kLoop_Hz = 10'000;
+inline constexpr std::uint32_t kLoopPeriod_us = 1'000'000 / kLoop_Hz;
+
+/// The devices of the board.
+struct Hardware {
+  using Register = registers::Register;
+  using Memory = hal::stm32g4::FlashMemory<BoardFlash>;
+  using Stop = hal::stm32g4::DebouncedInput<Register, 2 * kLoop_Hz / 1000>;  ///< 2 ms
+  using Output = hal::stm32g4::OutputPin<Register>;
+
+  hal::stm32g4::MicrosecondClock<Register> clock{registers::tim2()};
+  hal::stm32g4::ShuntConverters<Register> converters{registers::opamp(), registers::adc1(),
+                                                     registers::adc2(), registers::adc12_common()};
+  hal::stm32g4::CurrentSensor<Register> sensor{converters};
+  hal::stm32g4::CanController<Register> can{registers::fdcan1(), registers::message_ram()};
+  Output drive_enable{pins::drive_enable(), hal::stm32g4::Active::high};
+  /// Asserted, the brake holds: the coil that opens it is without current.
+  Output brake{pins::brake_release(), hal::stm32g4::Active::low};
+  Output status_light{pins::status_light(), hal::stm32g4::Active::high};
+  /// A contact to ground that opens: a broken wire stops too.
+  Stop emergency_stop{pins::emergency_stop(), hal::stm32g4::Active::high};
+  hal::stm32g4::IndependentWatchdog<Register> watchdog{registers::iwdg()};
+  hal::stm32g4::RandomGenerator<Register> entropy{registers::rng()};
+  BoardFlash flash;
+  Memory node_memory{flash, kNodePage, 1};
+  Memory store_memory{flash, kStorePage, kStorePages};
+  SettleHold hold;
+  hal::stm32g4::SampleTiming timing;
+
+  /// Clocks, safety lines and watchdog; failed, where the board cannot run.
+  hal::Error start();
+  /// Current measurement and with it the trigger of the control loop, while the drive is off.
+  hal::Error start_sensor();
+  /// Joins the bus.
+  hal::Error start_can(std::uint8_t node);
+};
+
+}  // namespace board
