@@ -42,7 +42,10 @@ class CableCan {
     }
     return frames;
   }
-  void peer_sends(const hal::CanFrame& frame) { ASSERT_EQ(peer_.send(frame), hal::Error::none); }
+  void peer_sends(const hal::CanFrame& frame) {
+    ASSERT_EQ(peer_.send(frame), hal::Error::none);
+    kernel_test::wait(5ms);
+  }
   hal::CanFrame accepted(std::uint8_t n) { return frame(0x201, 8, n); }
 
   // Ten frames stand in the queue for half a second, and no other fits.
@@ -63,8 +66,10 @@ class CableCan {
     off.can_id = CAN_ERR_FLAG | CAN_ERR_BUSOFF;
     off.can_dlc = CAN_ERR_DLC;
     kernel_test::write_raw(kernel_test::far_end(), off);
-    EXPECT_EQ(port_.receive(), std::nullopt);
-    return true;
+    return kernel_test::eventually([this] {
+      EXPECT_EQ(port_.receive(), std::nullopt);
+      return port_.status().state == hal::CanState::off;
+    });
   }
   bool come_back() { return true; }
 

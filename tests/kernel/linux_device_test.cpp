@@ -88,18 +88,20 @@ TEST(SocketCanOnKernel, TellsTheStateThatErrorFramesTellOf) {
   Interface interface;
   CanCalls calls;
   SocketCan can(calls, "probe0", kernel_test::kEveryFrame);
-  const auto told = [&](std::uint8_t controller) {
+  const auto becomes = [&](CanState state, std::uint8_t controller) {
     ::can_frame frame{};
     frame.can_id = CAN_ERR_FLAG | CAN_ERR_CRTL;
     frame.can_dlc = CAN_ERR_DLC;
     frame.data[1] = controller;
     kernel_test::write_raw("probe0", frame);
-    EXPECT_EQ(can.receive(), std::nullopt);
-    return can.status().state;
+    return kernel_test::eventually([&] {
+      EXPECT_EQ(can.receive(), std::nullopt);
+      return can.status().state == state;
+    });
   };
-  EXPECT_EQ(told(CAN_ERR_CRTL_TX_WARNING), CanState::warning);
-  EXPECT_EQ(told(CAN_ERR_CRTL_RX_PASSIVE), CanState::passive);
-  EXPECT_EQ(told(CAN_ERR_CRTL_ACTIVE), CanState::active);
+  EXPECT_TRUE(becomes(CanState::warning, CAN_ERR_CRTL_TX_WARNING));
+  EXPECT_TRUE(becomes(CanState::passive, CAN_ERR_CRTL_RX_PASSIVE));
+  EXPECT_TRUE(becomes(CanState::active, CAN_ERR_CRTL_ACTIVE));
 }
 
 TEST(SocketCanOnKernel, CountsFramesThatFoundNoRoom) {

@@ -122,7 +122,7 @@ def serial_device(command, folder):
     with log.open("wb") as out:
         process = subprocess.Popen(
             shlex.split(command), stdin=subprocess.DEVNULL, stdout=out, stderr=out,
-            start_new_session=True,
+            start_new_session=True, env={**os.environ, "TMPDIR": str(folder)},
         )
     try:
         for _ in range(200):

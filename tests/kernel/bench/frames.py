@@ -5,7 +5,8 @@ import dataclasses
 LIFE_STATES = ("unknown", "normal", "inspect", "replace", "worn")
 HEARTBEAT, STATUS, DETAIL, EMERGENCY, COMMAND = 0x700, 0x180, 0x280, 0x080, 0x200
 
-EMERGENCY_STOP, OVERLOAD, BUS_OFF, DEADLINE, ALL_OVER = 0xFF01, 0xFF20, 0xFF60, 0xFF70, 0x0000
+EMERGENCY_STOP, OVERLOAD, BUS_OFF, DEADLINE, AUTHORITY = 0xFF01, 0xFF20, 0xFF60, 0xFF70, 0xFF80
+ALL_OVER = 0x0000
 
 
 def crc8h2f(data):
@@ -27,7 +28,8 @@ def crc_of(kind, node, data):
     at = CRC_BYTE[kind]
     number = 128 * ID_LIST[kind] + node
     counter = data[at + 1] & 15
-    data_id = number % 256 ^ counter << number // 256
+    shift = 1 if ID_LIST[kind] < 2 else 2
+    data_id = number % 256 ^ (counter ^ counter << 1) << shift
     return crc8h2f(data[:at] + data[at + 1:] + bytes([data_id]))
 
 

@@ -2,6 +2,7 @@
 
 import os
 import pathlib
+import time
 
 CONFIGFS = pathlib.Path("/sys/kernel/config/gpio-sim")
 
@@ -30,6 +31,17 @@ class Chip:
     def pull(self, name, up):
         line = self.state / f"sim_gpio{self._offsets[name]}"
         (line / "pull").write_text("pull-up" if up else "pull-down")
+
+    def glitch(self, name):
+        """Pulls the line up and down again as quickly as can be; how long it was up, in seconds."""
+        pull = os.open(self.state / f"sim_gpio{self._offsets[name]}" / "pull", os.O_WRONLY)
+        try:
+            began = time.monotonic()
+            os.pwrite(pull, b"pull-up", 0)
+            os.pwrite(pull, b"pull-down", 0)
+            return time.monotonic() - began
+        finally:
+            os.close(pull)
 
     def value(self, name):
         line = self.state / f"sim_gpio{self._offsets[name]}"
