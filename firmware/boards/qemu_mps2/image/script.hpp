@@ -14,11 +14,11 @@
 
 namespace firmware::qemu_mps2 {
 
-/// Reads the events of a recording one after another.
+/// Reads the events of a recording one after another. Without a source there are none.
 template <Source SourceT>
 class Script {
  public:
-  explicit Script(SourceT& source) : source_(source) {}
+  explicit Script(SourceT* source) : source_(source), ended_(source == nullptr) {}
 
   /// The next event whose time has come.
   std::optional<Event> due(hal::Time now) {
@@ -36,7 +36,7 @@ class Script {
  private:
   void read() {
     std::array<std::byte, Event::kBytes> bytes{};
-    ended_ = source_.read(bytes) != bytes.size();
+    ended_ = source_->read(bytes) != bytes.size();
     if (ended_) {
       return;
     }
@@ -48,9 +48,9 @@ class Script {
     next_ = event;
   }
 
-  SourceT& source_;
+  SourceT* source_;
   std::optional<Event> next_;
-  bool ended_ = false;
+  bool ended_;
 };
 
 }  // namespace firmware::qemu_mps2

@@ -1,9 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <optional>
-#include <span>
-
 #include "firmware/boards/qemu_mps2/image/failure.hpp"
 #include "firmware/boards/qemu_mps2/image/file_backing.hpp"
 #include "firmware/boards/qemu_mps2/image/machine.hpp"
@@ -16,22 +12,6 @@
 #include "firmware/boards/qemu_mps2/image/set_up.hpp"
 
 namespace firmware::qemu_mps2 {
-
-/// The file of events; without one there are none.
-template <class File>
-class EventSource {
- public:
-  explicit EventSource(const char* path) {
-    if (path != nullptr) {
-      file_.emplace(path, File::Mode::read);
-    }
-  }
-  [[nodiscard]] bool is_open() const { return !file_ || file_->is_open(); }
-  std::size_t read(std::span<std::byte> out) { return file_ ? file_->read(out) : 0; }
-
- private:
-  std::optional<File> file_;
-};
 
 /// Plays the profile of the options in virtual time, with what the script says besides; every frame
 /// goes to `line` as SLCAN, the channel open from the start.
@@ -69,11 +49,15 @@ Failure play_profile(const Options& options, Line& line, ScriptT& script) {
 /// The same with the events of the options.
 template <class File, hal::ByteStream Line>
 Failure run_in_virtual_time(const Options& options, Line& line) {
-  EventSource<File> events(options.events);
+  if (options.events == nullptr) {
+    Script<File> nothing(nullptr);
+    return play_profile<File>(options, line, nothing);
+  }
+  File events(options.events, File::Mode::read);
   if (!events.is_open()) {
     return {"events", "cannot be opened"};
   }
-  Script script(events);
+  Script script(&events);
   return play_profile<File>(options, line, script);
 }
 
