@@ -33,8 +33,8 @@ class EdgeFollower {
  public:
   explicit EdgeFollower(SourceT& source) : source_(source) {}
 
-  /// True where the line is asserted, was so at any time since the last call, or may have been so
-  /// because edges were lost. Bounded: at most kMostEdges edges, the rest next time.
+  /// True where the line is asserted, became so at any time since the last call, or may have become
+  /// so because edges were lost. Bounded: at most kMostEdges edges, the rest next time.
   Result<bool> asserted() {
     bool was = false;
     bool reread = !known_;

@@ -16,7 +16,7 @@ class Jitter {
   /// Precondition: late_ns >= 0.
   void note(std::int64_t late_ns, std::uint32_t missed) {
     const auto late_us = static_cast<std::uint64_t>(late_ns) / 1'000;
-    add(classes_[late_us < kClasses ? late_us : kClasses - 1], 1);
+    add(classes_[late_us < kClasses ? static_cast<std::size_t>(late_us) : kClasses - 1], 1);
     add(missed_, missed);
     if (late_us > worst_us_.load(std::memory_order_relaxed)) {
       worst_us_.store(late_us, std::memory_order_relaxed);

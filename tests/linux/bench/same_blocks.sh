@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# The parameter blocks in this folder are what `host_sim pack` makes of their models.
+#
+# usage: same_blocks.sh HOST_SIM
+set -euo pipefail
+here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
+files="$(mktemp -d)"
+trap 'rm -rf "$files"' EXIT
+
+for model in current tension; do
+  "$1" pack "$here/$model.toml" --out "$files/$model.block"
+done
+"$1" pack "$here/../../../host_sim/examples/upper_arm.toml" --out "$files/upper_arm.block"
+for block in current tension upper_arm; do
+  cmp "$files/$block.block" "$here/$block.block"
+done

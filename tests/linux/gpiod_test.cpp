@@ -1,0 +1,41 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+
+#include "hal/linux/device_error.hpp"
+#include "hal/linux/gpiod_emergency_stop.hpp"
+#include "hal/linux/gpiod_output.hpp"
+
+namespace hal::linux_os {
+namespace {
+
+std::string complaint_about(const std::string& chip) {
+  try {
+    GpioOutput output(chip, {"DRIVE", false});
+  } catch (const DeviceError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(GpioOfThisMachine, AMissingChipIsNamedWithThoseThatAreThere) {
+  EXPECT_TRUE(complaint_about("tl-no-chip")
+                  .starts_with("tl-no-chip: no such gpiochip; accepted: path, name or label of a "
+                               "gpiochip; there are: "));
+  EXPECT_TRUE(complaint_about("/dev/tl-no-chip")
+                  .starts_with("/dev/tl-no-chip: No such file or directory; accepted: a gpiochip "
+                               "that this user may open; there are: "));
+}
+
+TEST(GpioOfThisMachine, AFileThatIsNoChipIsRefused) {
+  EXPECT_TRUE(complaint_about("/dev/null").starts_with("/dev/null: "));
+}
+
+TEST(GpioOfThisMachine, TheEmergencyStopNeedsItsChipToo) {
+  EXPECT_THROW(GpioEmergencyStop("/dev/tl-no-chip", {"0", true}, std::chrono::milliseconds(2)),
+               DeviceError);
+}
+
+}  // namespace
+}  // namespace hal::linux_os
