@@ -3,6 +3,7 @@
 import json
 import math
 import subprocess
+import time
 
 from bench import frames
 from bench.program import binary
@@ -144,7 +145,7 @@ class Ear:
 
     def forget(self):
         """Only what comes from now on counts."""
-        self.statuses, self.emergencies, self.heartbeats, self.pages, self.all = [], [], [], {}, []
+        self.statuses, self.emergencies, self.heartbeats, self.pages = [], [], [], {}
 
     def listen(self, seconds=0.0):
         """Takes in what has come; waits so long for the first frame."""
@@ -153,8 +154,12 @@ class Ear:
             self._take(frame)
         return self
 
+    def listen_for(self, seconds):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            self.listen(0.02)
+
     def _take(self, frame):
-        self.all.append(frame)
         if frame.id == frames.HEARTBEAT + self._node_id:
             self.heartbeats.append(frame)
         for kind, check in self._checks.items():

@@ -1,5 +1,6 @@
 """A node of the tests: raw CAN in and out."""
 
+import errno
 import pathlib
 import socket
 import struct
@@ -45,11 +46,15 @@ class Node:
         self.send(ERROR | kind, data)
 
     def receive(self, seconds):
-        """The next frame of the others, or None."""
+        """The next frame of the others, or None; None too where the interface goes down."""
         self._socket.settimeout(max(seconds, 0.001))
         try:
             id, length, data = FRAME.unpack(self._socket.recv(FRAME.size))
         except TimeoutError:
+            return None
+        except OSError as error:
+            if error.errno != errno.ENETDOWN:
+                raise
             return None
         return Frame(id, data[:length], time.monotonic())
 
