@@ -166,7 +166,6 @@ class Shunts {
   Shunts() {
     EXPECT_EQ(devices_.sensor.calibrate_at_rest(), hal::Error::none);
     devices_.adc2.looks_a_trigger = 0;
-    static_cast<void>(devices_.sensor.isr_read(0));
   }
   auto& sensor() { return devices_.sensor; }
   std::size_t tendons() { return 1; }
@@ -180,11 +179,13 @@ class Shunts {
     const auto counts = static_cast<std::uint32_t>(60 * (n + 1));
     devices_.opamp.output = {2048 + counts, 2048 - counts, 2048};
     devices_.trigger();
+    devices_.sensor.isr_latch();
   }
   bool measures_always() { return false; }
   bool break_it() {
     devices_.opamp.output = {4095, 1, 2048};
     devices_.trigger();
+    devices_.sensor.isr_latch();
     return true;
   }
 
