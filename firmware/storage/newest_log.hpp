@@ -20,7 +20,7 @@ namespace storage {
 /// written to a page, what is newest on the page that comes next is copied over, and until all
 /// copies are made the originals stay.
 ///
-/// A page that fails to erase or program is left out until every page has failed or until the next
+/// A page that fails to erase or program is left out until no other is left or until the next
 /// start; what it holds still counts. One append tries each page once, so that it erases at most
 /// one page for each that fails and one more; after prepare() none where none fails. The start
 /// reads every slot once. Sequences are the caller's, each higher than the ones before.
@@ -48,8 +48,8 @@ class NewestLog {
   }
   /// The highest sequence that can be read; 0 if there is none.
   [[nodiscard]] std::uint32_t highest() const { return highest_; }
-  /// Slots that could not be read at the start. None had more than one sequence to itself, so the
-  /// next sequence is new for certain if it is above highest() + spent().
+  /// Slots that could not be read at the start. None had more than one sequence to itself, so while
+  /// any slot can be read, a sequence above highest() + spent() is new for certain.
   [[nodiscard]] std::uint32_t spent() const { return spent_; }
   /// Whether more of these were written to their end than the one that a power cut may leave, so
   /// that something that was committed was lost.
@@ -64,7 +64,7 @@ class NewestLog {
     }
     std::uint32_t tried = 0;
     for (std::uint32_t attempt = 0; attempt <= kPages.count; ++attempt) {
-      if (slot_ == kSlots && !open_next(tried)) {
+      if (slot_ == kSlots && !open_any(tried)) {
         break;
       }
       if (evacuate_next(name->key) && write(bytes, *name)) {
@@ -228,6 +228,15 @@ class NewestLog {
     where_[name.key] = Place{page_, slot, name.sequence};
     highest_ = name.sequence > highest_ ? name.sequence : highest_;
     return true;
+  }
+
+  /// Pages that failed in earlier calls are tried again where no other is left.
+  bool open_any(std::uint32_t& tried) {
+    if (open_next(tried)) {
+      return true;
+    }
+    failing_ &= tried;
+    return open_next(tried);
   }
 
   /// Goes on to a page that is erased, or can be without loss. False where there is none.

@@ -59,7 +59,7 @@ class FileStore {
       return std::move(*error);
     }
     auto& log_file = std::get<FileLog<Calls>>(log);
-    if (image.sequence == 0 && log_file.saved_once()) {
+    if (!image.lost.front() && image.sequence == 0 && log_file.saved_once()) {
       image.lost.fill(true);
       notices.push_back({folder + "/life",
                          "missing, though the log tells of saves; accepted: the file that belongs "
