@@ -10,7 +10,7 @@ namespace protocol::isotp {
 /// 100 .. 900 us. Reserved values count as the longest.
 constexpr hal::Time separation(std::uint8_t st_min) {
   if (st_min >= 0xf1 && st_min <= 0xf9) {
-    return hal::microseconds((st_min - 0xf0u) * 100u);
+    return hal::microseconds(100 * std::uint64_t{st_min - 0xf0u});
   }
   return hal::milliseconds(st_min <= 0x7f ? st_min : 0x7fu);
 }
