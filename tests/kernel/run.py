@@ -2,7 +2,7 @@
 """Runs test modules of this folder on a kernel that has CAN and simulated lines.
 
     run.py [--where auto|uml|host] [--kernel LINUX] [--set NAME=VALUE]... [--serial COMMAND]
-           [--timeout SECONDS] MODULE[.CLASS[.TEST]]...
+           [--needs FILE]... [--timeout SECONDS] MODULE[.CLASS[.TEST]]...
 
 uml   boots a User-Mode Linux kernel (toolchains/build_uml.sh) whose root is this machine's file
       system, read-only; what the tests write goes with the guest's memory.
@@ -14,7 +14,8 @@ pseudo terminal (as QEMU does for `-serial pty`); the tests find it in the guest
 TENDONLIFE_SERIAL names.
 
 Exit 0: all passed. 1: a test failed, or the kernel died or took too long. 2: usage. 77: there is no
-kernel to run on; with TENDONLIFE_REQUIRE_KERNEL=1 in the environment that is a failure.
+kernel to run on, or a program or a file of --needs is missing; with TENDONLIFE_REQUIRE_KERNEL=1 in
+the environment that is a failure.
 """
 
 import argparse
@@ -34,7 +35,10 @@ import time
 HERE = pathlib.Path(__file__).resolve().parent
 BUILD_KERNEL = HERE.parents[1] / "toolchains" / "build_uml.sh"
 CONFIGFS = pathlib.Path("/sys/kernel/config/gpio-sim")
+PROGRAMS = ("candump", "cansend", "cangen", "cangw", "isotpsend", "slcand", "gpiomon", "ip", "tc", "node",
+            "openssl", "stdbuf")
 SKIPPED = 77
+REQUIRE = "TENDONLIFE_REQUIRE_KERNEL"
 GUEST_SERIAL = "/dev/ttyS1"
 
 INIT = """#!/bin/sh
@@ -63,6 +67,8 @@ def command_of_tests(modules):
 
 
 def environment_of_tests(settings, scratch):
+    if REQUIRE in os.environ:
+        settings = {**settings, REQUIRE: os.environ[REQUIRE]}
     path = os.pathsep.join([str(HERE), *filter(None, [os.environ.get("PYTHONPATH")])])
     return {
         **settings,
@@ -97,9 +103,17 @@ def kernel_path(given):
     return pathlib.Path(told.stdout.strip())
 
 
-def no_kernel(reason):
-    if os.environ.get("TENDONLIFE_REQUIRE_KERNEL") == "1":
-        say(f"NO KERNEL TO RUN ON: {reason}")
+def missing(files):
+    """The first thing that no test does without and that is not there."""
+    for program in PROGRAMS:
+        if not shutil.which(program, path=os.environ.get("PATH", "") + ":/usr/sbin:/sbin"):
+            return f"the program {program} is missing (toolchains/setup.sh test installs it)"
+    return next((f"{file} is missing" for file in files if not os.path.exists(file)), None)
+
+
+def cannot_run(reason):
+    if os.environ.get(REQUIRE) == "1":
+        say(f"CANNOT RUN: {reason}")
         return 1
     say(f"SKIPPED, NOTHING WAS TESTED: {reason}")
     return SKIPPED
@@ -220,6 +234,7 @@ def parse(arguments):
     parser.add_argument("--kernel", metavar="LINUX")
     parser.add_argument("--set", metavar="NAME=VALUE", action="append", default=[])
     parser.add_argument("--serial", metavar="COMMAND")
+    parser.add_argument("--needs", metavar="FILE", action="append", default=[])
     parser.add_argument("--timeout", metavar="SECONDS", type=float, default=240.0)
     parser.add_argument("modules", metavar="MODULE", nargs="+")
     options = parser.parse_args(arguments)
@@ -231,14 +246,16 @@ def parse(arguments):
 
 def main(arguments):
     options = parse(arguments)
+    if reason := missing(options.needs):
+        return cannot_run(reason)
     lacks = host_lacks() if options.where != "uml" else "not asked for"
     if options.where == "host" and lacks:
-        return no_kernel(f"this machine lacks {lacks}")
+        return cannot_run(f"this machine lacks {lacks}")
     kernel = None
     if lacks:
         kernel = kernel_path(options.kernel)
         if kernel is None or not os.access(kernel, os.X_OK):
-            return no_kernel(f"{kernel or 'the kernel'} is not there; toolchains/build_uml.sh builds it")
+            return cannot_run(f"{kernel or 'the kernel'} is not there; toolchains/build_uml.sh builds it")
     folder = pathlib.Path(tempfile.mkdtemp(prefix="tendonlife-kernel-"))
     try:
         with serial_device(options.serial, folder) as serial:

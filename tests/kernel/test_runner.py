@@ -32,10 +32,15 @@ class RunnerTest(Case):
 
     def test_without_a_kernel_nothing_passes_silently(self):
         options = ("--where", "uml", "--kernel", "/nowhere/linux", "test_bench")
-        done = run(*options)
+        done = run(*options, TENDONLIFE_REQUIRE_KERNEL="0")
         self.assertEqual(done.returncode, 77)
         self.assertIn("SKIPPED, NOTHING WAS TESTED: /nowhere/linux is not there", done.stderr)
         self.assertEqual(run(*options, TENDONLIFE_REQUIRE_KERNEL="1").returncode, 1)
+
+    def test_what_it_needs_is_named(self):
+        done = run("--needs", "/nowhere/image", "test_bench", TENDONLIFE_REQUIRE_KERNEL="0")
+        self.assertEqual(done.returncode, 77)
+        self.assertIn("/nowhere/image is missing", done.stderr)
 
     def test_a_setting_without_a_value_is_a_usage_error(self):
         done = run("--set", "NAME", "test_bench")
