@@ -5,6 +5,6 @@
 namespace protocol::generate::assets {
 
 /// decoder.mjs: what follows the plan in the JavaScript decoder.
-extern const std::string_view decoder_mjs;
+extern const std::string_view decoder_mjs;  // NOLINT(readability-identifier-naming)
 
 }  // namespace protocol::generate::assets

@@ -29,16 +29,11 @@ Scaled scaled(std::string_view decimal) {
 
 std::string times(std::uint32_t count, std::string_view decimal) {
   const auto [value, places] = scaled(decimal);
-  std::string digits = fmt::format("{:0{}}", count * value, places + 1);
-  if (places == 0) {
-    return digits;
-  }
-  digits.insert(digits.size() - places, ".");
-  digits.erase(digits.find_last_not_of('0') + 1);
-  if (digits.back() == '.') {
-    digits.pop_back();
-  }
-  return digits;
+  const std::string digits = fmt::format("{:0{}}", count * value, places + 1);
+  const std::string_view whole = std::string_view(digits).substr(0, digits.size() - places);
+  std::string_view fraction = std::string_view(digits).substr(whole.size());
+  fraction = fraction.substr(0, fraction.find_last_not_of('0') + 1);
+  return fraction.empty() ? std::string(whole) : fmt::format("{}.{}", whole, fraction);
 }
 
 std::string readable(std::string_view decimal) {

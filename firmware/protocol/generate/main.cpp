@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -35,9 +36,7 @@ void write(const std::string& path, const std::string& text) {
   file.commit();
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run(int argc, char** argv) {
   CLI::App app{"Writes the frame plan for others", "protocol_generate"};
   app.require_subcommand(1);
   std::string out = "-";
@@ -71,9 +70,17 @@ int main(int argc, char** argv) {
     }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
-  } catch (const host_sim::OutputError& error) {
-    fmt::print(stderr, "protocol_generate: {}\n", error.what());
-    return 1;
   }
   return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "protocol_generate: %s\n", error.what());
+    return 1;
+  }
 }
