@@ -67,7 +67,12 @@ class Node {
   /// it began.
   hal::Error load_parameters(std::uint8_t tendon, const lifemodel::ParameterBlock& block,
                              const lifemodel::Parameters&) {
-    return devices_.store.save_parameters(tendon, block);
+    const hal::Error error = devices_.store.save_parameters(tendon, block);
+    if (error == hal::Error::none) {
+      // Raises the storage counter. Where it fails, the next save does.
+      (void)keeper_.save(devices_.clock.now(), book_.records());
+    }
+    return error;
   }
 
  private:

@@ -118,9 +118,11 @@ TEST_F(Services, FailuresInARowAreToldOnTheBus) {
 TEST_F(Services, ALoadedBlockCountsFromTheNextStart) {
   const lifemodel::Parameters stronger = paper_parameters(3e5);
   const Bytes block = protocol::testing::to_bytes(lifemodel::encode(stronger));
+  const std::uint32_t counter = rig.store.sequence();
   EXPECT_EQ(client.ask(start_request(order_for(client, 0x0202, hex("00") + block))),
             hex("71 01 0202"));
   EXPECT_EQ(rig.app->lives().records()[0].configuration, configuration_of(*rig.parameters[0]));
+  EXPECT_GT(rig.store.sequence(), counter);
   rig.start();
   rig.run(10);
   EXPECT_EQ(rig.app->lives().records()[0].configuration, configuration_of(stronger));
