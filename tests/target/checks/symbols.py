@@ -6,7 +6,7 @@ usage: symbols.py NM OBJECT...
 import subprocess
 import sys
 
-ALLOWED = {"memcpy", "memmove", "memset", "memcmp",
+ALLOWED = {"memcpy", "memmove", "memset", "memcmp", "memchr", "strlen",
            "__aeabi_memcpy", "__aeabi_memcpy4", "__aeabi_memcpy8",
            "__aeabi_memmove", "__aeabi_memmove4", "__aeabi_memmove8",
            "__aeabi_memset", "__aeabi_memset4", "__aeabi_memset8",

@@ -175,9 +175,8 @@ inline Scenario epoch_scenario() {
                 }),
            asks(14'000,
                 [](Tester& tester) {
-                  Bytes arguments = bytes({1});
-                  arguments.insert(arguments.end(), target::kPaperBlock.begin(),
-                                   target::kPaperBlock.end());
+                  Bytes arguments(1 + target::kPaperBlock.size(), std::byte{1});
+                  std::ranges::copy(target::kPaperBlock, arguments.begin() + 1);
                   tester.ask_with_authority(0x0202, arguments);
                   tester.ask(bytes({0x22, 0x10, 0x00}));
                   tester.ask(bytes({0x22, 0x02, 0x42}));

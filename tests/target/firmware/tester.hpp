@@ -25,10 +25,9 @@ namespace firmware_test {
 using Bytes = std::vector<std::byte>;
 
 inline Bytes bytes(std::initializer_list<unsigned> values) {
-  Bytes result;
-  for (const unsigned value : values) {
-    result.push_back(static_cast<std::byte>(value));
-  }
+  Bytes result(values.size());
+  std::ranges::transform(values, result.begin(),
+                         [](unsigned value) { return static_cast<std::byte>(value); });
   return result;
 }
 
@@ -115,15 +114,17 @@ class Tester {
 
   [[nodiscard]] Bytes authorised(std::uint16_t routine, const Bytes& arguments,
                                  unsigned flip) const {
-    const unsigned number = routine;
-    Bytes request = bytes({0x31, 0x01, number >> 8, number & 0xff});
-    request.insert(request.end(), arguments.begin(), arguments.end());
-    for (int shift = 0; shift < 32; shift += 8) {
-      request.push_back(static_cast<std::byte>(counter_ >> shift));
-    }
     auto proof = protocol::authority::mac(key_, node_, {routine, arguments, counter_}, nonce_);
     proof[0] ^= static_cast<std::byte>(flip);
-    request.insert(request.end(), proof.begin(), proof.end());
+    const unsigned number = routine;
+    const Bytes head = bytes({0x31, 0x01, number >> 8, number & 0xff});
+    Bytes request(head.size() + arguments.size() + 4 + proof.size());
+    auto out = std::ranges::copy(head, request.begin()).out;
+    out = std::ranges::copy(arguments, out).out;
+    for (int shift = 0; shift < 32; shift += 8) {
+      *out++ = static_cast<std::byte>(counter_ >> shift);
+    }
+    std::ranges::copy(proof, out);
     return request;
   }
 

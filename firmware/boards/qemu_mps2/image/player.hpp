@@ -8,6 +8,7 @@
 #include "firmware/boards/qemu_mps2/image/profile.hpp"
 #include "firmware/boards/qemu_mps2/image/script.hpp"
 #include "hal/clock.hpp"
+#include "hal/error.hpp"
 #include "hal/qemu_mps2/virtual_clock.hpp"
 #include "lifemodel/support/bytes.hpp"
 
