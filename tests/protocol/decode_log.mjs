@@ -24,7 +24,8 @@ function loadReader() {
     execFileSync(fetch, ['--folder'], { encoding: 'utf8' }).trim();
   const file = `${folder}/index.cjs.js`;
   if (!existsSync(file)) {
-    fail(process.env.CI ? 1 : 77, `SKIPPED: no DBC reader in ${folder}; run ${fetch}`);
+    const [status, word] = process.env.CI ? [1, 'FAILED'] : [77, 'SKIPPED'];
+    fail(status, `${word}: no DBC reader in ${folder}; run ${fetch}`);
   }
   return createRequire(import.meta.url)(file);
 }
