@@ -20,7 +20,7 @@ hal::CanFrame frame(Input& in, std::uint32_t id, bool extended) {
 }
 
 /// One thing that happens on the bus, as the first byte says, or some time that passes.
-void happen(Input& in, Node& node) {
+void happen(Input& in, Node& node, std::uint32_t& left_ms) {
   switch (in.byte() % 6) {
     case 0:
       return node.hear(frame(in, 0x200u + app::fuzz::kNode, false));
@@ -42,7 +42,8 @@ void happen(Input& in, Node& node) {
       return node.hear_request(std::span(request).first(size));
     }
     default: {
-      const std::uint32_t time_ms = 1 + in.byte();
+      const std::uint32_t time_ms = std::min(1u + in.byte(), left_ms);
+      left_ms -= time_ms;
       return node.pass_ms(time_ms, static_cast<std::int32_t>(in.byte()) << 22);
     }
   }
@@ -52,11 +53,11 @@ void happen(Input& in, Node& node) {
 
 /// A node hears what the input says.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  constexpr int kMost = 400;
+  std::uint32_t left_ms = 3'000;
   Input in(data, size);
   const auto node = std::make_unique<Node>();
-  for (int i = 0; i < kMost && !in.empty(); ++i) {
-    happen(in, *node);
+  while (!in.empty() && left_ms != 0) {
+    happen(in, *node, left_ms);
   }
   node->pass_ms(10, 0);
   node->finish();
