@@ -28,7 +28,7 @@ class ClockTree {
 
   /// failed, where the device does not get ready; it then still runs at 16 MHz or half speed.
   Result<Oscillator> start() {
-    if (boost() != Error::none) {
+    if (fall_back() != Error::none || boost() != Error::none) {
       return Error::failed;
     }
     set_bits(rcc_.cr, rcc::kHseOn);
@@ -53,6 +53,21 @@ class ClockTree {
   /// Reads that take more than the 1 us of RM0440 6.1.5 at 85 MHz, where one takes two cycles.
   static constexpr std::uint32_t kHalfSpeedPolls = 200;
 
+  /// To the internal oscillator, for the boot loader of the device may have left the PLL in use.
+  Error fall_back() {
+    set_bits(rcc_.cr, rcc::kHsi16On);
+    if (wait_until(rcc_.cr, rcc::kHsi16Ready, rcc::kHsi16Ready, kReadyPolls) != Error::none) {
+      return Error::failed;
+    }
+    replace_bits(rcc_.cfgr, rcc::kSwitchMask, rcc::kSwitchHsi16);
+    if (wait_until(rcc_.cfgr, rcc::kSwitchStatusMask, rcc::kSwitchStatusHsi16, kReadyPolls) !=
+        Error::none) {
+      return Error::failed;
+    }
+    clear_bits(rcc_.cr, rcc::kPllOn);
+    return wait_until(rcc_.cr, rcc::kPllReady, 0, kReadyPolls);
+  }
+
   /// RM0440 6.1.5.
   Error boost() {
     set_bits(rcc_.apb1enr1, rcc::kPwr);
@@ -69,10 +84,6 @@ class ClockTree {
 
   /// RM0440 7.2.4: configured while it is off; 4 MHz x 85 / 2.
   Error start_pll(bool crystal) {
-    clear_bits(rcc_.cr, rcc::kPllOn);
-    if (wait_until(rcc_.cr, rcc::kPllReady, 0, kReadyPolls) != Error::none) {
-      return Error::failed;
-    }
     const std::uint32_t source =
         crystal ? rcc::kPllSourceHse | rcc::pll_m(2) : rcc::kPllSourceHsi16 | rcc::pll_m(4);
     rcc_.pllcfgr.write(source | rcc::pll_n(85) | rcc::kPllRBy2 | rcc::kPllREnable);

@@ -54,6 +54,15 @@ TEST_F(BringUp, RunsAgainAfterASoftwareStart) {
   EXPECT_EQ(chip.rcc.core_Hz(), 170'000'000u);
 }
 
+TEST_F(BringUp, RunsAgainWhereABootLoaderLeftThePllInUse) {
+  ASSERT_TRUE(tree.start());
+  chip.rcc.crystal = false;
+  chip.rcc.registers.cr.drop(1u << 17);
+  const auto oscillator = tree.start();
+  ASSERT_TRUE(oscillator);
+  EXPECT_EQ(chip.rcc.core_Hz(), 170'000'000u);
+}
+
 TEST_F(BringUp, GivesPeripheralsTheirClocks) {
   ASSERT_TRUE(tree.start());
   ASSERT_EQ(hal::stm32g4::enable_peripherals(chip.rcc.registers), hal::Error::none);

@@ -36,6 +36,12 @@ TEST_F(Converters, AreTriggeredAtTenKilohertz) {
   EXPECT_EQ(chip.tim1.registers.ccer.held(), 0u);
 }
 
+TEST_F(Converters, ForgetThatTheyWereReadyBefore) {
+  chip.adc1.registers.isr.raise(1);
+  chip.adc2.registers.isr.raise(1);
+  start();
+}
+
 TEST_F(Converters, GiveTheThreePhasesInOrder) {
   start();
   chip.adc2.looks_a_trigger = 0;

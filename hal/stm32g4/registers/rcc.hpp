@@ -42,11 +42,13 @@ static_assert(sizeof(RccRegisters<Register>) == 0xA0);
 
 namespace rcc {
 // CR, 7.4.1
+inline constexpr std::uint32_t kHsi16On = bit(8), kHsi16Ready = bit(10);
 inline constexpr std::uint32_t kHseOn = bit(16), kHseReady = bit(17), kCssOn = bit(19);
 inline constexpr std::uint32_t kPllOn = bit(24), kPllReady = bit(25);
 // CFGR, 7.4.3
-inline constexpr std::uint32_t kSwitchMask = 3u << 0, kSwitchPll = 3u << 0;
+inline constexpr std::uint32_t kSwitchMask = 3u << 0, kSwitchPll = 3u << 0, kSwitchHsi16 = 1u << 0;
 inline constexpr std::uint32_t kSwitchStatusMask = 3u << 2, kSwitchStatusPll = 3u << 2;
+inline constexpr std::uint32_t kSwitchStatusHsi16 = 1u << 2;
 inline constexpr std::uint32_t kHclkMask = 15u << 4, kHclkBy2 = 8u << 4;
 // PLLCFGR, 7.4.4
 inline constexpr std::uint32_t kPllSourceHsi16 = 2, kPllSourceHse = 3;

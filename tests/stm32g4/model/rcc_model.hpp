@@ -130,6 +130,10 @@ class RccModel : public RegisterModel<hal::stm32g4::RccRegisters<Word>> {
       switch_.begin(4);
       half_speed_reads_ = 0;
     }
+    if ((value & 3u) == 1 && (before & 3u) != 1) {
+      EXPECT_TRUE(registers.cr.has(1u << 10)) << "switched to HSI16 while it is off";
+      switch_.begin(4);
+    }
     if (half && (value >> 4 & 15u) == 0 && (before >> 2 & 3u) == 3) {
       EXPECT_GE(half_speed_reads_, 85u) << "half speed for less than 1 us (6.1.5)";
     }
