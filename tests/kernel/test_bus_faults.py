@@ -86,6 +86,7 @@ class CableFaultTest(Case):
                         "the dropped pages are counted")
         self.assert_only_sent_lives_were_shown(3)
         self.assertEqual(self._controller.stop(), 0)
+        self.assertGreater(self._controller.report()["can"]["queue_full"], 0)
 
 
 class BusFaultTest(Case):

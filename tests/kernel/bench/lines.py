@@ -32,12 +32,14 @@ class Chip:
         line = self.state / f"sim_gpio{self._offsets[name]}"
         (line / "pull").write_text("pull-up" if up else "pull-down")
 
-    def glitch(self, name):
-        """Pulls the line up and down again as quickly as can be; how long it was up, in seconds."""
+    def glitch(self, name, seconds):
+        """Pulls the line up for at least so long; how long it really was, in seconds."""
         pull = os.open(self.state / f"sim_gpio{self._offsets[name]}" / "pull", os.O_WRONLY)
         try:
             began = time.monotonic()
             os.pwrite(pull, b"pull-up", 0)
+            while time.monotonic() < began + seconds:  # sleeping takes ten times as long here
+                pass
             os.pwrite(pull, b"pull-down", 0)
             return time.monotonic() - began
         finally:
