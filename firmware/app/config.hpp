@@ -14,9 +14,6 @@ using Key = std::array<std::byte, 16>;
 /// Version of the firmware, major in the high 4 bits, minor in the low.
 inline constexpr std::uint8_t kFirmwareVersion = 0x01;
 
-/// Version of the frame plan.
-inline constexpr std::uint8_t kSchemaVersion = 1;
-
 struct Config {
   protocol::Node node = 1;
   Key key{};

@@ -9,6 +9,7 @@
 #include "firmware/app/config.hpp"
 #include "firmware/app/keeper.hpp"
 #include "firmware/app/life_book.hpp"
+#include "firmware/protocol/schema/plan.hpp"
 #include "firmware/protocol/uds/identity.hpp"
 #include "lifemodel/block/parameter_block.hpp"
 
@@ -25,7 +26,7 @@ class Node {
       : devices_(devices), config_(config), book_(book), keeper_(keeper) {}
 
   [[nodiscard]] protocol::uds::Identity identity() const {
-    return {config_.serial, kSchemaVersion, kFirmwareVersion};
+    return {config_.serial, protocol::schema::kSchemaVersion, kFirmwareVersion};
   }
   [[nodiscard]] std::uint8_t tendons() const { return kTendons; }
   [[nodiscard]] storage::LifeRecord read_life(std::uint8_t tendon) const {

@@ -10,6 +10,7 @@
 #include "firmware/app/life_book.hpp"
 #include "firmware/app/rainflow_bins.hpp"
 #include "firmware/protocol/messages.hpp"
+#include "firmware/protocol/schema/plan.hpp"
 
 namespace app {
 
@@ -53,7 +54,8 @@ class Reporter {
     using namespace protocol::detail;
     switch (page) {
       case Identity::kPage:
-        return send(Identity{kSchemaVersion, kFirmwareVersion, conditions_.configuration});
+        return send(Identity{protocol::schema::kSchemaVersion, kFirmwareVersion,
+                             conditions_.configuration});
       case Cycles::kPage:
         return send(Cycles{book_.cycles(), book_.cycles_per_min()});
       case DamageRate::kPage:

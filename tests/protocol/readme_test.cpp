@@ -9,17 +9,28 @@
 namespace protocol::generate {
 namespace {
 
-TEST(FrameTable, InTheReadmeIsWhatTheSchemaSays) {
+/// What stands in README.md between the marks of this name.
+std::string marked(const std::string& name) {
   std::ostringstream text;
   text << std::ifstream(TENDONLIFE_README).rdbuf();
   const std::string readme = text.str();
-  const std::string begin = "<!-- frame-table:begin -->\n";
+  const std::string begin = "<!-- " + name + ":begin -->\n";
   const std::size_t start = readme.find(begin);
-  const std::size_t end = readme.find("<!-- frame-table:end -->");
-  ASSERT_NE(start, std::string::npos);
-  ASSERT_NE(end, std::string::npos);
-  EXPECT_EQ(readme.substr(start + begin.size(), end - start - begin.size()), table())
+  const std::size_t end = readme.find("<!-- " + name + ":end -->");
+  if (start == std::string::npos || end == std::string::npos) {
+    return "no marks of " + name;
+  }
+  return readme.substr(start + begin.size(), end - start - begin.size());
+}
+
+TEST(FrameTable, InTheReadmeIsWhatTheSchemaSays) {
+  EXPECT_EQ(marked("frame-table"), table())
       << "put what `protocol_generate table` writes between the marks";
+}
+
+TEST(ServiceTable, InTheReadmeIsWhatTheServerSays) {
+  EXPECT_EQ(marked("service-table"), services())
+      << "put what `protocol_generate services` writes between the marks";
 }
 
 // One line of each kind, by hand.

@@ -26,4 +26,7 @@ std::string javascript();
 /// The frame table of README.md in Markdown, with an end of line.
 std::string table();
 
+/// The table of services of README.md in Markdown, with an end of line.
+std::string services();
+
 }  // namespace protocol::generate

@@ -53,7 +53,9 @@ int run(int argc, char** argv) {
   auto* const javascript =
       app.add_subcommand("js", "ES module for browsers and Node.js: decode(id, data)");
   auto* const table = app.add_subcommand("table", "frame table of README.md in Markdown");
-  for (CLI::App* const verb : {dbc, javascript, table}) {
+  auto* const services =
+      app.add_subcommand("services", "table of diagnostic services of README.md in Markdown");
+  for (CLI::App* const verb : {dbc, javascript, table, services}) {
     verb->add_option("--out", out, "file to write, - for standard output")->capture_default_str();
   }
 
@@ -65,8 +67,10 @@ int run(int argc, char** argv) {
     if (*dbc) {
       write(out, as_template ? protocol::generate::dbc_template()
                              : protocol::generate::dbc(checked_nodes(numbers)));
+    } else if (*javascript) {
+      write(out, protocol::generate::javascript());
     } else {
-      write(out, *table ? protocol::generate::table() : protocol::generate::javascript());
+      write(out, *table ? protocol::generate::table() : protocol::generate::services());
     }
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : 2;
