@@ -6,7 +6,6 @@
 #include <cerrno>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
 #include <map>
 #include <memory>
 #include <optional>
@@ -89,7 +88,7 @@ class MemoryFiles {
       Open& file = open_.at(fd);
       const auto& content = nodes_[file.node]->content;
       const std::size_t count = std::min(size, content.size() - file.at);
-      std::memcpy(out, content.data() + file.at, count);
+      std::copy_n(content.data() + file.at, count, static_cast<std::byte*>(out));
       file.at += count;
       return static_cast<ssize_t>(count);
     });
@@ -101,7 +100,7 @@ class MemoryFiles {
       auto& content = nodes_[open_.at(fd).node]->content;
       const auto from = static_cast<std::size_t>(at);
       content.resize(std::max(content.size(), from + count));
-      std::memcpy(content.data() + from, in, count);
+      std::copy_n(static_cast<const std::byte*>(in), count, content.data() + from);
       return static_cast<ssize_t>(count);
     });
   }

@@ -137,7 +137,7 @@ TYPED_TEST(PowerCut, AtEveryOperation) {
     }
     this->socket_.plug(this->flash_);
     ASSERT_TRUE(this->fine(this->step(store, model, i)));
-    saves += tested && i % 7 != 3 && i % 5 != 4 ? 1 : 0;
+    saves += tested && i % 7 != 3 && i % 5 != 4 ? 1u : 0u;
   }
   EXPECT_GE(saves, 200 / kFewer);
   this->RecordProperty("saves", static_cast<int>(saves));
