@@ -19,7 +19,7 @@ test_packages=(
   clang clang-tidy clang-format libclang-rt-14-dev
   chromium
   pkg-config g++-aarch64-linux-gnu g++-arm-linux-gnueabihf qemu-user-static
-  can-utils iproute2 linux-source-6.1 flex bison bc kmod
+  can-utils iproute2 linux-source-6.1 make xz-utils flex bison bc kmod
 )
 # libgpiod of version 2, which Debian 12 has in its backports alone.
 gpio_packages=(libgpiod-dev gpiod)
