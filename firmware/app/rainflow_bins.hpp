@@ -7,6 +7,7 @@
 
 #include "lifemodel/damage/damage.hpp"
 #include "lifemodel/quantity/units.hpp"
+#include "lifemodel/support/shared_word.hpp"
 
 namespace app {
 
@@ -19,11 +20,13 @@ class RainflowBins {
   static constexpr std::uint32_t kBins = kClasses * kClasses;
 
   void count(lifemodel::Tension from, lifemodel::Tension to) {
-    std::uint32_t& bin = bins_[range_class(from, to) * kClasses + mean_class(from, to)];
-    bin += bin != std::numeric_limits<std::uint32_t>::max() ? 1u : 0u;
+    auto& bin = bins_[range_class(from, to) * kClasses + mean_class(from, to)];
+    const std::uint32_t cycles = bin.own();
+    bin.set_relaxed(cycles + (cycles != std::numeric_limits<std::uint32_t>::max() ? 1u : 0u));
   }
-  /// Precondition: bin < kBins; its range class is bin / kClasses, its mean class bin % kClasses.
-  [[nodiscard]] std::uint32_t cycles(std::uint32_t bin) const { return bins_[bin]; }
+  /// While another context counts, too. Precondition: bin < kBins; its range class is bin /
+  /// kClasses, its mean class bin % kClasses.
+  [[nodiscard]] std::uint32_t cycles(std::uint32_t bin) const { return bins_[bin].relaxed(); }
 
   static constexpr std::uint32_t range_class(lifemodel::Tension from, lifemodel::Tension to) {
     const std::uint32_t eighths = lifemodel::distance(from, to).raw() / kEighth;
@@ -40,7 +43,7 @@ class RainflowBins {
 
  private:
   static constexpr std::uint32_t kEighth = 1u << (lifemodel::Tension::kFractionBits - 3);
-  std::array<std::uint32_t, kBins> bins_{};
+  std::array<lifemodel::SharedWord<std::uint32_t>, kBins> bins_{};
 };
 
 /// Fills the bins of one tendon while cycles are counted.
