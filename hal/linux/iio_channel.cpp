@@ -111,7 +111,9 @@ std::optional<IioType> parse_iio_type(std::string_view text) {
     return std::nullopt;
   }
   const bool whole = storage == 8 || storage == 16 || storage == 32 || storage == 64;
-  if (!whole || type.bits == 0 || type.shift >= storage || type.bits > storage - type.shift) {
+  const bool too_wide = type.bits == 64 && !type.is_signed;
+  if (!whole || too_wide || type.bits == 0 || type.shift >= storage ||
+      type.bits > storage - type.shift) {
     return std::nullopt;
   }
   type.storage_bytes = storage / 8;

@@ -17,7 +17,7 @@ namespace hal::linux_os {
 struct IioType {
   bool big_endian = false;
   bool is_signed = false;
-  unsigned bits = 0;           ///< that count, 1 .. 64
+  unsigned bits = 0;           ///< that count, 1 .. 63, and 64 where signed
   unsigned storage_bytes = 0;  ///< 1, 2, 4 or 8
   unsigned shift = 0;          ///< to the right, before the bits are taken
 

@@ -44,13 +44,12 @@ class BasicSocketCan {
   }
 
   Error send(const CanFrame& frame) {
-    if (status_.state == CanState::off || gone_) {
+    if (status().state == CanState::off) {
       return Error::off;
     }
     const int error = calls_.send(to_kernel(frame));
     switch (error) {
       case 0:
-        down_ = false;
         ++counts_.sent;
         return Error::none;
       case ENOBUFS:

@@ -36,7 +36,7 @@ TEST(IioType, RefusesAllElse) {
   for (const char* text :
        {"", "le", "le:", "xe:s12/16>>4", "le:x12/16>>4", "le:s0/16>>0", "le:s17/16>>0",
         "le:s12/12>>0", "le:s12/16>>5", "le:s12/16>>16", "le:s12/16X2>>4", "le:s12/16>>4 ",
-        "le:s12/16>>", "le:s-1/16>>0", "le:s12/128>>0", "le:s4294967297/16>>0"}) {
+        "le:s12/16>>", "le:s-1/16>>0", "le:u64/64>>0", "le:s12/128>>0", "le:s4294967297/16>>0"}) {
     EXPECT_FALSE(parse_iio_type(text)) << text;
   }
 }

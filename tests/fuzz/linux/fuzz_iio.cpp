@@ -28,7 +28,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   const std::int64_t value =
       hal::linux_os::iio_value(*type, std::span(element).first(type->storage_bytes));
-  if (type->bits < 64) {
+  if (type->bits < 63) {
     const std::int64_t limit = std::int64_t{1} << (type->is_signed ? type->bits - 1 : type->bits);
     require(value < limit && value >= (type->is_signed ? -limit : 0));
   }
