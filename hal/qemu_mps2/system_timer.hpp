@@ -82,8 +82,7 @@ class SystemTimer {
     if (left == 0) {
       left = registers_.current.read();
     }
-    return left == 0 ? period_us_
-                     : (period_us_ * kTicksPerMicrosecond - left) / kTicksPerMicrosecond;
+    return (period_us_ * kTicksPerMicrosecond - left) / kTicksPerMicrosecond;
   }
 
   Registers& registers_;
