@@ -5,7 +5,7 @@ import time
 
 from bench import frames
 from bench.case import Case
-from bench.controller import KEY, Ear
+from bench.controller import Ear
 from bench.decoder import decode
 from bench.diagnosis import OPEN_EPOCH, NONCE, Tester
 from bench.frames import Status
