@@ -21,7 +21,6 @@ concept FileCalls = requires(T& calls, const char* path, int fd, void* out, cons
   { calls.read(fd, out, size) } -> std::same_as<ssize_t>;
   { calls.write(fd, in, size, at) } -> std::same_as<ssize_t>;
   { calls.fsync(fd) } -> std::same_as<int>;
-  { calls.truncate(fd, at) } -> std::same_as<int>;
   { calls.rename(path, path) } -> std::same_as<int>;
   { calls.lock(fd) } -> std::same_as<int>;
 };
@@ -35,7 +34,6 @@ struct PosixFileCalls {
     return ::pwrite(fd, in, size, at);
   }
   static int fsync(int fd) { return ::fsync(fd); }
-  static int truncate(int fd, off_t size) { return ::ftruncate(fd, size); }
   static int rename(const char* from, const char* to) { return ::rename(from, to); }
   static int lock(int fd) { return ::flock(fd, LOCK_EX | LOCK_NB); }
 };

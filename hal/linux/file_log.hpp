@@ -23,8 +23,9 @@
 
 namespace hal::linux_os {
 
-/// The log as a file of entries, each synced. What an append that was cut has left at the end is
-/// ignored, and gone with the next append; a damaged entry before it is passed over and stays.
+/// The log as a file of entries, each synced. What an append that was cut has left at the end,
+/// never more than an entry, is ignored, and the next append overwrites it; a damaged entry before
+/// it is passed over and stays.
 template <FileCalls Calls>
 class FileLog {
  public:
@@ -53,15 +54,10 @@ class FileLog {
       return hal::Error::full;
     }
     entry.number = entries_.empty() ? 0 : entries_.back().number + 1;
-    if (tail_ && calls_.truncate(file_.get(), end_) != 0) {
-      return hal::Error::failed;
-    }
-    tail_ = true;
     const auto bytes = storage::encode(entry);
     if (write_all(calls_, file_.get(), bytes, end_) != 0 || calls_.fsync(file_.get()) != 0) {
       return hal::Error::failed;
     }
-    tail_ = false;
     end_ += static_cast<off_t>(bytes.size());
     entries_.push_back(entry);
     return hal::Error::none;
@@ -79,6 +75,7 @@ class FileLog {
   void take(std::span<const std::byte> bytes, const std::string& path,
             std::vector<FileError>& notices) {
     constexpr std::size_t kEntry = storage::kEntryBytes;
+    bool tail = false;
     for (std::size_t at = 0; at + kEntry <= bytes.size(); at += kEntry) {
       const auto entry = storage::decode_entry(bytes.subspan(at).template first<kEntry>());
       if (entry) {
@@ -88,17 +85,12 @@ class FileLog {
                                      " is damaged and was passed over; accepted: entries of " +
                                      std::to_string(kEntry) + " bytes whose CRC-32 fits"});
       } else {
-        tail_ = true;
+        tail = true;
       }
     }
-    std::size_t whole = bytes.size() / kEntry;
-    if (bytes.size() % kEntry != 0) {
-      tail_ = true;
-    } else if (tail_) {
-      --whole;
-    }
+    const std::size_t whole = bytes.size() / kEntry - (tail ? 1 : 0);
     end_ = static_cast<off_t>(whole * kEntry);
-    if (tail_) {
+    if (tail || bytes.size() % kEntry != 0) {
       notices.push_back({path, "its last entry was cut while it was written, and is ignored"});
     }
   }
@@ -106,8 +98,7 @@ class FileLog {
   Calls calls_{};
   FileHandle<Calls> file_;
   std::vector<storage::LogEntry> entries_;
-  off_t end_ = 0;      ///< of the last whole entry
-  bool tail_ = false;  ///< there may be something after it
+  off_t end_ = 0;  ///< of the last whole entry
 };
 
 }  // namespace hal::linux_os

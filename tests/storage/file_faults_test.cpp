@@ -127,6 +127,20 @@ TEST(FileFaults, AShortWriteIsWrittenToItsEnd) {
   }
 }
 
+// Nothing but the opening has synced the folder before the first entry.
+TEST(FileFaults, TheFirstEntryOfANewLogIsThere) {
+  for (std::uint64_t seed = 0; seed < 64; ++seed) {
+    MemoryFiles files("/store");
+    {
+      auto opened = Store::open("/store", MemoryCalls(files));
+      ASSERT_EQ(std::get<Store>(opened).append(entry_of(1)), hal::Error::none);
+    }
+    files.restart(seed);
+    auto opened = Store::open("/store", MemoryCalls(files));
+    ASSERT_TRUE(std::get<Store>(opened).log(0)) << seed;
+  }
+}
+
 // A store that stays open over errors, as a controller does on a disk that is full for a while.
 TEST(FileFaults, AFullDiskForAWhile) {
   Life life(6);

@@ -62,6 +62,9 @@ TEST(FlashStore, ARecordIsEightUnitsWithTheCrcLast) {
     (void)first.save(records_of<1>(1));
     cut.flash.power_on();
     EXPECT_EQ(cut.start().load(0).has_value(), last == 7) << last;
+    const auto crc_unit = cut.flash.content().subspan(56, 8);
+    const bool blank = std::ranges::count(crc_unit, std::byte{0xff}) == 8;
+    EXPECT_EQ(blank, last != 7) << last;
   }
 }
 
@@ -276,6 +279,35 @@ TEST(FlashStore, WearsAllPagesTheSame) {
     for (std::uint32_t page = 16; page < 20; ++page) {
       EXPECT_EQ(rig.flash.erases(page), 0u);
     }
+  }
+}
+
+TEST(FlashStore, PrepareTellsOfAPageThatCannotBeErasedAndTakesTheNext) {
+  for (const BadPage how : {BadPage::erase_fails, BadPage::keeps_bits}) {
+    Rig<Small, 1> rig;
+    auto store = rig.start();
+    for (std::uint32_t step = 0; step < 35; ++step) {
+      ASSERT_EQ(store.save(records_of<1>(step)), Error::none);
+    }
+    rig.flash.make_bad(0, how);  // comes next
+    EXPECT_EQ(store.prepare(), Error::failed);
+    EXPECT_EQ(store.prepare(), Error::none);
+    EXPECT_EQ(rig.flash.erases(1), 1u);
+    const auto operations = rig.flash.operations();
+    EXPECT_EQ(store.prepare(), Error::none);
+    EXPECT_EQ(rig.flash.operations(), operations);
+  }
+}
+
+// Each page fails once, and all are still good.
+TEST(FlashStore, PassingFailuresDoNotAddUp) {
+  Rig<Small, 2> rig;
+  auto store = rig.start();
+  for (std::uint32_t step = 0; step < 300; ++step) {
+    if (step % 13 == 12) {
+      rig.flash.fault(rig.flash.operations() + 3, {FlashFault::Kind::refuse});
+    }
+    ASSERT_EQ(store.save(records_of<2>(step)), Error::none) << step;
   }
 }
 

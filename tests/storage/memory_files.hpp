@@ -116,12 +116,6 @@ class MemoryFiles {
       return 0;
     });
   }
-  int truncate(int fd, off_t size) {
-    return call([&] {
-      nodes_[open_.at(fd).node]->content.resize(static_cast<std::size_t>(size));
-      return 0;
-    });
-  }
   int rename(const char* from, const char* to) {
     return call([&] {
       const auto found = names_.find(from);
@@ -255,7 +249,6 @@ class MemoryCalls {
     return files_->write(fd, in, size, at);
   }
   int fsync(int fd) { return files_->fsync(fd); }
-  int truncate(int fd, off_t size) { return files_->truncate(fd, size); }
   int rename(const char* from, const char* to) { return files_->rename(from, to); }
   int lock(int fd) { return files_->lock(fd); }
 

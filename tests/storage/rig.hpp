@@ -45,6 +45,12 @@ struct Small {
   static constexpr storage::FlashLayout kLayout{{0, 4}, {4, 2}, {6, 2}};
 };
 
+/// As little as there can be: two pages of records, so that the newest are always moved on.
+struct Tiny {
+  using Flash = hal::fake::Flash<6, 640, 8>;
+  static constexpr storage::FlashLayout kLayout{{0, 2}, {2, 2}, {4, 2}};
+};
+
 template <class Geometry, std::size_t kTendons>
 using StoreOn = storage::FlashStore<Socket<typename Geometry::Flash>, kTendons, Geometry::kLayout>;
 
