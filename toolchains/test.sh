@@ -88,11 +88,14 @@ build_fuzzers() {
   cmake --build --preset host-fuzz -j "$jobs" --target "${fuzzers[@]}"
 }
 
-compare_trails() {
+compare_host_and_target() {
   local host
   for host in host-release host-asan-ubsan; do
     tests/target/trail/compare.sh "build/$host/tests/target/host/trail" \
       build/qemu-m4/tests/target/trail/run_trail
+    python3 tests/target/firmware/compare.py "build/$host/tests/target/host/record" \
+      "build/$host/tests/target/host/firmware_host" \
+      build/qemu-m4/tests/target/firmware/run_firmware
   done
 }
 
@@ -141,7 +144,7 @@ for architecture in aarch64 armhf; do
 done
 stage "kernel: build" toolchains/build_uml.sh
 stage "kernel: tests" run_kernel_tests
-stage "bit-identical on host and target" compare_trails
+stage "bit-identical on host and target" compare_host_and_target
 stage "lifemodel installed and used" use_package
 stage "clang-tidy" check_with_clang_tidy
 echo "$passed passed, $failed failed"

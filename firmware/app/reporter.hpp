@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include "firmware/app/rainflow_bins.hpp"
 #include "firmware/protocol/messages.hpp"
 #include "firmware/protocol/schema/plan.hpp"
+#include "firmware/storage/save_policy.hpp"
 
 namespace app {
 
@@ -43,9 +45,10 @@ class Reporter {
   [[nodiscard]] std::uint32_t damage_ppm() const { return book_.damage_ppb(book_.worst()) / 1000; }
 
   /// True while a status would show a damage that is further ahead of the store than the last
-  /// storage page said.
+  /// storage page said, and the page could say more.
   [[nodiscard]] bool unsaved_to_publish() const {
-    return conditions_.worst_unsaved_ppb > published_unsaved_ppb_;
+    return conditions_.worst_unsaved_ppb > published_unsaved_ppb_ &&
+           published_unsaved_ppb_ < kMostPublished_ppb;
   }
 
   /// Hands the message of a page to `send`, which returns whether it has left, and returns that.
@@ -135,11 +138,18 @@ class Reporter {
     return least;
   }
 
+  /// At least a step of the save policy, and a quarter of headroom over what was seen, so that a
+  /// damage that grows for a minute does not fill the bus with storage pages.
   template <class Send>
   bool send_storage(Send& send) {
-    const std::uint32_t worst_ppb = conditions_.worst_unsaved_ppb;
-    const bool left = send(protocol::detail::Storage{conditions_.sequence, worst_ppb});
-    published_unsaved_ppb_ = left ? worst_ppb : published_unsaved_ppb_;
+    std::uint32_t bound_ppb = published_unsaved_ppb_;
+    if (conditions_.worst_unsaved_ppb > bound_ppb) {
+      const std::uint32_t worst_ppb = std::min(conditions_.worst_unsaved_ppb, kMostPublished_ppb);
+      bound_ppb = std::max(worst_ppb + worst_ppb / 4, storage::SavePolicy::kStep_ppb);
+      bound_ppb = std::min(bound_ppb, kMostPublished_ppb);
+    }
+    const bool left = send(protocol::detail::Storage{conditions_.sequence, bound_ppb});
+    published_unsaved_ppb_ = left ? bound_ppb : published_unsaved_ppb_;
     return left;
   }
 
@@ -152,6 +162,9 @@ class Reporter {
             .dropped = conditions_.dropped,
             .refused = conditions_.refused};
   }
+
+  /// What the field of the storage page holds.
+  static constexpr std::uint32_t kMostPublished_ppb = (1u << 24) - 1;
 
   const LifeBook<kTendons>& book_;
   const Bins& bins_;

@@ -41,7 +41,10 @@ class Speaker {
     next_emergency_ = now;
   }
 
-  void select_page(std::uint8_t page) { page_ = page % protocol::detail::kPages; }
+  void select_page(std::uint8_t page) {
+    page_ = page % protocol::detail::kPages;
+    selected_ = true;
+  }
   void burst(std::uint8_t pages) { burst_ = pages; }
   /// Detail pages that found no room; stops.
   [[nodiscard]] std::uint8_t dropped() const { return dropped_; }
@@ -130,7 +133,8 @@ class Speaker {
     if (!send_page(page_, reporter)) {
       return false;
     }
-    page_ = static_cast<std::uint8_t>((page_ + 1) % protocol::detail::kPages);
+    page_ = next_page();
+    selected_ = false;
     if (burst_ != 0) {
       --burst_;
     }
@@ -139,12 +143,17 @@ class Speaker {
     return true;
   }
 
+  [[nodiscard]] std::uint8_t next_page() const {
+    return static_cast<std::uint8_t>((page_ + 1) % protocol::detail::kPages);
+  }
+
   void count_late_detail(hal::Time now) {
     if (now >= next_detail_ + kDetailPeriod) {
       if (dropped_ != std::numeric_limits<std::uint8_t>::max()) {
         ++dropped_;
       }
-      page_ = static_cast<std::uint8_t>((page_ + 1) % protocol::detail::kPages);
+      // A page that was asked for is late rather than left out.
+      page_ = selected_ ? page_ : next_page();
       next_detail_ = after(next_detail_, kDetailPeriod, now);
     }
   }
@@ -205,6 +214,7 @@ class Speaker {
   protocol::LifeStatus told_status_;
   std::optional<hal::CanFrame> answer_;
   std::uint8_t page_ = 0;
+  bool selected_ = false;  ///< by a command, and not yet sent
   std::uint8_t burst_ = 0;
   std::uint8_t dropped_ = 0;
 };

@@ -103,8 +103,9 @@ struct RemainingLife {
 };
 struct Storage {
   static constexpr std::uint8_t kPage = 6;
-  std::uint32_t sequence = 0;           ///< of the last record, 24 bits; stops
-  std::uint32_t worst_unsaved_ppb = 0;  ///< since the start, 24 bits; stops
+  std::uint32_t sequence = 0;  ///< of the last record, 24 bits; stops
+  /// A power cut since the start would have lost at most this; 24 bits, all ones: it may be more.
+  std::uint32_t worst_unsaved_ppb = 0;
 
   friend constexpr bool operator==(const Storage&, const Storage&) = default;
 };

@@ -62,6 +62,28 @@ TEST(Bus, ACommandSelectsTheNextPage) {
   EXPECT_EQ(rig.sent<protocol::detail::Timing>().size(), 1u);
 }
 
+TEST(Bus, APageThatWasAskedForIsNotLeftOut) {
+  Rig rig;
+  Commander commander;
+  rig.start();
+  rig.idle(1'050);
+  ASSERT_EQ(rig.tester.send(commander.frame(CommandCode::select_page, 7)), hal::Error::none);
+  rig.can.faults.during(rig.clock.now(), rig.clock.now() + hal::milliseconds(450),
+                        hal::fake::SendFault::full);
+  rig.bus.forget();
+  rig.idle(460);
+  EXPECT_EQ(rig.sent<protocol::detail::Timing>().size(), 1u);
+}
+
+TEST(Bus, ADamageThatGrowsForAMinuteLeavesRoomForOtherPages) {
+  // About 3e-6 of a life a second: unsaved for up to a minute once the credit of saves is used.
+  Rig rig(1.53e9);
+  rig.start();
+  rig.run(60'000);
+  EXPECT_GE(rig.sent<protocol::detail::Bus>().size(), 60u);
+  EXPECT_LE(rig.sent<protocol::detail::Storage>().size(), 60u + 40u);
+}
+
 TEST(Bus, ABurstIsFasterThanTheCycleAndStaysWithinTheBudget) {
   Rig rig;
   Commander commander;

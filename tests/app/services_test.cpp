@@ -128,6 +128,19 @@ TEST_F(Services, ALoadedBlockCountsFromTheNextStart) {
   EXPECT_EQ(rig.app->lives().records()[0].configuration, configuration_of(stronger));
 }
 
+TEST(ServicesAtWork, AnOrderIsInTimeWhileTheDamageGrows) {
+  Rig rig(1.53e9);
+  rig.config.key = protocol::testing::kKey;
+  rig.start();
+  rig.run(20'000);
+  Client client(rig);
+  for (int epoch = 1; epoch < 4; ++epoch) {
+    EXPECT_EQ(client.ask(start_request(order_for(client, 0x0201, hex("00")))), hex("71 01 0201"));
+    EXPECT_EQ(rig.app->lives().records()[0].epoch, epoch);
+    rig.run(3'000);
+  }
+}
+
 TEST_F(Services, AnEpochThatCannotBeSavedIsNotOpened) {
   const Order order = order_for(client, 0x0201, hex("00"));
   rig.store.faults.during(rig.clock.now(), rig.clock.now() + hal::seconds(5), hal::Error::failed);
