@@ -7,6 +7,7 @@
 #include <span>
 
 #include "firmware/storage/page_range.hpp"
+#include "firmware/storage/page_ring.hpp"
 #include "firmware/storage/slot.hpp"
 #include "firmware/storage/slot_name.hpp"
 #include "hal/non_volatile.hpp"
@@ -27,6 +28,7 @@ namespace storage {
 template <hal::NonVolatile Memory, SlotFormat Format, std::size_t kKeys, PageRange kPages>
 class NewestLog {
   static constexpr std::uint32_t kStride = slot_stride<Memory>(Format::kBytes);
+  using Ring = PageRing<Memory, kPages>;
   using Bytes = std::array<std::byte, Format::kBytes>;
   using View = std::span<const std::byte, Format::kBytes>;
 
@@ -34,10 +36,9 @@ class NewestLog {
   static constexpr std::uint32_t kSlots =  ///< a page
       static_cast<std::uint32_t>(Memory::kPageBytes / kStride);
   static_assert(kSlots > kKeys, "a fresh page takes the copies of all keys and what is new");
-  static_assert(kPages.count >= 2 && kPages.count <= 32);
 
-  explicit NewestLog(Memory& memory) : memory_(&memory) {
-    for (std::uint32_t page = 0; page < kPages.count; ++page) {
+  explicit NewestLog(Memory& memory) : ring_(memory) {
+    for (std::uint32_t page = 0; page < Ring::kCount; ++page) {
       scan(page);
     }
   }
@@ -63,7 +64,7 @@ class NewestLog {
       return hal::Error::out_of_range;
     }
     std::uint32_t tried = 0;
-    for (std::uint32_t attempt = 0; attempt <= kPages.count; ++attempt) {
+    for (std::uint32_t attempt = 0; attempt <= Ring::kCount; ++attempt) {
       if (slot_ == kSlots && !open_any(tried)) {
         break;
       }
@@ -71,7 +72,7 @@ class NewestLog {
         return hal::Error::none;
       }
     }
-    failing_ = 0;
+    ring_.forgive_all_but(0);
     prepared_ = false;
     return hal::Error::failed;
   }
@@ -82,7 +83,7 @@ class NewestLog {
     if (prepared_) {
       return hal::Error::none;
     }
-    const std::uint32_t page = next_good(page_);
+    const std::uint32_t page = ring_.next_good(page_);
     if (page == page_) {
       prepared_ = true;
       return hal::Error::none;
@@ -90,12 +91,8 @@ class NewestLog {
     if (holds_newest(page)) {
       return hal::Error::none;
     }
-    if (!make_blank(page)) {
-      failing_ |= bit(page);
-      return hal::Error::failed;
-    }
-    prepared_ = true;
-    return hal::Error::none;
+    prepared_ = ring_.make_blank(page);
+    return prepared_ ? hal::Error::none : hal::Error::failed;
   }
 
  private:
@@ -105,17 +102,13 @@ class NewestLog {
     std::uint32_t sequence;
   };
 
-  static constexpr std::uint32_t bit(std::uint32_t page) { return 1u << page; }
-  static constexpr std::uint32_t after(std::uint32_t page) {
-    return page + 1 == kPages.count ? 0 : page + 1;
-  }
   static constexpr std::uint32_t address(std::uint32_t page, std::uint32_t slot) {
-    return (kPages.first + page) * static_cast<std::uint32_t>(Memory::kPageBytes) + slot * kStride;
+    return Ring::address(page) + slot * kStride;
   }
 
   std::optional<Bytes> read(const Place& place) {
     Bytes bytes;
-    if (memory_->read(address(place.page, place.slot), bytes) != hal::Error::none) {
+    if (ring_.memory().read(address(place.page, place.slot), bytes) != hal::Error::none) {
       return {};
     }
     return bytes;
@@ -129,7 +122,7 @@ class NewestLog {
     std::uint32_t used = 0;
     bool newest_here = false;
     for (std::uint32_t slot = 0; slot < kSlots; ++slot) {
-      if (is_blank(*memory_, address(page, slot), kStride)) {
+      if (is_blank(ring_.memory(), address(page, slot), kStride)) {
         continue;
       }
       used = slot + 1;
@@ -149,7 +142,7 @@ class NewestLog {
   void note_damaged(std::uint32_t page, std::uint32_t slot) {
     constexpr std::uint32_t kUnit = Memory::kUnitBytes;
     ++spent_;
-    if (!is_blank(*memory_, address(page, slot) + kStride - kUnit, kUnit)) {
+    if (!is_blank(ring_.memory(), address(page, slot) + kStride - kUnit, kUnit)) {
       ++finished_;
     }
   }
@@ -179,21 +172,11 @@ class NewestLog {
     return false;
   }
 
-  /// The page after this one that has not failed; the same if there is none.
-  [[nodiscard]] std::uint32_t next_good(std::uint32_t page) const {
-    for (std::uint32_t next = after(page); next != page; next = after(next)) {
-      if ((failing_ & bit(next)) == 0) {
-        return next;
-      }
-    }
-    return page;
-  }
-
   /// Copies what is newest on the pages up to the next good one, but for `own`, which is about to
   /// be replaced. False where the page ran full.
   bool evacuate_next(std::uint32_t own) {
-    const std::uint32_t next = next_good(page_);
-    for (std::uint32_t page = after(page_); page != page_; page = after(page)) {
+    const std::uint32_t next = ring_.next_good(page_);
+    for (std::uint32_t page = Ring::after(page_); page != page_; page = Ring::after(page)) {
       for (std::uint32_t key = 0; key < kKeys; ++key) {
         const bool here = where_[key] && where_[key]->page == page;
         if (here && key != own && !copy(key)) {
@@ -220,8 +203,8 @@ class NewestLog {
 
   bool write(View bytes, SlotName name) {
     const std::uint32_t slot = slot_++;
-    if (write_slot(*memory_, address(page_, slot), bytes) != hal::Error::none) {
-      failing_ |= bit(page_);
+    if (write_slot(ring_.memory(), address(page_, slot), bytes) != hal::Error::none) {
+      ring_.fail(page_);
       slot_ = kSlots;
       return false;
     }
@@ -235,26 +218,25 @@ class NewestLog {
     if (open_next(tried)) {
       return true;
     }
-    failing_ &= tried;
+    ring_.forgive_all_but(tried);
     return open_next(tried);
   }
 
   /// Goes on to a page that is erased, or can be without loss. False where there is none.
   bool open_next(std::uint32_t& tried) {
     std::uint32_t page = page_;
-    for (std::uint32_t step = 0; step < kPages.count; ++step) {
-      page = after(page);
-      if (((failing_ | tried) & bit(page)) != 0 || !release(page)) {
+    for (std::uint32_t step = 0; step < Ring::kCount; ++step) {
+      page = Ring::after(page);
+      if (ring_.failed(page) || (tried & Ring::bit(page)) != 0 || !release(page)) {
         continue;
       }
-      tried |= bit(page);
-      if (make_blank(page)) {
+      tried |= Ring::bit(page);
+      if (ring_.make_blank(page)) {
         page_ = page;
         slot_ = 0;
         prepared_ = false;
         return true;
       }
-      failing_ |= bit(page);
     }
     return false;
   }
@@ -275,7 +257,7 @@ class NewestLog {
     return true;
   }
   std::optional<Place> find(SlotName wanted, std::uint32_t except) {
-    for (std::uint32_t page = 0; page < kPages.count; ++page) {
+    for (std::uint32_t page = 0; page < Ring::kCount; ++page) {
       for (std::uint32_t slot = 0; page != except && slot < kSlots; ++slot) {
         if (name_at(page, slot) == wanted) {
           return Place{page, slot, wanted.sequence};
@@ -285,24 +267,13 @@ class NewestLog {
     return {};
   }
 
-  /// An erase that seems to succeed and keeps bits is one that failed.
-  bool make_blank(std::uint32_t page) {
-    constexpr std::uint32_t kBytes = Memory::kPageBytes;
-    if (is_blank(*memory_, address(page, 0), kBytes)) {
-      return true;
-    }
-    return memory_->erase(kPages.first + page) == hal::Error::none &&
-           is_blank(*memory_, address(page, 0), kBytes);
-  }
-
-  Memory* memory_;
+  Ring ring_;
   std::array<std::optional<Place>, kKeys> where_{};
-  std::uint32_t page_ = kPages.count - 1;  ///< in use
+  std::uint32_t page_ = Ring::kCount - 1;  ///< in use
   std::uint32_t slot_ = kSlots;            ///< next of it; all from it on are blank
   std::uint32_t highest_ = 0;
   std::uint32_t spent_ = 0;
   std::uint32_t finished_ = 0;
-  std::uint32_t failing_ = 0;  ///< a bit for each page that is left out
   bool prepared_ = false;
 };
 
