@@ -139,7 +139,7 @@ class ConfigReader {
 
   static std::string channel(const TomlTable& tendon) {
     constexpr std::string_view kAccepted = "a channel of the IIO device, e.g. \"in_current0\"";
-    const std::string channel = tendon.text("channel", kAccepted);
+    std::string channel = tendon.text("channel", kAccepted);
     if (channel.find('/') != std::string::npos) {
       tendon.refuse("channel", kAccepted);
     }
