@@ -1,57 +1,8 @@
 #!/usr/bin/env bash
-# Puts the line-chart library of the replay page into a cache folder outside the source tree.
-#
-#   fetch_uplot.sh [FOLDER]        fetches into FOLDER (default: the folder that --folder prints)
-#   fetch_uplot.sh --folder        prints the default folder
-#
-# Does nothing when the files are there already. The archive must match the checksum below.
-set -euo pipefail
-
+# The line-chart library of the replay page.
+# Usage: npm_package.sh.
+package=uplot
 version=1.6.32
 sha512=KIMVnG68zvu5XXUbC4LQEPnhwOxBuLyW1AHtpm6IKTXImkbLgkMy+jabjLgSLMasNuGGzQm/ep3tOkyTxpiQIw==
 files=(dist/uPlot.iife.min.js dist/uPlot.min.css LICENSE)
-
-fail() {
-  echo "fetch_uplot.sh: $*" >&2
-  exit 1
-}
-
-default_folder() {
-  local cache=${XDG_CACHE_HOME:-}
-  if [[ -z $cache ]]; then
-    [[ -n ${HOME:-} ]] || fail "neither XDG_CACHE_HOME nor HOME is set: name a folder"
-    cache=$HOME/.cache
-  fi
-  echo "$cache/tendonlife/uplot-$version"
-}
-
-complete() {
-  local file
-  for file in "${files[@]}"; do
-    [[ -s $1/$(basename "$file") ]] || return 1
-  done
-}
-
-if [[ ${1:-} == --folder ]]; then
-  default_folder
-  exit 0
-fi
-folder=${1:-$(default_folder)}
-complete "$folder" && exit 0
-
-command -v npm >/dev/null || fail "npm is needed to fetch uplot $version (Debian: apt-get install npm)"
-command -v openssl >/dev/null || fail "openssl is needed to check the download"
-
-work=$(mktemp -d)
-trap 'rm -rf "$work"' EXIT
-npm pack --silent --pack-destination "$work" "uplot@$version" >/dev/null ||
-  fail "npm could not fetch uplot $version; without network, put $(basename -a "${files[@]}" | paste -sd ' ') into $folder"
-archive=$work/uplot-$version.tgz
-found=$(openssl dgst -sha512 -binary "$archive" | openssl base64 -A)
-[[ $found == "$sha512" ]] || fail "checksum of $archive is sha512-$found, expected sha512-$sha512"
-
-tar -xzf "$archive" -C "$work" "${files[@]/#/package/}"
-mkdir -p "$folder"
-for file in "${files[@]}"; do
-  mv "$work/package/$file" "$folder/$(basename "$file")"
-done
+. "$(dirname "${BASH_SOURCE[0]}")/npm_package.sh"
