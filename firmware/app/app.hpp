@@ -136,7 +136,9 @@ class App {
   static std::array<lifemodel::Parameters, kTendons> all(const ParameterSet<kTendons>& set) {
     std::array<lifemodel::Parameters, kTendons> result{};
     for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-      result[tendon] = set[tendon].value_or(lifemodel::Parameters{});
+      if (set[tendon]) {
+        result[tendon] = *set[tendon];
+      }
     }
     return result;
   }

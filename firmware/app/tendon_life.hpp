@@ -19,7 +19,10 @@ class TendonLife {
   /// Before the first reading. `record` is nothing where there is none; `lost` where there was one.
   void resume(const std::optional<storage::LifeRecord>& record, bool lost, std::uint8_t tendon,
               std::uint32_t configuration) {
-    past_ = record.value_or(storage::LifeRecord{});
+    past_ = storage::LifeRecord{};
+    if (record) {
+      past_ = *record;
+    }
     past_.past_lost = past_.past_lost || (!record && lost);
     past_.tendon = tendon;
     past_.configuration = configuration;
