@@ -29,7 +29,8 @@ class LifeBook {
   /// What is known of a tendon before the first reading. Without `life` it has no parameters.
   void resume(std::size_t tendon, const std::optional<storage::LifeRecord>& record, bool lost,
               std::uint32_t configuration, const std::optional<lifemodel::LifeDistribution>& life) {
-    lives_[tendon].resume(record, lost, static_cast<std::uint8_t>(tendon), configuration);
+    lives_[tendon].resume(record ? &*record : nullptr, lost, static_cast<std::uint8_t>(tendon),
+                          configuration);
     distributions_[tendon] = life;
     records_[tendon] = lives_[tendon].record();
   }

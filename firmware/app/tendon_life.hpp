@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include "firmware/storage/life_record.hpp"
 #include "lifemodel/damage/damage.hpp"
@@ -16,14 +15,14 @@ namespace app {
 /// and the count begins anew. A new epoch begins at the reading of the moment.
 class TendonLife {
  public:
-  /// Before the first reading. `record` is nothing where there is none; `lost` where there was one.
-  void resume(const std::optional<storage::LifeRecord>& record, bool lost, std::uint8_t tendon,
+  /// Before the first reading. `record` is null where there is none; `lost` where there was one.
+  void resume(const storage::LifeRecord* record, bool lost, std::uint8_t tendon,
               std::uint32_t configuration) {
     past_ = storage::LifeRecord{};
-    if (record) {
+    if (record != nullptr) {
       past_ = *record;
     }
-    past_.past_lost = past_.past_lost || (!record && lost);
+    past_.past_lost = past_.past_lost || (record == nullptr && lost);
     past_.tendon = tendon;
     past_.configuration = configuration;
   }

@@ -25,10 +25,11 @@ storage::LifeRecord stored() {
   record.epoch_cycles = 100;
   return record;
 }
+const storage::LifeRecord kStored = stored();
 
 TEST(TendonLife, AddsWhatIsCountedToWhatWasStored) {
   TendonLife life;
-  life.resume(stored(), false, 1, 0xabcd);
+  life.resume(&kStored, false, 1, 0xabcd);
   life.take(reading(lives(3, 5), 30));
   const storage::LifeRecord now = life.record();
   EXPECT_EQ(now.tendon, 1);
@@ -41,14 +42,14 @@ TEST(TendonLife, AddsWhatIsCountedToWhatWasStored) {
 
 TEST(TendonLife, BeginsAtNothingWithoutARecord) {
   TendonLife life;
-  life.resume(std::nullopt, false, 0, 1);
+  life.resume(nullptr, false, 0, 1);
   EXPECT_EQ(life.damage(), lifemodel::Damage{});
   EXPECT_EQ(life.record().epoch, 0);
 }
 
 TEST(TendonLife, ANewEpochBeginsAtNothingAndTheLifetimeGoesOn) {
   TendonLife life;
-  life.resume(stored(), false, 0, 1);
+  life.resume(&kStored, false, 0, 1);
   lifemodel::Reading before = reading(lives(3, 5), 30);
   before.flags.raise(Flag::overload);
   life.take(before);
@@ -71,7 +72,7 @@ TEST(TendonLife, FlagsStayOverARestart) {
   storage::LifeRecord record = stored();
   record.flags = static_cast<std::uint8_t>(Flag::gap);
   TendonLife life;
-  life.resume(record, false, 0, 1);
+  life.resume(&record, false, 0, 1);
   lifemodel::Reading now = reading({}, 0);
   now.flags.raise(Flag::overrun);
   life.take(now);
