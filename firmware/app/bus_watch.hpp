@@ -40,7 +40,6 @@ class BusWatch {
   }
 
   [[nodiscard]] const hal::CanStatus& status() const { return status_; }
-  [[nodiscard]] bool off() const { return off_; }
 
  private:
   static constexpr hal::Time kShortest = hal::milliseconds(100);

@@ -37,12 +37,6 @@ class Emergencies {
       ended_ = true;
     }
   }
-  /// The event happened, and is over.
-  void tell(Code code) {
-    begun_ |= bit_of(code);
-    ended_ = true;
-  }
-
   /// Forgets that what is active was told.
   void tell_again() { begun_ |= active_; }
 
@@ -68,8 +62,6 @@ class Emergencies {
       ended_ = false;
     }
   }
-
-  [[nodiscard]] std::uint8_t error_register() const { return registers(active_); }
 
  private:
   /// The most urgent first.

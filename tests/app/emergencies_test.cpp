@@ -72,7 +72,8 @@ TEST(Emergencies, ThereIsRoomForEveryEventAtOnce) {
 TEST(Emergencies, WhatIsActiveCanBeToldAgain) {
   Emergencies emergencies;
   emergencies.set(Code::overload, true);
-  emergencies.tell(Code::bus);
+  emergencies.set(Code::bus, true);
+  emergencies.set(Code::bus, false);
   tell_all(emergencies);
   emergencies.tell_again();
   EXPECT_EQ(tell_all(emergencies), (std::vector<protocol::Emergency>{{Code::overload, 0x03, 0}}));

@@ -15,7 +15,7 @@
 #include "hal/fake/flash.hpp"
 #include "hal/fake/sensor.hpp"
 #include "hal/fake/watchdog.hpp"
-#include "lifemodel/pack/pack.hpp"
+#include "tests/app/paper_parameters.hpp"
 
 namespace app::fuzz {
 
@@ -28,26 +28,12 @@ inline void require(bool holds) {
 
 inline constexpr protocol::Node kNode = 5;
 
-inline lifemodel::Parameters parameters() {
-  return *lifemodel::pack::parameters({.ultimate_tension_N = 177.4,
-                                       .hysteresis_N = 0.2,
-                                       .ipl_scale = 1.53e5,
-                                       .ipl_exponent = 1.38,
-                                       .weibull_shape = 5.94,
-                                       .friction_coefficient = 0.128,
-                                       .bend_angle_rad = 4.712,
-                                       .tension_per_current_N_A = 20.592,
-                                       .current_offset_A = 0,
-                                       .sample_period_s = 1e-3,
-                                       .model_digest = 1});
-}
-
 /// A node at work, and somebody on its bus without the key. Whatever is said there, the node stays
 /// alive, its life is that of its samples, and nothing that needs authority happens.
 class Node {
  public:
   Node()
-      : parameters_(parameters()),
+      : parameters_(paper_parameters()),
         beside_({parameters_}),
         app_({can_, sensor_, clock_, store_, drive_enable_, brake_, light_, stop_, watchdog_,
               entropy_, hold_},
