@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host_sim/io/model.hpp"
+
+namespace host_sim {
+
+/// A life test as its folder holds it: campaign.toml, specimens.csv, and blocks.csv where specimens
+/// were loaded in blocks.
+struct Campaign {
+  /// Parts of the nominal model; those that the data do not need may be missing.
+  struct Nominal {
+    std::optional<Model::Cable> cable;
+    std::optional<Model::Sheath> sheath;
+    std::optional<Model::Drive> drive;
+    std::optional<Model::Counting> counting;
+    std::optional<Model::Life> life;
+  };
+
+  enum class Status { failed, suspended };
+  enum class Role { fit, validation };
+
+  /// A constant load. Input tension is what was given, or what (12) - (14) make of output tension
+  /// and bend angle.
+  struct Load {
+    std::optional<double> bend_angle_deg;
+    double input_tension_mean_N = 0;
+    double input_tension_amplitude_N = 0;
+    double effective_tension_N = 0;  ///< Gerber, eq. (11)
+  };
+
+  struct Block {
+    Load load;
+    double cycles = 0;
+    std::uint64_t line = 0;  ///< in blocks.csv, or in specimens.csv where there is one load
+  };
+
+  struct Specimen {
+    std::string name;
+    std::string lot;
+    std::string group;  ///< empty where none
+    Status status = Status::failed;
+    Role role = Role::fit;
+    std::vector<Block> blocks;  ///< at least one, in order
+    std::optional<double> days;
+    std::optional<double> wire_to_bend_ratio;
+    std::uint64_t line = 0;  ///< in specimens.csv
+
+    [[nodiscard]] bool constant_load() const { return blocks.size() == 1; }
+    [[nodiscard]] double cycles() const;  ///< of all blocks
+  };
+
+  /// A load that the life is wanted for: one load, or a mix of several.
+  struct Use {
+    struct Part {
+      Load load;
+      double share = 1;  ///< of the cycles; all parts sum to 1
+    };
+    std::string name;
+    std::vector<Part> parts;  ///< at least one
+  };
+
+  std::string name;
+  std::filesystem::path folder;
+  std::vector<Use> uses;  ///< [[use]] of campaign.toml
+  Nominal nominal;
+  std::vector<Specimen> specimens;
+};
+
+/// Reads and checks a campaign; refused whole with file, line and column for anything that cannot
+/// be trusted.
+/// @throws InputError
+Campaign read_campaign(const std::filesystem::path& folder);
+
+/// The specimens of one constant load.
+struct Level {
+  Campaign::Load load;
+  Campaign::Role role = Campaign::Role::fit;
+  std::vector<const Campaign::Specimen*> specimens;
+};
+
+/// Specimens of constant load by level and role, in order of effective tension; loads are one level
+/// where bend angle and both tensions are equal.
+std::vector<Level> levels_of(const Campaign& campaign);
+
+}  // namespace host_sim

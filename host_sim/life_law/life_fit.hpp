@@ -1,0 +1,77 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "host_sim/life_law/life_data.hpp"
+#include "host_sim/statistics/common_shape.hpp"
+#include "host_sim/statistics/fit.hpp"
+
+namespace host_sim::life_law {
+
+/// What ln alpha and ln beta are made of; x is ln T_eff minus the centre.
+struct LifeForm {
+  enum class Scale {
+    power_law,  ///< a - gamma x
+    curved,     ///< a - gamma x + c x^2
+    free,       ///< one for each level
+  };
+  enum class Shape {
+    one,      ///< b
+    growing,  ///< b + s x
+    free,     ///< one for each level
+  };
+  Scale scale = Scale::power_law;
+  Shape shape = Shape::one;
+};
+
+/// A maximum-likelihood fit of a form. Its numbers mean nothing where there is a problem.
+struct LifeFit {
+  LifeForm form;
+  double centre_ln_N = 0;     ///< mean of ln T_eff over the failures' last blocks
+  std::vector<double> scale;  ///< coefficients of ln alpha in the order of LifeForm::Scale
+  std::vector<double> shape;  ///< coefficients of ln beta
+  double log_likelihood = 0;  ///< densities per cycle
+  statistics::FitProblem problem = statistics::FitProblem::none;
+
+  /// @pre the form is a power law with one shape
+  [[nodiscard]] LifeLaw law() const;
+};
+
+/// Fits by damped Newton steps with exact derivatives. A specimen in blocks enters with its
+/// accumulated damage D = sum n_j / alpha_j: survival exp(-D^beta), and for a failure the density
+/// of the last cycle, beta D^(beta - 1) exp(-D^beta) / alpha_last. Under a growing shape the shape
+/// of a specimen in blocks is that at the cycle-weighted mean of x. Forms with free levels take the
+/// specimens that have a level, and skip the others.
+LifeFit fit_life(std::span<const LifeDatum> data, LifeForm form = {});
+
+/// The same from a start nearby, for replicates.
+LifeFit fit_life(std::span<const LifeDatum> data, const LifeFit& start);
+
+/// Log likelihood of data under a fit, e.g. of data that were not fitted.
+double log_likelihood(std::span<const LifeDatum> data, const LifeFit& fit);
+
+/// What an interval is wanted for. Tensions in newtons.
+struct LifeQuantity {
+  enum class Kind { ln_scale, exponent, shape, ln_mean_life, ln_quantile };
+  Kind kind = Kind::exponent;
+  double effective_tension_N = 0;  ///< for the mean life and the quantile
+  double p = 0;                    ///< for the quantile
+};
+
+/// The interval in which the profile likelihood of the quantity stays within chi-square(1) of its
+/// maximum; an end that does not exist is infinite.
+/// @pre fit is a power law with one shape, without problem
+statistics::Interval profile_interval(std::span<const LifeDatum> data, const LifeFit& fit,
+                                      LifeQuantity quantity, double confidence = 0.95);
+
+/// Least squares of A / T^gamma against characteristic lives, in alpha, as the paper does.
+struct LeastSquares {
+  double scale = 0;
+  double exponent = 0;
+  double rmse_cycles = 0;  ///< with as many degrees of freedom as the paper's figure uses
+};
+LeastSquares fit_least_squares(std::span<const double> effective_tension_N,
+                               std::span<const double> characteristic_life);
+
+}  // namespace host_sim::life_law

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "host_sim/life_law/life_data.hpp"
+#include "host_sim/statistics/censoring.hpp"
+#include "host_sim/statistics/random.hpp"
+
+namespace host_sim::life_law {
+
+/// Draws campaigns like one that was measured: the same loads and plan of suspension.
+class LifeSimulation {
+ public:
+  explicit LifeSimulation(std::span<const LifeDatum> data);
+
+  /// Lives under `law`, into `drawn`. Specimens at a level follow the plan of suspension of that
+  /// level. A specimen in blocks that failed goes on in its last block until it fails; one that was
+  /// suspended is suspended at the end of its blocks unless it fails before.
+  void draw(const LifeLaw& law, statistics::Random& random, LifeData& drawn) const;
+
+ private:
+  struct LevelPlan {
+    std::vector<std::size_t> specimens;
+    statistics::CensoringPlan plan;
+  };
+  LifeData data_;
+  std::vector<LevelPlan> levels_;
+};
+
+}  // namespace host_sim::life_law
