@@ -77,9 +77,10 @@ struct UseLevel {
 };
 
 struct ValidationResult {
-  std::size_t level = 0;  ///< index into CalibrateResult::levels
+  std::size_t level = 0;   ///< index into CalibrateResult::levels; nothing where in_blocks
+  bool in_blocks = false;  ///< all validation specimens in blocks together, in damage for cycles
   double predicted_mean = 0;
-  double measured_mean = 0;
+  double measured_mean = 0;  ///< of the failures; with suspended ones, by maximum likelihood
   double p = 0;  ///< of a difference as large, with the uncertainty of the fit; two-sided
   std::size_t below_b10 = 0, inside_b10_b90 = 0, above_b90 = 0;  ///< failures
   std::string words;
