@@ -10,6 +10,7 @@ enum class FitProblem {
   none,
   too_few_failures,  ///< fewer than two
   no_spread,         ///< all failures at one life: the likelihood has no maximum
+  not_identified,    ///< the data do not determine a coefficient, e.g. failures at one tension only
   not_converged,
 };
 
