@@ -31,6 +31,9 @@ struct LevelResult {
   std::vector<statistics::PlottingPosition> positions;
   std::string left_out;  ///< why it is not in the life model; empty where it is
 
+  [[nodiscard]] const statistics::Fit& weibull() const {
+    return fits[static_cast<std::size_t>(statistics::Family::weibull)];
+  }
   [[nodiscard]] std::size_t failed() const;
   [[nodiscard]] std::string name() const;  ///< "315 deg, 42.5 N", or the tension alone
 };
@@ -81,6 +84,7 @@ struct ValidationResult {
   bool in_blocks = false;  ///< all validation specimens in blocks together, in damage for cycles
   double predicted_mean = 0;
   double measured_mean = 0;  ///< of the failures; with suspended ones, by maximum likelihood
+  Interval ratio_ci95;       ///< of the true mean over the predicted one
   double p = 0;  ///< of a difference as large, with the uncertainty of the fit; two-sided
   std::size_t below_b10 = 0, inside_b10_b90 = 0, above_b90 = 0;  ///< failures
   std::string words;
