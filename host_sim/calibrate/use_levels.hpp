@@ -1,0 +1,19 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "host_sim/calibrate/calibrate.hpp"
+#include "host_sim/life_law/life_fit.hpp"
+
+namespace host_sim::calibrate {
+
+/// The life at a constant effective tension, with intervals.
+/// @param index  number of the use level, for its random numbers
+/// @param refits see refitted_laws()
+UseLevel use_level(std::string name, double effective_tension_N,
+                   std::span<const life_law::LifeDatum> data, const life_law::LifeFit& fit,
+                   std::span<const LifeLaw> refits, std::size_t index,
+                   const CalibrateOptions& options);
+
+}  // namespace host_sim::calibrate

@@ -1,0 +1,121 @@
+#include "host_sim/calibrate/validation.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "host_sim/calibrate/damage.hpp"
+#include "host_sim/calibrate/streams.hpp"
+#include "host_sim/life_law/life_simulation.hpp"
+#include "host_sim/reference/equations.hpp"
+#include "host_sim/statistics/parallel.hpp"
+
+namespace host_sim::calibrate {
+namespace {
+
+constexpr double kSignificance = 0.05;
+
+/// Logarithm of measured over predicted mean, in units of the scatter of ln life: free of the
+/// parameters of the law but for the design.
+double pivot(std::span<const life_law::LifeDatum> specimens, const LifeLaw& law) {
+  const double predicted = reference::weibull_mean_damage(law.shape);
+  return std::log(mean_damage(specimens, law) / predicted) * law.shape;
+}
+
+std::vector<double> simulated_pivots(std::span<const life_law::LifeDatum> specimens,
+                                     const LifeLaw& law, std::span<const LifeLaw> refits,
+                                     std::size_t index, const CalibrateOptions& options) {
+  const life_law::LifeSimulation simulation(specimens);
+  std::vector<double> pivots(refits.size(), std::nan(""));
+  statistics::parallel_for(
+      refits.size(),
+      [&](std::size_t i) {
+        life_law::LifeData drawn;
+        statistics::Random random(options.seed, stream_of(Purpose::validation, index), i);
+        simulation.draw(law, random, drawn);
+        if (refits[i].shape > 0) {
+          pivots[i] = pivot(drawn, refits[i]);
+        }
+      },
+      options.threads);
+  pivots.erase(
+      std::remove_if(pivots.begin(), pivots.end(), [](double x) { return !std::isfinite(x); }),
+      pivots.end());
+  std::sort(pivots.begin(), pivots.end());
+  return pivots;
+}
+
+double two_sided_p(const std::vector<double>& sorted, double measured) {
+  const auto below = std::upper_bound(sorted.begin(), sorted.end(), measured) - sorted.begin();
+  const auto above = sorted.end() - std::lower_bound(sorted.begin(), sorted.end(), measured);
+  const auto count = static_cast<double>(sorted.size());
+  return std::min(1.0, 2 * static_cast<double>(1 + std::min(below, above)) / (1 + count));
+}
+
+double quantile_of(const std::vector<double>& sorted, double p) {
+  const auto last = static_cast<double>(sorted.size() - 1);
+  return sorted[static_cast<std::size_t>(std::lround(p * last))];
+}
+
+void count_bands(std::span<const life_law::LifeDatum> specimens, const LifeLaw& law,
+                 ValidationResult& result) {
+  constexpr double kB10 = 0.1;
+  constexpr double kB90 = 0.9;
+  for (const life_law::LifeDatum& specimen : specimens) {
+    const double used = damage(specimen, law);
+    if (!specimen.failed) {
+      continue;
+    }
+    if (used < reference::weibull_life_damage(kB10, law.shape)) {
+      ++result.below_b10;
+    } else if (used > reference::weibull_life_damage(kB90, law.shape)) {
+      ++result.above_b90;
+    } else {
+      ++result.inside_b10_b90;
+    }
+  }
+}
+
+std::string words_for(const ValidationResult& result) {
+  const double difference = result.measured_mean / result.predicted_mean - 1;
+  const std::string finding = fmt::format(
+      "the measured mean is {:.1f} % {} than predicted; if the law is right, a difference as large "
+      "comes up with p = {:.2g}",
+      100 * std::abs(difference), difference < 0 ? "less" : "more", result.p);
+  const std::string range = fmt::format("{:.2f} to {:.2f} times the prediction",
+                                        result.ratio_ci95.low, result.ratio_ci95.high);
+  return result.p < kSignificance
+             ? fmt::format("{}: the law is refuted here at 5 %; the true mean is {}", finding,
+                           range)
+             : fmt::format("{}: not refuted, and not proved either: the true mean may be {}",
+                           finding, range);
+}
+
+}  // namespace
+
+std::optional<ValidationResult> validate(std::span<const life_law::LifeDatum> specimens,
+                                         const LifeLaw& law, std::span<const LifeLaw> refits,
+                                         std::size_t index, const CalibrateOptions& options) {
+  constexpr double kTail = 0.025;
+  const double measured = pivot(specimens, law);
+  if (!std::isfinite(measured)) {
+    return std::nullopt;
+  }
+  const std::vector<double> pivots = simulated_pivots(specimens, law, refits, index, options);
+  if (pivots.empty()) {
+    return std::nullopt;
+  }
+  ValidationResult result;
+  result.predicted_mean = reference::weibull_mean_damage(law.shape);
+  result.measured_mean = mean_damage(specimens, law);
+  result.p = two_sided_p(pivots, measured);
+  result.ratio_ci95 = {std::exp((measured - quantile_of(pivots, 1 - kTail)) / law.shape),
+                       std::exp((measured - quantile_of(pivots, kTail)) / law.shape)};
+  count_bands(specimens, law, result);
+  result.words = words_for(result);
+  return result;
+}
+
+}  // namespace host_sim::calibrate
