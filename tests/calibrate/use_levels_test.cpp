@@ -1,0 +1,66 @@
+#include "host_sim/calibrate/use_levels.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/calibrate/campaigns.hpp"
+
+namespace host_sim::calibrate {
+namespace {
+
+life_law::LifeData two_levels() {
+  life_law::LifeData data;
+  for (const double life : test::even_lives(1000, 4, 20)) {
+    data.push_back({{{10, life}}, true, 0});
+    data.push_back({{{20, life / 4}}, true, 1});
+  }
+  return data;
+}
+
+CalibrateOptions quick() {
+  CalibrateOptions options;
+  options.bootstraps = 20'000;
+  return options;
+}
+
+TEST(UseLevel, NextSpecimenOfACertainLawLiesBetweenItsQuantiles) {
+  const life_law::LifeData data = two_levels();
+  const life_law::LifeFit fit = life_law::fit_life(data);
+  const std::vector<LifeLaw> certain(quick().bootstraps, fit.law());
+  const UseLevel use = use_level("u", 15, data, fit, certain, 0, quick());
+  EXPECT_NEAR(use.next_specimen_95.low / fit.law().quantile(0.025, 15), 1, 0.03);
+  EXPECT_NEAR(use.next_specimen_95.high / fit.law().quantile(0.975, 15), 1, 0.01);
+}
+
+TEST(UseLevel, MarksFollowFromTheLaw) {
+  const life_law::LifeData data = two_levels();
+  const life_law::LifeFit fit = life_law::fit_life(data);
+  const std::vector<LifeLaw> certain(100, fit.law());
+  const UseLevel use = use_level("u", 10, data, fit, certain, 0, quick());
+  const double alpha = fit.law().scale / std::pow(10, fit.law().exponent);
+  const double shape = fit.law().shape;
+  EXPECT_NEAR(use.mean / (alpha * std::tgamma(1 + 1 / shape)), 1, 1e-12);
+  EXPECT_NEAR(use.b10 / (alpha * std::pow(-std::log(0.9), 1 / shape)), 1, 1e-12);
+  EXPECT_NEAR(use.b50 / (alpha * std::pow(std::log(2.0), 1 / shape)), 1, 1e-12);
+  EXPECT_NEAR(use.b90 / (alpha * std::pow(-std::log(0.1), 1 / shape)), 1, 1e-12);
+  EXPECT_LT(use.b10_ci95.low, use.b10);
+  EXPECT_GT(use.b10_ci95.high, use.b10);
+  EXPECT_LT(use.mean_ci95.low, use.mean);
+  EXPECT_GT(use.mean_ci95.high, use.mean);
+}
+
+TEST(UseLevel, IntervalsWidenAwayFromTheTestedLevels) {
+  const life_law::LifeData data = two_levels();
+  const life_law::LifeFit fit = life_law::fit_life(data);
+  const std::vector<LifeLaw> certain(100, fit.law());
+  const auto width = [&](double tension_N) {
+    const UseLevel use = use_level("u", tension_N, data, fit, certain, 0, quick());
+    return use.b10_ci95.high / use.b10_ci95.low;
+  };
+  EXPECT_LT(width(14), width(7));
+  EXPECT_LT(width(7), width(4));
+}
+
+}  // namespace
+}  // namespace host_sim::calibrate
