@@ -1,0 +1,214 @@
+#include "host_sim/plan/plan.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "host_sim/io/model.hpp"
+#include "host_sim/io/progress.hpp"
+#include "host_sim/plan/results.hpp"
+#include "host_sim/verbs/outputs.hpp"
+#include "host_sim/verbs/verbs.hpp"
+
+namespace host_sim {
+namespace {
+
+using plan::PlanRequest;
+
+struct Arguments {
+  std::string model;
+  std::string json;
+  PlanRequest request;
+};
+
+constexpr int kMostSpecimens = 100'000;
+
+/// Accepts numbers above `least`.
+CLI::Validator above(double least) {
+  return {[least](const std::string& text) {
+            double value = 0;
+            const bool good =
+                CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > least;
+            return good ? std::string()
+                        : text + " is not a number above " + fmt::format("{}", least);
+          },
+          fmt::format("ABOVE {}", least)};
+}
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw CLI::ValidationError("plan", why);
+}
+
+void check_levels(const std::vector<double>& levels_N) {
+  if (levels_N.size() < 2) {
+    refuse("--levels: the exponent of the law needs at least two levels");
+  }
+  if (const auto twice = std::adjacent_find(levels_N.begin(), levels_N.end());
+      twice != levels_N.end()) {
+    refuse(fmt::format("--levels: {} N is there twice", *twice));
+  }
+}
+
+void check_specimens(const PlanRequest& request) {
+  const std::size_t levels = request.conditions.levels_N.size();
+  const auto& specimens = request.specimens;
+  if (specimens.empty()) {
+    if (std::isinf(request.goal.ratio)) {
+      refuse("give --ratio to search for a plan, or --specimens to try one");
+    }
+    if (request.specimens_max < plan::kFewestOfLevel * levels) {
+      refuse(fmt::format("--specimens-max: {} levels need at least {} specimens", levels,
+                         plan::kFewestOfLevel * levels));
+    }
+    return;
+  }
+  if (specimens.size() != levels) {
+    refuse(fmt::format("--specimens: {} numbers for {} levels", specimens.size(), levels));
+  }
+  if (std::count(specimens.begin(), specimens.end(), 0U) + 2 >
+      static_cast<std::ptrdiff_t>(levels)) {
+    refuse("--specimens: at least two levels need specimens");
+  }
+}
+
+/// Levels rise, whatever order they were given in, and keep their specimens.
+void sort_levels(PlanRequest& request) {
+  auto& levels_N = request.conditions.levels_N;
+  auto& specimens = request.specimens;
+  std::vector<std::pair<double, std::size_t>> levels;
+  for (std::size_t i = 0; i < levels_N.size(); ++i) {
+    levels.emplace_back(levels_N[i], i < specimens.size() ? specimens[i] : 0);
+  }
+  std::sort(levels.begin(), levels.end());
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    levels_N[i] = levels[i].first;
+    if (i < specimens.size()) {
+      specimens[i] = levels[i].second;
+    }
+  }
+}
+
+/// @pre the levels are sorted
+void take_law_of_model(const std::string& path, PlanRequest& request) {
+  const Model model = read_model(path);
+  const double strongest_N =
+      std::max(request.conditions.levels_N.back(), request.goal.use_tension_N);
+  if (strongest_N >= model.cable.ultimate_tension_N) {
+    refuse(fmt::format("{} N is not below the ultimate tension of the model, {} N", strongest_N,
+                       model.cable.ultimate_tension_N));
+  }
+  request.conditions.law = {model.life.ipl_scale, model.life.ipl_exponent,
+                            model.life.weibull_shape};
+}
+
+void run(Arguments& arguments) {
+  PlanRequest& request = arguments.request;
+  if (arguments.model.empty() && request.conditions.law.scale == 0) {
+    refuse("give the law: --model, or --scale, --exponent and --shape");
+  }
+  check_specimens(request);
+  sort_levels(request);
+  check_levels(request.conditions.levels_N);
+  if (!arguments.model.empty()) {
+    take_law_of_model(arguments.model, request);
+  }
+  auto json = open_if_asked(arguments.json);
+  Progress progress("plan");
+  request.progress = [&](double share) { progress.update_share(share); };
+  const plan::PlanResult result = plan::make_plan(request);
+  progress.finish();
+  if (json) {
+    json->write(plan::plan_json(request, result));
+  }
+  commit_all({&json});
+  plan::write_plan(summary_stream({{arguments.json}}), request, result);
+}
+
+void add_law_options(CLI::App& verb, Arguments& arguments) {
+  life_law::LifeLaw& law = arguments.request.conditions.law;
+  CLI::Option* model = verb.add_option("--model", arguments.model, "The law: a model, a TOML file");
+  CLI::Option* scale =
+      verb.add_option("--scale", law.scale, "The law, assumed: A of A / T^gamma, in cycles");
+  CLI::Option* exponent = verb.add_option("--exponent", law.exponent, "Assumed gamma");
+  CLI::Option* shape = verb.add_option("--shape", law.shape, "Assumed Weibull shape");
+  for (CLI::Option* option : {scale, exponent, shape}) {
+    option->check(above(0))->excludes(model);
+  }
+  scale->needs(exponent)->needs(shape);
+  exponent->needs(scale);
+  shape->needs(scale);
+}
+
+void add_design_options(CLI::App& verb, PlanRequest& request) {
+  verb.add_option("--levels", request.conditions.levels_N, "Effective tensions to test at, in N")
+      ->delimiter(',')
+      ->required()
+      ->check(above(0));
+  verb.add_option("--suspend-at", request.conditions.suspend_at_cycles,
+                  "Cycles at which a specimen that still lives is suspended")
+      ->check(above(0));
+  verb.add_option("--specimens", request.specimens,
+                  "How many specimens each level has: says what this plan gives")
+      ->delimiter(',')
+      ->check(CLI::Range(0, kMostSpecimens));
+  verb.add_option("--specimens-max", request.specimens_max, "Most specimens of a plan, all levels")
+      ->check(CLI::Range(1, kMostSpecimens))
+      ->capture_default_str();
+  verb.add_option("--cycles-per-minute", request.cycles_per_minute,
+                  "Speed of a rig, to tell the time of a test")
+      ->check(above(0));
+}
+
+void add_goal_options(CLI::App& verb, PlanRequest& request) {
+  verb.add_option("--use-tension", request.goal.use_tension_N,
+                  "Effective tension that B10 is wanted for, in N")
+      ->required()
+      ->check(above(0));
+  verb.add_option("--ratio", request.goal.ratio,
+                  "Wanted: high / low of the 95 % interval of B10 at most this")
+      ->check(above(1));
+  verb.add_option("--assurance", request.goal.assurance,
+                  "Wanted in at least this share of campaigns")
+      ->check(CLI::Range(0.01, 0.999))
+      ->capture_default_str();
+  verb.add_option("--curvature", request.curvature_factor,
+                  "The curvature to look for: life at the use is this many times less")
+      ->check(above(1))
+      ->capture_default_str();
+}
+
+void add_simulation_options(CLI::App& verb, PlanRequest& request) {
+  verb.add_option("--simulations", request.simulation.simulations,
+                  "Campaigns to simulate for each plan")
+      ->check(CLI::Range(100, 1'000'000))
+      ->capture_default_str();
+  verb.add_option("--seed", request.simulation.seed, "Of the random numbers")
+      ->capture_default_str();
+  verb.add_option("--threads", request.simulation.threads,
+                  "0 is one for each core; the result does not depend on it")
+      ->check(CLI::Range(0, 1024))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* verb =
+      app.add_subcommand("plan", "How many specimens a life test needs, and at which levels");
+  add_law_options(*verb, *arguments);
+  add_design_options(*verb, arguments->request);
+  add_goal_options(*verb, arguments->request);
+  add_simulation_options(*verb, arguments->request);
+  verb->add_option("--json", arguments->json, "Write the result as JSON; - is standard output");
+  verb->footer(
+      "Example: host_sim plan --model host_sim/examples/upper_arm.toml --levels "
+      "42.5,50.8,60.1,71.0 --use-tension 25.5 --ratio 1.25");
+  verb->callback([arguments] { run(*arguments); });
+}
+
+}  // namespace host_sim
