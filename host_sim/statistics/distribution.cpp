@@ -1,0 +1,105 @@
+#include "host_sim/statistics/distribution.hpp"
+
+#include <boost/math/special_functions/erf.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "host_sim/statistics/normal_tail.hpp"
+
+namespace host_sim::statistics {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Deviate of the normal distribution below which `p` lie.
+double normal_quantile(double p) {
+  using Policy = boost::math::policies::policy<boost::math::policies::promote_double<false>>;
+  if (p <= 0) {
+    return -kInfinity;
+  }
+  return p >= 1 ? kInfinity : -std::numbers::sqrt2 * boost::math::erfc_inv(2 * p, Policy());
+}
+
+/// (x / alpha)^beta
+double cumulative_hazard(const Distribution& weibull, double x) {
+  return std::pow(x / weibull.first, weibull.second);
+}
+
+double log_weibull_density(const Distribution& weibull, double x) {
+  return std::log(weibull.second / weibull.first) +
+         (weibull.second - 1) * std::log(x / weibull.first) - cumulative_hazard(weibull, x);
+}
+
+double deviate(const Distribution& distribution, double x) {
+  const double value = distribution.family == Family::lognormal ? std::log(x) : x;
+  return (value - distribution.first) / distribution.second;
+}
+
+bool outside(const Distribution& distribution, double x) {
+  return distribution.family != Family::normal && x <= 0;
+}
+
+}  // namespace
+
+double Distribution::cdf(double x) const {
+  if (outside(*this, x)) {
+    return 0;
+  }
+  if (family == Family::weibull) {
+    return -std::expm1(-cumulative_hazard(*this, x));
+  }
+  return 0.5 * std::erfc(-deviate(*this, x) / std::numbers::sqrt2);
+}
+
+double Distribution::log_density(double x) const {
+  if (outside(*this, x)) {
+    return -kInfinity;
+  }
+  if (family == Family::weibull) {
+    return log_weibull_density(*this, x);
+  }
+  const double density = log_normal_density(deviate(*this, x)) - std::log(second);
+  return family == Family::lognormal ? density - std::log(x) : density;
+}
+
+double Distribution::log_survival(double x) const {
+  if (outside(*this, x)) {
+    return 0;
+  }
+  if (family == Family::weibull) {
+    return -cumulative_hazard(*this, x);
+  }
+  return log_normal_survival(deviate(*this, x));
+}
+
+double Distribution::quantile(double p) const {
+  if (family == Family::weibull) {
+    return first * std::pow(-std::log1p(-p), 1 / second);
+  }
+  const double value = first + second * normal_quantile(p);
+  return family == Family::lognormal ? std::exp(value) : value;
+}
+
+double Distribution::mean() const {
+  switch (family) {
+    case Family::lognormal:
+      return std::exp(first + 0.5 * second * second);
+    case Family::weibull:
+      return first * std::tgamma(1 + 1 / second);
+    case Family::normal:
+      break;
+  }
+  return first;
+}
+
+double log_likelihood(const Distribution& distribution, std::span<const Observation> sample) {
+  double sum = 0;
+  for (const Observation& seen : sample) {
+    sum +=
+        seen.failed ? distribution.log_density(seen.value) : distribution.log_survival(seen.value);
+  }
+  return sum;
+}
+
+}  // namespace host_sim::statistics
