@@ -3,14 +3,11 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/paper_table.hpp"
+
 namespace host_sim::reference::testing {
 
-/// A quantity as the paper prints it and as its own equations and constants give it.
-struct PaperRow {
-  std::string quantity;
-  std::vector<double> paper;
-  std::vector<double> ours;
-};
+using host_sim::testing::PaperRow;
 
 /// Every quantity of the paper that the reference model reproduces, computed on each call.
 std::vector<PaperRow> paper_rows();

@@ -9,6 +9,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -123,6 +125,17 @@ TEST(Paper, SdmHand) {
 TEST(Paper, MinerExample) {
   expect_ours("40 and 50 N in equal parts: average of lives (N)", {44.34}, 0.005);
   expect_ours("40 and 50 N in equal parts: average of damage (N)", {45.11}, 0.005);
+}
+
+TEST(Paper, TheReadmeShowsWhatIsComputed) {
+  std::ifstream in(TENDONLIFE_README);
+  if (!in) {
+    GTEST_SKIP() << "NOT CHECKED: there is no " << TENDONLIFE_README;
+  }
+  const std::string readme{std::istreambuf_iterator<char>(in), {}};
+  for (const std::string& fault : faults_of_paper_table(readme, "paper-table", paper_rows())) {
+    ADD_FAILURE() << fault;
+  }
 }
 
 }  // namespace

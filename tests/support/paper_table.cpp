@@ -1,4 +1,4 @@
-#include "tests/reference/paper_table.hpp"
+#include "tests/support/paper_table.hpp"
 
 #include <cmath>
 #include <cstddef>
@@ -7,7 +7,7 @@
 #include <sstream>
 #include <stdexcept>
 
-namespace host_sim::reference::testing {
+namespace host_sim::testing {
 namespace {
 
 constexpr std::size_t kColumns = 4;
@@ -74,12 +74,12 @@ std::optional<std::string> fault_of_numbers(const std::string& cell,
 
 }  // namespace
 
-std::vector<std::string> faults_of_paper_table(const std::string& markdown,
+std::vector<std::string> faults_of_paper_table(const std::string& markdown, const std::string& mark,
                                                std::span<const PaperRow> rows) {
-  const std::size_t begin = markdown.find("<!-- paper-table:begin -->");
-  const std::size_t end = markdown.find("<!-- paper-table:end -->");
+  const std::size_t begin = markdown.find("<!-- " + mark + ":begin -->");
+  const std::size_t end = markdown.find("<!-- " + mark + ":end -->");
   if (begin == std::string::npos || end == std::string::npos || end < begin) {
-    return {"there is no table between the paper-table markers"};
+    return {"there is no table between the markers of " + mark};
   }
 
   std::vector<std::string> faults;
@@ -120,4 +120,4 @@ std::vector<std::string> faults_of_paper_table(const std::string& markdown,
   return faults;
 }
 
-}  // namespace host_sim::reference::testing
+}  // namespace host_sim::testing
