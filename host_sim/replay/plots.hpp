@@ -1,11 +1,11 @@
 #pragma once
 
 #include "host_sim/io/model.hpp"
-#include "host_sim/report/envelope_builder.hpp"
-#include "host_sim/report/range_mean_builder.hpp"
-#include "host_sim/report/report_data.hpp"
-#include "host_sim/report/trajectory_builder.hpp"
-#include "host_sim/report/turning_point_builder.hpp"
+#include "host_sim/report/replay/envelope_builder.hpp"
+#include "host_sim/report/replay/range_mean_builder.hpp"
+#include "host_sim/report/replay/report_data.hpp"
+#include "host_sim/report/replay/trajectory_builder.hpp"
+#include "host_sim/report/replay/turning_point_builder.hpp"
 #include "lifemodel/block/parameters.hpp"
 #include "lifemodel/counting/turning_points.hpp"
 

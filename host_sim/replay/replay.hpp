@@ -13,7 +13,7 @@
 #include "host_sim/reference/life.hpp"
 #include "host_sim/reference/reference.hpp"
 #include "host_sim/replay/virtual_board.hpp"
-#include "host_sim/report/report_data.hpp"
+#include "host_sim/report/replay/report_data.hpp"
 
 namespace host_sim {
 

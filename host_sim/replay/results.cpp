@@ -5,7 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "host_sim/report/flag_text.hpp"
+#include "host_sim/report/replay/flag_text.hpp"
 
 namespace host_sim {
 namespace {

@@ -14,7 +14,7 @@
 #include "host_sim/io/progress.hpp"
 #include "host_sim/replay/flag_names.hpp"
 #include "host_sim/replay/results.hpp"
-#include "host_sim/report/html.hpp"
+#include "host_sim/report/replay/html.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
 namespace host_sim {

@@ -1,0 +1,102 @@
+'use strict';
+
+const CHART_FONT = '12px system-ui, sans-serif';
+
+function chartHeight(width) {
+  return Math.round(Math.min(Math.max(width * 0.38, 240), 360));
+}
+
+function axis(label, extra) {
+  return {
+    label,
+    labelFont: CHART_FONT,
+    font: CHART_FONT,
+    labelSize: 22,
+    stroke: () => colour('ink-soft'),
+    grid: { stroke: () => colour('grid'), width: 1 },
+    ticks: { stroke: () => colour('rule'), width: 1, size: 5 },
+    values: (chart, splits) => splits.map((split) => numberText(split, 6)),
+    ...extra,
+  };
+}
+
+function valueText(chart, value) {
+  return value === null || value === undefined ? '–' : numberText(value, 4);
+}
+
+/** Cursor and zoom by keyboard: arrows move, + and - zoom about the cursor, 0 shows all. */
+function addKeys(holder, chart) {
+  const xs = chart.data[0];
+  const move = (fraction) => {
+    const width = chart.over.clientWidth;
+    const start = chart.cursor.left >= 0 ? chart.cursor.left : 0;
+    const left = Math.min(Math.max(start + fraction * width, 0), width);
+    chart.setCursor({ left, top: chart.over.clientHeight / 2 });
+  };
+  const zoom = (factor) => {
+    if (xs.length < 2) {
+      return;
+    }
+    const { min, max } = chart.scales.x;
+    const centre = chart.cursor.left >= 0 ? chart.posToVal(chart.cursor.left, 'x') : (min + max) / 2;
+    chart.setScale('x', {
+      min: Math.max(xs[0], centre - (centre - min) * factor),
+      max: Math.min(xs[xs.length - 1], centre + (max - centre) * factor),
+    });
+  };
+  const actions = {
+    ArrowLeft: () => move(-0.01),
+    ArrowRight: () => move(0.01),
+    Home: () => move(-1),
+    End: () => move(1),
+    '+': () => zoom(0.5),
+    '-': () => zoom(2),
+    0: () => chart.setData(chart.data),
+  };
+  holder.addEventListener('keydown', (event) => {
+    const action = actions[event.key];
+    if (action && !event.ctrlKey && !event.metaKey && !event.altKey) {
+      event.preventDefault();
+      action();
+    }
+  });
+}
+
+/** Draws a line chart into its holder and returns a function that tells whether it was drawn. */
+function lineChart(holder, { data, series, bands, xAxis, yAxis, yRange, onDraw }) {
+  let drawn = 0;
+  const width = holder.clientWidth;
+  const chart = new uPlot(
+    {
+      width,
+      height: chartHeight(width),
+      pxAlign: false,
+      series,
+      bands,
+      scales: {
+        x: { time: false },
+        y: yRange ? { range: yRange } : {},
+      },
+      axes: [axis(xAxis, { size: 34 }), axis(yAxis, { size: 58 })],
+      padding: [12, 14, 0, 0],
+      cursor: { y: false, hover: { skip: [null, undefined] } },
+      legend: { show: true },
+      hooks: {
+        drawSeries: [() => { drawn += 1; }],
+        draw: onDraw ? [onDraw] : [],
+      },
+    },
+    data,
+    holder,
+  );
+  const canvas = holder.querySelector('canvas');
+  canvas.setAttribute('role', 'img');
+  canvas.setAttribute('aria-label', holder.dataset.summary);
+  holder.querySelector('.u-legend').setAttribute('aria-live', 'polite');
+  addKeys(holder, chart);
+  keepDrawn(holder, (newWidth) => {
+    chart.setSize({ width: newWidth, height: chartHeight(newWidth) });
+    chart.redraw(true, true);
+  });
+  return () => drawn > 0 && chart.bbox.width > 0;
+}

@@ -1,0 +1,8 @@
+'use strict';
+
+drawPage({
+  tension: tensionChart,
+  matrix: heatMap,
+  trajectory: trajectoryChart,
+  life: lifeChart,
+});

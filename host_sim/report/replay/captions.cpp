@@ -1,0 +1,84 @@
+#include "host_sim/report/replay/captions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host_sim/report/page/number_text.hpp"
+
+namespace host_sim::captions {
+
+std::string origin(const ReplayReport& report) {
+  return fmt::format("{} over {}, input: {}. Model: {}, digest {}.",
+                     counted_text(report.samples, "sample"), duration_text(report.duration_s),
+                     report.input_kind, report.model_name, report.model_digest);
+}
+
+std::string tension(const ReplayReport& report) {
+  const Envelope& envelope = report.tension;
+  if (envelope.time_s.empty()) {
+    return "The profile holds no sample.";
+  }
+  std::string text = fmt::format(
+      "From {} to {}.",
+      quantity_text(*std::min_element(envelope.low_N.begin(), envelope.low_N.end()), "N", 4),
+      quantity_text(*std::max_element(envelope.high_N.begin(), envelope.high_N.end()), "N", 4));
+  if (envelope.samples_per_bucket > 1) {
+    text += fmt::format(" The band reaches from the lowest to the highest of every {} samples.",
+                        count_text(envelope.samples_per_bucket));
+  }
+  const TurningPoints& turning = report.turning_points;
+  if (turning.total > turning.points.size()) {
+    text += fmt::format(
+        " {} of {} turning points are drawn: the lowest and the highest of each run of neighbours.",
+        count_text(turning.points.size()), count_text(turning.total));
+  } else {
+    text += fmt::format(" {} at a hysteresis of {}.", counted_text(turning.total, "turning point"),
+                        quantity_text(report.hysteresis_N, "N"));
+  }
+  return text;
+}
+
+std::string range_mean(const ReplayReport& report) {
+  if (report.range_mean.count.empty()) {
+    return "Every counted cycle by its range and its mean.";
+  }
+  return fmt::format(
+      "Every counted cycle by its range and its mean: {} and {} still open (counting 0.5 each). "
+      "Classes are {} of range by {} of mean; damage is worked out from the "
+      "exact turning points, not from the classes.",
+      counted_text(report.cycles.closed, "closed cycle"),
+      counted_text(report.cycles.open_half, "half cycle"),
+      quantity_text(report.range_mean.range_step_N, "N"),
+      quantity_text(report.range_mean.mean_step_N, "N"));
+}
+
+std::string trajectory(const ReplayReport& report) {
+  return fmt::format(
+      "The damage read at each moment, open cycles included as half cycles. It ends at {}.",
+      number_text(report.damage.total));
+}
+
+std::string life(const ReplayReport& report) {
+  return fmt::format(
+      "Share of wires broken after so many repeats: a Weibull distribution of shape {}, whose "
+      "characteristic life (63.2\u00a0% broken) is reached at damage 1.",
+      number_text(report.weibull_shape));
+}
+
+std::string reference(const ReplayReport& report) {
+  return fmt::format(
+      "The fixed-point estimator against exact counting in double precision, side by side on the "
+      "same samples. Relative error of the total: {}.",
+      number_text(report.relative_error));
+}
+
+std::string constants(const ReplayReport& report) {
+  return fmt::format("As read from {}, digest {}.", report.model_name, report.model_digest);
+}
+
+std::string footer(const ReplayReport& report) {
+  return fmt::format("Made by host_sim {}.", report.program_version);
+}
+
+}  // namespace host_sim::captions

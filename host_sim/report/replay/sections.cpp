@@ -1,0 +1,118 @@
+#include "host_sim/report/replay/sections.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+#include "host_sim/report/page/elements.hpp"
+#include "host_sim/report/page/escape.hpp"
+#include "host_sim/report/page/number_text.hpp"
+#include "host_sim/report/replay/captions.hpp"
+#include "host_sim/report/replay/flag_text.hpp"
+#include "host_sim/report/replay/life_curve.hpp"
+#include "host_sim/report/replay/tables.hpp"
+
+namespace host_sim::sections {
+namespace {
+
+using elements::chart_place;
+using elements::empty;
+using elements::tile;
+
+std::string repeats_tile(std::string_view name, double repeats, double duration_s) {
+  const double life_s = repeats * duration_s;
+  const std::string note =
+      std::isfinite(life_s) ? duration_text(life_s) + " of this profile" : "no damage to count";
+  return tile(name, number_text(repeats), note);
+}
+
+}  // namespace
+
+std::string tiles(const ReplayReport& report) {
+  const RepeatsTo& to = report.repeats_to;
+  const double of_ultimate = report.equivalent_effective_tension_N / report.ultimate_tension_N;
+  std::string html;
+  html += tile("Life used by one pass", number_text(report.damage.total),
+               "damage; 1 is the characteristic life");
+  html += repeats_tile("Repeats to B10 (10\u00a0% broken)", to.B10, report.duration_s);
+  html += repeats_tile("Repeats to B50 (half broken)", to.B50, report.duration_s);
+  html += repeats_tile("Mean life in repeats", to.mean, report.duration_s);
+  html += repeats_tile("Repeats to B90 (90\u00a0% broken)", to.B90, report.duration_s);
+  html += tile("Survive one pass", percent_text(report.survival_probability), "of wires");
+  html += tile("Equivalent effective tension",
+               quantity_text(report.equivalent_effective_tension_N, "N"),
+               std::isfinite(of_ultimate) ? percent_text(of_ultimate) + " of the ultimate tension"
+                                          : "no cycle to compare");
+  html += tile("Cycles counted", counted_text(report.cycles.closed, "cycle"),
+               "closed, and " + counted_text(report.cycles.open_half, "half cycle") + " open");
+  html += tile("Error against the reference", number_text(report.relative_error, 2),
+               "relative, of the total damage");
+  html += tile("Length of the profile", duration_text(report.duration_s),
+               counted_text(report.samples, "sample"));
+  return html;
+}
+
+std::string flags(const ReplayReport& report) {
+  if (report.flags.empty() && report.warnings.empty()) {
+    return "<p class=\"clear\">None: every sample was in range and every cycle was counted "
+           "exactly.</p>\n";
+  }
+  std::string html = "<ul class=\"flags\">\n";
+  for (const std::string& flag : report.flags) {
+    const FlagText text = flag_text(flag);
+    html += fmt::format("<li><strong>{}.</strong> {}</li>\n", html_escape(text.title),
+                        html_escape(text.meaning));
+  }
+  for (const std::string& warning : report.warnings) {
+    html += fmt::format("<li>{}</li>\n", html_escape(warning));
+  }
+  return html + "</ul>\n";
+}
+
+std::string tension_chart(const ReplayReport& report) {
+  if (report.tension.time_s.empty()) {
+    return empty("There is no sample to draw.");
+  }
+  return chart_place("tension", "Input tension over time with turning points",
+                     captions::tension(report));
+}
+
+std::string range_mean_chart(const ReplayReport& report) {
+  const std::vector<double>& count = report.range_mean.count;
+  if (std::none_of(count.begin(), count.end(), [](double n) { return n > 0; })) {
+    return empty("No cycle was counted.");
+  }
+  return fmt::format(
+      "<div class=\"chart heat\" data-chart=\"matrix\">\n"
+      "<fieldset class=\"switch\"><legend>Colour by&nbsp;</legend>"
+      "<label><input type=\"radio\" name=\"quantity\" value=\"count\" checked> cycles</label>"
+      "<label><input type=\"radio\" name=\"quantity\" value=\"damage\"> damage</label></fieldset>\n"
+      "<svg tabindex=\"0\" role=\"img\" aria-label=\"Heat map of the range-mean matrix; the table "
+      "below lists its most damaging classes\" aria-describedby=\"matrix-readout\">"
+      "</svg>\n<p class=\"readout\" id=\"matrix-readout\" aria-live=\"polite\">Point at a class to "
+      "read it; by keyboard, the arrows move from class to class.</p>\n</div>\n"
+      "<details><summary>Classes that do the most damage</summary>\n{}</details>\n",
+      tables::worst_classes(report.range_mean));
+}
+
+std::string trajectory_chart(const ReplayReport& report) {
+  if (report.trajectory.time_s.empty()) {
+    return empty("There is no reading to draw.");
+  }
+  return chart_place("trajectory", "Damage over time", captions::trajectory(report));
+}
+
+std::string life_chart(const ReplayReport& report) {
+  if (life_curve(report.damage.total, report.weibull_shape).repeats.empty()) {
+    return empty("Without damage there is no end of life to show.");
+  }
+  return chart_place(
+      "life", "Share of broken wires over repeats of this profile",
+      fmt::format("B10 {}, B50 {}, mean {}, B90 {} repeats.", number_text(report.repeats_to.B10),
+                  number_text(report.repeats_to.B50), number_text(report.repeats_to.mean),
+                  number_text(report.repeats_to.B90)));
+}
+
+}  // namespace host_sim::sections

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "host_sim/report/replay/report_data.hpp"
+
+/// Parts of the page as HTML with all texts escaped. A plot that has nothing to show becomes a
+/// sentence that says why.
+namespace host_sim::sections {
+
+[[nodiscard]] std::string tiles(const ReplayReport& report);
+[[nodiscard]] std::string flags(const ReplayReport& report);
+[[nodiscard]] std::string tension_chart(const ReplayReport& report);
+[[nodiscard]] std::string range_mean_chart(const ReplayReport& report);
+[[nodiscard]] std::string trajectory_chart(const ReplayReport& report);
+[[nodiscard]] std::string life_chart(const ReplayReport& report);
+
+}  // namespace host_sim::sections
