@@ -17,9 +17,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     host_sim::Model model = host_sim::parse_model(text, "fuzz");
     for (const host_sim::ModelKey& key : host_sim::model_keys()) {
       if (key.table != "drive" || model.drive) {
-        const double value = key.value(model);
-        require(value >= key.minimum && value <= key.maximum);
-        require(!key.above_minimum || value > key.minimum);
+        require(key.range.contains(key.value(model)));
       }
     }
     require(model.counting.hysteresis_N < model.cable.ultimate_tension_N);
