@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <utility>
 
 #include "host_sim/io/printable.hpp"
 
@@ -53,6 +54,22 @@ void write_all(int descriptor, std::string_view text) {
   }
 }
 
+/// `label [###---]tail`, with as much of a bar as the width allows.
+std::string with_bar(std::string text, double share, const std::string& tail, std::size_t width) {
+  const std::size_t used = character_count(text) + tail.size() + 3;
+  const std::size_t bar = std::min(width > used ? width - used : 0, kWidestBar);
+  if (bar >= kNarrowestBar) {
+    const auto filled = static_cast<std::size_t>(share * static_cast<double>(bar));
+    text += fmt::format(" [{:-<{}}]", std::string(filled, '#'), bar);
+  }
+  text += tail;
+  return text.substr(0, width);
+}
+
+std::string percent_text(double share) {
+  return fmt::format(" {:3} %", std::floor(100.0 * share));
+}
+
 }  // namespace
 
 std::string progress_text(std::string_view label, std::uint64_t done, std::uint64_t total,
@@ -66,18 +83,20 @@ std::string progress_text(std::string_view label, std::uint64_t done, std::uint6
   }
   done = std::min(done, total);
   const double share = static_cast<double>(done) / static_cast<double>(total);
-  std::string tail = fmt::format(" {:3} %  {:.1f} MB/s", std::floor(100.0 * share), rate / kMega);
+  std::string tail = percent_text(share) + fmt::format("  {:.1f} MB/s", rate / kMega);
   if (rate > 0.0) {
     tail += fmt::format("  {} left", duration_text(static_cast<double>(total - done) / rate));
   }
-  const std::size_t used = character_count(text) + tail.size() + 3;
-  const std::size_t bar = std::min(width > used ? width - used : 0, kWidestBar);
-  if (bar >= kNarrowestBar) {
-    const auto filled = static_cast<std::size_t>(share * static_cast<double>(bar));
-    text += fmt::format(" [{:-<{}}]", std::string(filled, '#'), bar);
+  return with_bar(std::move(text), share, tail, width);
+}
+
+std::string share_text(std::string_view label, double share, double elapsed_s, std::size_t width) {
+  share = std::clamp(share, 0.0, 1.0);
+  std::string tail = percent_text(share);
+  if (share > 0.0) {
+    tail += fmt::format("  {} left", duration_text(elapsed_s * (1 - share) / share));
   }
-  text += tail;
-  return text.substr(0, width);
+  return with_bar(printable(label, kLabelLimit), share, tail, width);
 }
 
 Progress::Progress(std::string_view label, std::uint64_t total, int descriptor)
@@ -92,20 +111,34 @@ Progress::~Progress() {
   finish();
 }
 
-void Progress::update(std::uint64_t done) {
-  if (!terminal_) {
-    return;
-  }
-  const Clock::time_point now = Clock::now();
-  if (now < next_draw_) {
-    return;
-  }
-  next_draw_ = now + kBetweenDraws;
-  const double elapsed_s = std::chrono::duration<double>(now - start_).count();
-  const std::size_t width = terminal_width(descriptor_) - 1;
-  write_all(descriptor_,
-            fmt::format("\r{}\x1b[K", progress_text(label_, done, total_, elapsed_s, width)));
+bool Progress::due() const {
+  return terminal_ && Clock::now() >= next_draw_;
+}
+
+double Progress::elapsed_s() const {
+  return std::chrono::duration<double>(Clock::now() - start_).count();
+}
+
+std::size_t Progress::width() const {
+  return terminal_width(descriptor_) - 1;
+}
+
+void Progress::draw(const std::string& text) {
+  next_draw_ = Clock::now() + kBetweenDraws;
+  write_all(descriptor_, fmt::format("\r{}\x1b[K", text));
   drawn_ = true;
+}
+
+void Progress::update(std::uint64_t done) {
+  if (due()) {
+    draw(progress_text(label_, done, total_, elapsed_s(), width()));
+  }
+}
+
+void Progress::update_share(double share) {
+  if (due()) {
+    draw(share_text(label_, share, elapsed_s(), width()));
+  }
 }
 
 void Progress::finish() {

@@ -15,12 +15,17 @@ namespace host_sim {
 std::string progress_text(std::string_view label, std::uint64_t done, std::uint64_t total,
                           double elapsed_s, std::size_t width);
 
+/// The same for work that is counted in shares, 0 .. 1, of the whole, e.g.
+/// `calibrate [#####-----]  50 %  0:12 left`.
+std::string share_text(std::string_view label, double share, double elapsed_s, std::size_t width);
+
 /// A progress bar on a terminal, redrawn ten times a second at most and erased at the end. Where
 /// the file descriptor is not a terminal nothing is written.
 class Progress {
  public:
-  /// `total` in bytes, 0 if unknown.
-  Progress(std::string_view label, std::uint64_t total, int descriptor = STDERR_FILENO);
+  /// `total` in bytes, 0 if unknown or if the work is counted in shares.
+  explicit Progress(std::string_view label, std::uint64_t total = 0,
+                    int descriptor = STDERR_FILENO);
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
   ~Progress();
@@ -28,11 +33,19 @@ class Progress {
   /// Says that `done` bytes are done. Cheap, but meant for each block, not for each sample.
   void update(std::uint64_t done);
 
+  /// Says that `share`, 0 .. 1, of the whole work is done.
+  void update_share(double share);
+
   /// Erases the bar; also done by the destructor.
   void finish();
 
  private:
   using Clock = std::chrono::steady_clock;
+
+  bool due() const;
+  double elapsed_s() const;
+  std::size_t width() const;
+  void draw(const std::string& text);
 
   std::string label_;
   std::uint64_t total_;

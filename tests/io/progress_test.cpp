@@ -52,6 +52,21 @@ TEST(ProgressText, KeepsControlCharactersOut) {
   EXPECT_EQ(progress_text("a\x1b[2J", 1, 0, 1.0, 80).find('\x1b'), std::string::npos);
 }
 
+TEST(ShareText, ShowsShareAndTimeLeft) {
+  // A quarter in 10 s leaves 30 s; 25 % of a bar of 20.
+  EXPECT_EQ(share_text("calibrate", 0.25, 10.0, 50),
+            "calibrate [#####---------------]  25 %  0:30 left");
+}
+
+TEST(ShareText, KeepsWithinZeroAndAHundredPercent) {
+  EXPECT_EQ(share_text("a", 0.0, 5.0, 10), "a   0 %");
+  EXPECT_EQ(share_text("a", -1.0, 5.0, 10), "a   0 %");
+  EXPECT_NE(share_text("a", 1.5, 5.0, 80).find("100 %  0:00 left"), std::string::npos);
+  for (std::size_t width = 0; width < 120; ++width) {
+    EXPECT_LE(share_text("a long name of a file.csv", 0.3, 1.0, width).size(), width);
+  }
+}
+
 /// The other side of a terminal, 60 columns wide.
 class Terminal {
  public:
@@ -131,6 +146,19 @@ TEST_F(ProgressOnTerminal, DrawsAtALimitedRateAndErases) {
   EXPECT_LE(static_cast<double>(draws), elapsed_s * 10.0 + 1.0);
   EXPECT_TRUE(shown.ends_with("\r\x1b[K"));
   EXPECT_EQ(shown.find('\n'), std::string::npos);
+}
+
+TEST_F(ProgressOnTerminal, DrawsShares) {
+  {
+    Progress progress("calibrate", 0, terminal_.inside());
+    std::this_thread::sleep_for(std::chrono::milliseconds(120));
+    progress.update_share(0.5);
+    progress.update_share(0.9);
+  }
+  const std::string shown = terminal_.shown();
+  EXPECT_NE(shown.find("50 %"), std::string::npos) << shown;
+  EXPECT_EQ(shown.find("90 %"), std::string::npos) << shown;
+  EXPECT_TRUE(shown.ends_with("\r\x1b[K"));
 }
 
 TEST_F(ProgressOnTerminal, ShowsNothingForShortWork) {
