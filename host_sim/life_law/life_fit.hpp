@@ -65,11 +65,13 @@ struct LifeQuantity {
 statistics::Interval profile_interval(std::span<const LifeDatum> data, const LifeFit& fit,
                                       LifeQuantity quantity, double confidence = 0.95);
 
-/// Least squares of A / T^gamma against characteristic lives, in alpha, as the paper does.
+/// Least squares of A / T^gamma against characteristic lives, in alpha, as the paper does in its
+/// section 3.5.4.
+/// @pre at least two lives above 0, at two different tensions
 struct LeastSquares {
   double scale = 0;
   double exponent = 0;
-  double rmse_cycles = 0;  ///< with as many degrees of freedom as the paper's figure uses
+  double rmse_cycles = 0;  ///< root of the mean square over the levels, n and not n - 2
 };
 LeastSquares fit_least_squares(std::span<const double> effective_tension_N,
                                std::span<const double> characteristic_life);
