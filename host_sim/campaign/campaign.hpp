@@ -69,7 +69,7 @@ struct Campaign {
   std::filesystem::path folder;
   std::vector<Use> uses;  ///< [[use]] of campaign.toml
   Nominal nominal;
-  std::vector<Specimen> specimens;
+  std::vector<Specimen> specimens;  ///< in order of their names, whatever the order in the file
 };
 
 /// Reads and checks a campaign; refused whole with file, line and column for anything that cannot

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "host_sim/campaign/csv_table.hpp"
+
+namespace host_sim {
+
+/// The name of a specimen: visible characters, at least one. @throws InputError
+std::string name_in_row(const CsvTable& table, std::size_t column);
+
+/// A number of cycles: above 0. @throws InputError
+double cycles_in_row(const CsvTable& table, std::size_t column);
+
+}  // namespace host_sim

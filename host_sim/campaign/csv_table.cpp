@@ -1,0 +1,178 @@
+#include "host_sim/campaign/csv_table.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+
+#include "host_sim/io/csv_line.hpp"
+#include "host_sim/io/number.hpp"
+#include "host_sim/io/unit_suffix.hpp"
+
+namespace host_sim {
+namespace {
+
+const std::string kNothing;
+
+void refuse_nul(const TextPlace& line) {
+  const std::size_t nul = line.text.find('\0');
+  if (nul != std::string_view::npos) {
+    line.fail(nul, "a NUL byte", "UTF-8 text");
+  }
+}
+
+}  // namespace
+
+CsvTable::CsvTable(std::unique_ptr<ByteSource> source, std::string_view name,
+                   std::span<const CsvColumn> columns)
+    : name_(name),
+      columns_(columns.begin(), columns.end()),
+      lines_(std::move(source), name_),
+      fields_(columns.size(), kAbsent) {
+  if (!go_to_content()) {
+    throw InputError(name_, 0, 0, "the file is empty", "a CSV file with " + column_names());
+  }
+  read_header(this_line());
+  lines_.next_line(lines_.line_end());
+  if (!go_to_content()) {
+    throw InputError(name_, 0, 0, "no rows", "at least one row after the header");
+  }
+}
+
+bool CsvTable::go_to_content() {
+  while (lines_.fill()) {
+    refuse_nul(this_line());
+    if (*lines_.position() != '#') {
+      return true;
+    }
+    lines_.next_line(lines_.line_end());
+  }
+  return false;
+}
+
+void CsvTable::read_header(const TextPlace& line) {
+  if (line.text.empty()) {
+    line.fail(0, "an empty line in place of the header", column_names());
+  }
+  CsvLine fields(line.text);
+  for (std::size_t field = 0; fields.next(); ++field) {
+    if (fields.broken()) {
+      line.fail(fields.offset(), "a quoted name that does not end with its quote", column_names());
+    }
+    const std::size_t column = column_named(fields.text(), line, fields.offset());
+    if (has(column)) {
+      line.fail(fields.offset(), fmt::format("column {} a second time", columns_[column].name),
+                "each column once");
+    }
+    fields_[column] = field;
+    row_.emplace_back();
+  }
+  header_end_ = {name_, line.number, character_count(line.text) + 1};
+  for (std::size_t column = 0; column < columns_.size(); ++column) {
+    if (columns_[column].required && !has(column)) {
+      header_end_.fail(fmt::format("no column {}", columns_[column].name), column_names());
+    }
+  }
+}
+
+std::size_t CsvTable::column_named(const std::string& name, const TextPlace& line,
+                                   std::size_t offset) const {
+  for (std::size_t column = 0; column < columns_.size(); ++column) {
+    if (columns_[column].name == name) {
+      return column;
+    }
+  }
+  for (const CsvColumn& column : columns_) {
+    if (const auto unit = other_unit(name, column.name, column.unit)) {
+      line.fail(offset,
+                unit->empty() ? fmt::format("column {} without its unit", in_quotes(name))
+                              : fmt::format("unknown unit {} of column {}", in_quotes(*unit),
+                                            in_quotes(name)),
+                column.name);
+    }
+  }
+  line.fail(offset, fmt::format("unknown column {}", in_quotes(name)), column_names());
+}
+
+bool CsvTable::next() {
+  if (!go_to_content()) {
+    return false;
+  }
+  read_row(this_line());
+  lines_.next_line(lines_.line_end());
+  return true;
+}
+
+void CsvTable::read_row(const TextPlace& line) {
+  const std::string accepted = fmt::format("{} fields, as in the header", row_.size());
+  if (line.text.empty()) {
+    line.fail(0, "an empty line", accepted);
+  }
+  CsvLine fields(line.text);
+  std::size_t count = 0;
+  while (fields.next()) {
+    if (count == row_.size()) {
+      line.fail(fields.offset(), "more fields than the header", accepted);
+    }
+    if (fields.broken()) {
+      line.fail(fields.offset(), "a quoted field that does not end with its quote",
+                "a field with both quotes, or without");
+    }
+    row_[count].text = fields.text();
+    row_[count].column = character_count(line.text.substr(0, fields.offset())) + 1;
+    ++count;
+  }
+  if (count != row_.size()) {
+    line.fail(line.text.size(), fmt::format("{} fields only", count), accepted);
+  }
+  line_ = line.number;
+}
+
+const std::string& CsvTable::cell(std::size_t column) const {
+  return has(column) ? row_[fields_[column]].text : kNothing;
+}
+
+const std::string& CsvTable::text(std::size_t column) const {
+  const std::string& text = cell(column);
+  if (printable(text) != text) {
+    place(column).fail(fmt::format("{} is {}", columns_[column].name, in_quotes(text)),
+                       "visible characters in UTF-8");
+  }
+  return text;
+}
+
+double CsvTable::number(std::size_t column, const NumberRange& range) const {
+  constexpr std::string_view kNumber = "a finite decimal number without spaces";
+  const std::string_view name = columns_[column].name;
+  const std::string& text = cell(column);
+  if (text.empty()) {
+    place(column).fail(fmt::format("{} is empty", name), kNumber);
+  }
+  const char* position = text.data();
+  const char* const end = position + text.size();
+  double value = 0;
+  if (!parse_number(position, end, value) || position != end || !std::isfinite(value)) {
+    place(column).fail(fmt::format("{} is {}, not a finite number", name, in_quotes(text)),
+                       kNumber);
+  }
+  if (!range.contains(value)) {
+    place(column).fail(fmt::format("{} is {}, out of range", name, in_quotes(text)),
+                       range_text(range));
+  }
+  return value;
+}
+
+Place CsvTable::place(std::size_t column) const {
+  return {name_, line_, has(column) ? row_[fields_[column]].column : 1};
+}
+
+std::string CsvTable::column_names() const {
+  std::string names;
+  for (const CsvColumn& column : columns_) {
+    names += names.empty() ? "" : ", ";
+    names += column.name;
+  }
+  return names;
+}
+
+}  // namespace host_sim

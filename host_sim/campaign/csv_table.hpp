@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host_sim/campaign/place.hpp"
+#include "host_sim/io/byte_source.hpp"
+#include "host_sim/io/line_buffer.hpp"
+#include "host_sim/io/number_range.hpp"
+#include "host_sim/io/text_place.hpp"
+
+namespace host_sim {
+
+/// A column that a table may hold.
+struct CsvColumn {
+  std::string_view name;
+  std::string_view unit = {};  ///< the suffix of `name`, empty if it has none
+  bool required = false;
+};
+
+/// Reads a table (RFC 4180 CSV, one header line, `#` starts a comment line) row by row, the columns
+/// in any order. All functions throw InputError.
+class CsvTable {
+ public:
+  /// Reads the header; `name` stands for the file in errors.
+  CsvTable(std::unique_ptr<ByteSource> source, std::string_view name,
+           std::span<const CsvColumn> columns);
+
+  bool has(std::size_t column) const { return fields_[column] != kAbsent; }
+
+  /// Goes to the next row; false at the end. A table without rows is refused.
+  bool next();
+
+  /// The number of this row's line.
+  std::uint64_t line() const noexcept { return line_; }
+
+  /// A cell of this row, empty where the file lacks the column.
+  const std::string& cell(std::size_t column) const;
+
+  /// A cell as a text without hidden characters.
+  const std::string& text(std::size_t column) const;
+
+  /// A cell as a finite number in its range.
+  double number(std::size_t column, const NumberRange& range) const;
+
+  /// The end of the header, where a column that is missing would stand.
+  const Place& header_end() const noexcept { return header_end_; }
+
+  /// Where a cell of this row starts; where the file lacks the column, the row.
+  Place place(std::size_t column) const;
+
+ private:
+  static constexpr std::size_t kAbsent = static_cast<std::size_t>(-1);
+
+  struct Cell {
+    std::string text;
+    std::uint64_t column = 1;
+  };
+
+  TextPlace this_line() const { return {name_, lines_.line_number(), lines_.line()}; }
+  bool go_to_content();
+  void read_header(const TextPlace& line);
+  void read_row(const TextPlace& line);
+  std::size_t column_named(const std::string& name, const TextPlace& line,
+                           std::size_t offset) const;
+  std::string column_names() const;
+
+  std::string name_;
+  std::vector<CsvColumn> columns_;
+  LineBuffer lines_;
+  std::vector<std::size_t> fields_;  ///< for each column the number of its field
+  std::vector<Cell> row_;
+  Place header_end_;
+  std::uint64_t line_ = 0;
+};
+
+}  // namespace host_sim
