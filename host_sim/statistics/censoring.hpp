@@ -8,13 +8,11 @@
 
 namespace host_sim::statistics {
 
-/// When specimens of one sample would have been suspended, for simulating samples like it.
-///   nothing suspended    no limit;
-///   all suspended at or after the last failure, at one life    that limit for each specimen;
-///   otherwise    a suspended specimen keeps its limit; one that failed gets a limit beyond its
-///   life
-///                from the Kaplan-Meier estimate of the limits, or none beyond the last
-/// (the conditional bootstrap; Davison and Hinkley 1997, section 3.5).
+/// When specimens of one sample would have been suspended, for simulating samples like it. A
+/// suspended specimen keeps its limit; one that failed gets a limit not below its life from the
+/// Kaplan-Meier estimate of the limits, or none beyond the last (the conditional bootstrap; Davison
+/// and Hinkley 1997, section 3.5). So all specimens of a test that ended at one life have that
+/// limit.
 class CensoringPlan {
  public:
   explicit CensoringPlan(std::span<const Observation> sample);
@@ -27,6 +25,8 @@ class CensoringPlan {
   void observe(std::span<const double> lives, Random& random, Sample& seen) const;
 
  private:
+  [[nodiscard]] double limit_of(const Observation& specimen, Random& random) const;
+
   Sample sample_;
   std::vector<double> limits_;  ///< distinct, rising
   std::vector<double> limit_survival_;

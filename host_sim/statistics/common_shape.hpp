@@ -13,7 +13,8 @@ struct Interval {
   double high = 0;
 };
 
-/// A likelihood-ratio test. A p-value that was not computed is NaN.
+/// A likelihood-ratio test. What was not computed is NaN: everything where a sample that takes part
+/// has its failures at one life, or where fewer than two take part.
 struct Test {
   double statistic = 0;  ///< 2 (log L1 - log L0)
   double degrees_of_freedom = 0;

@@ -83,6 +83,19 @@ class SpreadEquation {
 
 }  // namespace
 
+FitProblem shape_problem(std::span<const CentredSample> samples) {
+  std::size_t failures = 0;
+  bool spread = false;
+  for (const CentredSample& sample : samples) {
+    failures += sample.failures();
+    spread = spread || !sample.without_spread();
+  }
+  if (failures < 2) {
+    return FitProblem::too_few_failures;
+  }
+  return spread ? FitProblem::none : FitProblem::no_spread;
+}
+
 double solve_shape(std::span<const CentredSample> samples) {
   constexpr int kDigits = 32;  // of the last step; after it all are right
   constexpr std::uintmax_t kIterations = 200;

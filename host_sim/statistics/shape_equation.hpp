@@ -6,9 +6,13 @@
 
 namespace host_sim::statistics {
 
+/// What keeps the samples from having a shape in common: too_few_failures (fewer than two in all)
+/// or no_spread (no sample has any).
+FitProblem shape_problem(std::span<const CentredSample> samples);
+
 /// The Weibull shape of several samples with scales of their own: root of eq. (16), the censored
 /// likelihood equation, over samples of logarithms. Samples without failures say nothing.
-/// @pre some sample has a failure, and not all are without spread
+/// @pre shape_problem is none
 /// @return 0 where it did not converge
 double solve_shape(std::span<const CentredSample> samples);
 
