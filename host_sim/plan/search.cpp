@@ -38,7 +38,8 @@ std::size_t least_total(std::size_t low, std::size_t high, double ratio,
     const bool here = ratio_there <= ratio;
     (here ? reached : unreached) = total;
     const std::size_t expected = expected_total(total, ratio_there, ratio);
-    if (unreached > low && reached <= high) {
+    // A step near the last one, growing, until half of the bracket is no further.
+    if (unreached > low && reached <= high && 2 * step >= reached - unreached) {
       total = (unreached + reached) / 2;
     } else if (here) {
       total = std::max(unreached + 1, std::min(expected, total - std::min(total, step)));

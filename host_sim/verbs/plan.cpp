@@ -105,7 +105,7 @@ void take_law_of_model(const std::string& path, PlanRequest& request) {
                             model.life.weibull_shape};
 }
 
-void run(Arguments& arguments) {
+int run(Arguments& arguments) {
   PlanRequest& request = arguments.request;
   if (arguments.model.empty() && request.conditions.law.scale == 0) {
     refuse("give the law: --model, or --scale, --exponent and --shape");
@@ -125,7 +125,8 @@ void run(Arguments& arguments) {
     json->write(plan::plan_json(request, result));
   }
   commit_all({&json});
-  plan::write_plan(summary_stream({{arguments.json}}), request, result);
+  plan::write_plan(summary_stream({&arguments.json, 1}), request, result);
+  return 0;
 }
 
 void add_law_options(CLI::App& verb, Arguments& arguments) {
@@ -196,7 +197,7 @@ void add_simulation_options(CLI::App& verb, PlanRequest& request) {
 
 }  // namespace
 
-void add_plan(CLI::App& app) {
+void add_plan(CLI::App& app, int& status) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* verb =
       app.add_subcommand("plan", "How many specimens a life test needs, and at which levels");
@@ -208,7 +209,7 @@ void add_plan(CLI::App& app) {
   verb->footer(
       "Example: host_sim plan --model host_sim/examples/upper_arm.toml --levels "
       "42.5,50.8,60.1,71.0 --use-tension 25.5 --ratio 1.25");
-  verb->callback([arguments] { run(*arguments); });
+  verb->callback([arguments, &status] { status = run(*arguments); });
 }
 
 }  // namespace host_sim
