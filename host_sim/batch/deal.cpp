@@ -1,0 +1,109 @@
+#include "host_sim/batch/deal.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <exception>
+#include <stdexcept>
+#include <string_view>
+#include <thread>
+
+#include "host_sim/io/interruption.hpp"
+#include "host_sim/statistics/parallel.hpp"
+
+namespace host_sim::batch {
+namespace {
+
+/// The first byte of what a rank hands in: answers, each behind its size, or why there are none.
+enum class Outcome : char { answers = 'a', interrupted = 'i', failed = 'f' };
+
+void append(std::string& text, std::string_view answer) {
+  const std::uint64_t size = answer.size();
+  std::array<char, sizeof size> bytes{};
+  std::memcpy(bytes.data(), &size, sizeof size);
+  text.append(bytes.data(), bytes.size());
+  text += answer;
+}
+
+std::string take(std::string_view& text) {
+  std::uint64_t size = 0;
+  std::memcpy(&size, text.data(), sizeof size);
+  text.remove_prefix(sizeof size);
+  std::string answer(text.substr(0, size));
+  text.remove_prefix(size);
+  return answer;
+}
+
+std::size_t pieces_of(std::size_t rank, std::size_t ranks, std::size_t count) {
+  return (count + ranks - 1 - rank) / ranks;
+}
+
+std::string work_of(const Ranks& ranks, std::size_t count, unsigned threads,
+                    const std::function<std::string(std::size_t)>& work) {
+  std::vector<std::string> answers(pieces_of(ranks.rank(), ranks.count(), count));
+  statistics::parallel_for(
+      answers.size(),
+      [&](std::size_t i) {
+        stop_if_interrupted();
+        answers[i] = work(ranks.rank() + i * ranks.count());
+      },
+      threads_of(ranks, threads));
+  std::string text(1, static_cast<char>(Outcome::answers));
+  for (const std::string& answer : answers) {
+    append(text, answer);
+  }
+  return text;
+}
+
+/// A rank that fails hands in why, so that the others do not wait for it.
+std::string outcome_of(const Ranks& ranks, std::size_t count, unsigned threads,
+                       const std::function<std::string(std::size_t)>& work) {
+  try {
+    return work_of(ranks, count, threads, work);
+  } catch (const Interruption&) {
+    return {static_cast<char>(Outcome::interrupted)};
+  } catch (const std::exception& error) {
+    return static_cast<char>(Outcome::failed) + std::string(error.what());
+  }
+}
+
+void throw_failures(const std::vector<std::string>& outcomes) {
+  for (const std::string& outcome : outcomes) {
+    if (outcome.front() == static_cast<char>(Outcome::interrupted)) {
+      throw Interruption();
+    }
+  }
+  for (const std::string& outcome : outcomes) {
+    if (outcome.front() == static_cast<char>(Outcome::failed)) {
+      throw std::runtime_error(outcome.substr(1));
+    }
+  }
+}
+
+}  // namespace
+
+unsigned threads_of(const Ranks& ranks, unsigned threads) {
+  if (threads != 0) {
+    return threads;
+  }
+  const auto ranks_here = static_cast<unsigned>(ranks.on_this_machine());
+  return std::max(1U, std::thread::hardware_concurrency() / ranks_here);
+}
+
+std::vector<std::string> deal(Ranks& ranks, std::size_t count, unsigned threads,
+                              const std::function<std::string(std::size_t)>& work) {
+  const std::vector<std::string> outcomes = ranks.gather(outcome_of(ranks, count, threads, work));
+  ranks.leave();
+  throw_failures(outcomes);
+  std::vector<std::string> answers(outcomes.empty() ? 0 : count);
+  for (std::size_t rank = 0; rank < outcomes.size(); ++rank) {
+    std::string_view text = std::string_view(outcomes[rank]).substr(1);
+    for (std::size_t i = rank; i < count; i += outcomes.size()) {
+      answers[i] = take(text);
+    }
+  }
+  return answers;
+}
+
+}  // namespace host_sim::batch
