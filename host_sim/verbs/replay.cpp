@@ -4,17 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <iostream>
 #include <memory>
-#include <optional>
 
 #include "host_sim/io/candump.hpp"
 #include "host_sim/io/interruption.hpp"
-#include "host_sim/io/output_file.hpp"
 #include "host_sim/io/progress.hpp"
 #include "host_sim/replay/flag_names.hpp"
 #include "host_sim/replay/results.hpp"
 #include "host_sim/report/replay/html.hpp"
+#include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
 namespace host_sim {
@@ -35,10 +33,6 @@ struct Arguments {
 
 std::array<std::string, 4> outputs_of(const Arguments& arguments) {
   return {arguments.json, arguments.trajectory, arguments.report, arguments.can};
-}
-
-std::optional<OutputFile> open_if_asked(const std::string& path) {
-  return path.empty() ? std::nullopt : std::optional<OutputFile>(std::in_place, path);
 }
 
 bool found(const std::vector<std::string>& fail_on, const std::vector<std::string>& flags) {
@@ -88,28 +82,9 @@ int run(const Arguments& arguments) {
     fill_report(report, result, model);
     write_replay_report(page->stream(), report);
   }
-  for (auto* file : {&json, &trajectory, &page, &can}) {
-    if (*file) {
-      (*file)->commit();
-    }
-  }
-  const auto outputs = outputs_of(arguments);
-  const bool stdout_taken = std::find(outputs.begin(), outputs.end(), "-") != outputs.end();
-  write_summary(stdout_taken ? std::cerr : std::cout, result, arguments.profile, arguments.model);
+  commit_all({&json, &trajectory, &page, &can});
+  write_summary(summary_stream(outputs_of(arguments)), result, arguments.profile, arguments.model);
   return found(arguments.fail_on, result.flags) ? kFoundInData : 0;
-}
-
-/// Two outputs into one file would leave only one of them.
-std::string check_outputs(const Arguments& arguments) {
-  std::vector<std::string> paths;
-  for (const std::string& path : outputs_of(arguments)) {
-    if (!path.empty()) {
-      paths.push_back(path == "-" ? path : std::filesystem::weakly_canonical(path).string());
-    }
-  }
-  std::sort(paths.begin(), paths.end());
-  const auto twice = std::adjacent_find(paths.begin(), paths.end());
-  return twice == paths.end() ? "" : "two outputs go to '" + *twice + "'";
 }
 
 }  // namespace
@@ -149,7 +124,7 @@ void add_replay(CLI::App& app, int& status) {
       "Example: host_sim replay host_sim/examples/upper_arm.csv --model "
       "host_sim/examples/upper_arm.toml --report upper_arm.html");
   verb->callback([arguments, &status] {
-    if (const std::string error = check_outputs(*arguments); !error.empty()) {
+    if (const std::string error = conflict_of(outputs_of(*arguments)); !error.empty()) {
       throw CLI::ValidationError("replay", error);
     }
     status = run(*arguments);
