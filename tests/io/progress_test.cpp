@@ -54,7 +54,7 @@ TEST(ProgressText, KeepsControlCharactersOut) {
 
 TEST(ShareText, ShowsShareAndTimeLeft) {
   // A quarter in 10 s leaves 30 s; 25 % of a bar of 20.
-  EXPECT_EQ(share_text("calibrate", 0.25, 10.0, 50),
+  EXPECT_EQ(share_text("calibrate", 0.25, 10.0, 49),
             "calibrate [#####---------------]  25 %  0:30 left");
 }
 
