@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace host_sim::life_law {
 namespace {
 
-/// Loads closer together are one load that was rounded.
+/// Loads closer together are one load that was rounded: x is zero for all.
 constexpr double kNarrowest = 1e-6;
+constexpr double kNoSpread = std::numeric_limits<double>::infinity();
 
 double mean_of_failures(std::span<const LifeDatum> data) {
   double sum = 0;
@@ -35,7 +37,7 @@ LogTensionFrame frame_of(std::span<const LifeDatum> data) {
       widest = std::max(widest, std::abs(std::log(block.effective_tension_N) - centre));
     }
   }
-  return {.centre = centre, .spread = widest > kNarrowest ? widest : 1};
+  return {.centre = centre, .spread = widest > kNarrowest ? widest : kNoSpread};
 }
 
 }  // namespace host_sim::life_law

@@ -18,14 +18,22 @@ constexpr double kLastGain = 1e-13;
 /// The least share of the promised gain that a step must keep.
 constexpr double kSufficientGain = 1e-4;
 
+/// Units in which the Hessian has ones on its diagonal, so that what is flat does not depend on how
+/// steep the rest is.
+Eigen::VectorXd units(const Expansion& expansion) {
+  return expansion.hessian.diagonal().cwiseAbs().cwiseMax(1.0).cwiseSqrt().cwiseInverse();
+}
+
 Eigen::VectorXd uphill_along_eigenvectors(const Expansion& expansion) {
   constexpr double kFlattest = 1e-8;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(expansion.hessian);
-  const Eigen::VectorXd size = solver.eigenvalues().cwiseAbs();
-  const double floor = std::max(kFlattest * size.maxCoeff(), 1e-300);
+  const Eigen::VectorXd unit = units(expansion);
+  const Eigen::MatrixXd hessian = unit.asDiagonal() * expansion.hessian * unit.asDiagonal();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(hessian);
+  const Eigen::VectorXd size = solver.eigenvalues().cwiseAbs().cwiseMax(kFlattest);
   const auto& vectors = solver.eigenvectors();
-  return vectors *
-         (vectors.transpose() * expansion.gradient).cwiseQuotient(size.cwiseMax(floor)).eval();
+  const Eigen::VectorXd gradient = unit.cwiseProduct(expansion.gradient);
+  const Eigen::VectorXd step = vectors * (vectors.transpose() * gradient).cwiseQuotient(size);
+  return unit.cwiseProduct(step);
 }
 
 Eigen::VectorXd newton_step(const Expansion& expansion) {
