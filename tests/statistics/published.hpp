@@ -21,7 +21,7 @@ Sample nist_units();
 Sample shock_absorbers();
 
 /// 72 fatigue specimens of alloy T7987 in 1000 cycles, 5 suspended at 300: Meeker and Escobar
-/// (1998), p. 131.
+/// (1998), p. 131, as R package weibulltools 2.1.0 holds them. SAS reprints the second 152 as 153.
 Sample alloy_t7987();
 
 }  // namespace host_sim::statistics::published
