@@ -83,7 +83,7 @@ void take_blocks(SpecimenRow& row, const Rows& rows, const LoadModel& model) {
 void take_load(SpecimenRow& row, const LoadModel& model) {
   if (row.load.kind() == LoadKind::none) {
     row.name_place.fail(fmt::format("specimen {} has no load", in_quotes(row.specimen.name)),
-                        fmt::format("{}, or rows in blocks.csv", load_words()));
+                        fmt::format("{}, or rows in blocks.csv", row.load.accepted));
   }
   row.specimen.blocks.push_back({model.load(row.load), row.cycles, row.specimen.line});
 }

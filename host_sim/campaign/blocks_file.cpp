@@ -46,7 +46,7 @@ BlockRow row_in(const CsvTable& table) {
   row.specimen_place = table.place(kSpecimen);
   row.order_place = table.place(kOrder);
   if (row.load.kind() == LoadKind::none) {
-    row.specimen_place.fail("a block without a load", load_words());
+    row.specimen_place.fail("a block without a load", row.load.accepted);
   }
   return row;
 }

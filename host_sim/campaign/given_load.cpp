@@ -54,10 +54,12 @@ LoadKind GivenLoad::kind() const {
   for (std::size_t id = 0; id < kLoadKeyCount; ++id) {
     const Number& number = numbers[id];
     if (number.given && kKinds[id] != kind) {
-      number.place.fail(fmt::format("{} beside {}", kKeys[id].name, kKeys[first_id].name), kWords);
+      number.place.fail(fmt::format("{} beside {}", kKeys[id].name, kKeys[first_id].name),
+                        accepted);
     }
     if (!number.given && kKinds[id] == kind) {
-      number.place.fail(fmt::format("{} without {}", kKeys[first_id].name, kKeys[id].name), kWords);
+      number.place.fail(fmt::format("{} without {}", kKeys[first_id].name, kKeys[id].name),
+                        accepted);
     }
   }
   return kind;

@@ -46,6 +46,7 @@ struct GivenLoad {
     Place place;  ///< also of a cell that is empty
   };
   std::array<Number, kLoadKeyCount> numbers{};
+  std::string_view accepted = load_words();  ///< what errors say is accepted
 
   /// What kind of load the numbers give.
   /// @throws InputError where they give half a kind, or more than one

@@ -43,6 +43,7 @@ std::vector<TomlTable> tables_in(const TomlTable& above, std::string_view key,
 
 GivenLoad given_load(const TomlTable& table) {
   GivenLoad load;
+  load.accepted = load_words_of_use();
   for (std::size_t id = 0; id < kLoadKeyCount; ++id) {
     const NumberKey& key = load_keys()[id];
     GivenLoad::Number& number = load.numbers[id];
@@ -63,7 +64,7 @@ Campaign::Use::Part part_in(const TomlTable& table, const LoadModel& model) {
   part.share = table.number(kShare);
   const GivenLoad load = given_load(table);
   if (load.kind() == LoadKind::none) {
-    table.fail(table.place(), "a part without a load", load_words_of_use());
+    table.fail(table.place(), "a part without a load", load.accepted);
   }
   part.load = model.load(load);
   return part;
@@ -96,7 +97,7 @@ Campaign::Use use_in(const TomlTable& table, const LoadModel& model) {
   const bool one_load = load.kind() != LoadKind::none;
   if (one_load == table.has("parts")) {
     table.fail(table.place(), one_load ? "a load beside parts" : "a use without a load",
-               fmt::format("{}, or parts of a mix", load_words_of_use()));
+               fmt::format("{}, or parts of a mix", load.accepted));
   }
   if (one_load) {
     use.parts.push_back({.load = model.load(load)});
