@@ -65,16 +65,11 @@ Fit read_fit(const std::string& line) {
   return result;
 }
 
-}  // namespace
-
-bool available() {
-  return std::system("Rscript -e 'library(survival)' > /dev/null 2>&1") == 0;
-}
-
-std::vector<Fit> fit(std::span<const Row> rows, const std::string& formula,
-                     std::span<const std::string> distributions) {
+/// The fits with each of `formulas` (with ; between them) and each distribution.
+std::vector<Fit> fits_of(std::span<const Row> rows, const std::string& formulas,
+                         std::span<const std::string> distributions, std::size_t expected) {
   const LivesFile lives(rows);
-  std::string command = "Rscript '" SURVREG_SCRIPT "' '" + lives.name() + "' '" + formula + "'";
+  std::string command = "Rscript '" SURVREG_SCRIPT "' '" + lives.name() + "' '" + formulas + "'";
   for (const std::string& distribution : distributions) {
     command += " '" + distribution + "'";
   }
@@ -83,10 +78,29 @@ std::vector<Fit> fit(std::span<const Row> rows, const std::string& formula,
   for (std::string line; std::getline(lines, line);) {
     fits.push_back(read_fit(line));
   }
-  if (fits.size() != distributions.size()) {
+  if (fits.size() != expected) {
     throw std::runtime_error("no answer from: " + command);
   }
   return fits;
+}
+
+}  // namespace
+
+bool available() {
+  return std::system("Rscript -e 'library(survival)' > /dev/null 2>&1") == 0;
+}
+
+std::vector<Fit> fit(std::span<const Row> rows, const std::string& formula,
+                     std::span<const std::string> distributions) {
+  return fits_of(rows, formula, distributions, distributions.size());
+}
+
+std::vector<Fit> fit_weibull(std::span<const Row> rows, std::span<const std::string> formulas) {
+  std::string joined;
+  for (const std::string& formula : formulas) {
+    joined += (joined.empty() ? "" : ";") + formula;
+  }
+  return fits_of(rows, joined, std::array{std::string("weibull")}, formulas.size());
 }
 
 }  // namespace host_sim::survreg

@@ -30,4 +30,8 @@ bool available();
 std::vector<Fit> fit(std::span<const Row> rows, const std::string& formula,
                      std::span<const std::string> distributions);
 
+/// The Weibull fit with each of several formulas.
+/// @throws std::runtime_error where R does not answer with one fit for each
+std::vector<Fit> fit_weibull(std::span<const Row> rows, std::span<const std::string> formulas);
+
 }  // namespace host_sim::survreg
