@@ -1,0 +1,169 @@
+#include <gtest/gtest.h>
+
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <functional>
+#include <utility>
+
+#include "host_sim/life_law/life_fit.hpp"
+#include "tests/life_law/campaigns.hpp"
+#include "tests/life_law/data_sets.hpp"
+
+namespace host_sim::life_law {
+namespace {
+
+using Kind = LifeQuantity::Kind;
+
+/// The largest value of f between two bounds.
+double largest(const std::function<double(double)>& f, double low, double high) {
+  constexpr int kBits = 30;
+  const auto [at, least] =
+      boost::math::tools::brent_find_minima([&f](double x) { return -f(x); }, low, high, kBits);
+  static_cast<void>(at);
+  return -least;
+}
+
+/// ln alpha at the quantity's tension less the quantity.
+double ln_alpha_above(const LifeQuantity& quantity, double shape) {
+  switch (quantity.kind) {
+    case Kind::ln_mean_life:
+      return -std::log(std::tgamma(1 + 1 / shape));
+    case Kind::ln_quantile:
+      return -std::log(-std::log(1 - quantity.p)) / shape;
+    case Kind::ln_scale:
+    case Kind::exponent:
+    case Kind::shape:
+      break;
+  }
+  return 0;
+}
+
+/// The profile log likelihood by nested searches over the other two parameters of the law, with
+/// nothing but the likelihood.
+class SearchedProfile {
+ public:
+  SearchedProfile(const LifeData& data, const LifeFit& fit, const LifeQuantity& quantity)
+      : data_(data), fit_(fit), quantity_(quantity) {}
+
+  double operator()(double value) const {
+    const double shape = fit_.law().shape;
+    const double exponent = fit_.law().exponent;
+    if (quantity_.kind == Kind::shape) {
+      return over_exponent([&](double e) { return over_ln_alpha(e, value); }, exponent);
+    }
+    return largest(
+        [&](double b) {
+          if (quantity_.kind == Kind::exponent) {
+            return over_ln_alpha(value, b);
+          }
+          return over_exponent([&](double e) { return of(ln_alpha_at_centre(value, e, b), e, b); },
+                               exponent);
+        },
+        0.4 * shape, 2 * shape);
+  }
+
+ private:
+  static double over_exponent(const std::function<double(double)>& f, double exponent) {
+    return largest(f, 0.3 * exponent, 2 * exponent);
+  }
+
+  double over_ln_alpha(double exponent, double shape) const {
+    return largest([&](double a) { return of(a, exponent, shape); }, fit_.scale[0] - 1,
+                   fit_.scale[0] + 1);
+  }
+
+  double ln_alpha_at_centre(double value, double exponent, double shape) const {
+    const double tension_N = quantity_.kind == Kind::ln_scale ? 1 : quantity_.effective_tension_N;
+    const double x = std::log(tension_N) - fit_.centre_ln_N;
+    return value + ln_alpha_above(quantity_, shape) + exponent * x;
+  }
+
+  double of(double ln_alpha, double exponent, double shape) const {
+    LifeFit there = fit_;
+    there.scale = {ln_alpha, exponent};
+    there.shape = {std::log(shape)};
+    return log_likelihood(data_, there);
+  }
+
+  const LifeData& data_;
+  const LifeFit& fit_;
+  const LifeQuantity& quantity_;
+};
+
+LifeData campaign() {
+  LifeData data = testing::suspended_at(testing::paper_like(12, 8), 900);
+  const LifeData blocks = testing::in_blocks(12, 5, 0.4);
+  data.insert(data.end(), blocks.begin(), blocks.end());
+  return data;
+}
+
+class ProfileInterval : public ::testing::TestWithParam<LifeQuantity> {};
+
+// 3.841459 is the 0.95 point of chi-square with one degree of freedom.
+TEST_P(ProfileInterval, EndsWhereTheSearchedProfileLosesHalfOfChiSquare) {
+  const LifeData data = campaign();
+  const LifeFit fit = fit_life(data);
+  ASSERT_EQ(fit.problem, statistics::FitProblem::none);
+  const LifeQuantity quantity = GetParam();
+  const statistics::Interval interval = profile_interval(data, fit, quantity);
+  const SearchedProfile profile(data, fit, quantity);
+  EXPECT_NEAR(2 * (fit.log_likelihood - profile(interval.low)), 3.841459, 1e-4);
+  EXPECT_NEAR(2 * (fit.log_likelihood - profile(interval.high)), 3.841459, 1e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Quantities, ProfileInterval,
+                         ::testing::Values(LifeQuantity{Kind::ln_scale},
+                                           LifeQuantity{Kind::exponent}, LifeQuantity{Kind::shape},
+                                           LifeQuantity{Kind::ln_mean_life, 35.1},
+                                           LifeQuantity{Kind::ln_quantile, 35.1, 0.1},
+                                           LifeQuantity{Kind::ln_quantile, 25.5, 0.9}));
+
+double estimate_of(const LifeLaw& law, const LifeQuantity& quantity) {
+  switch (quantity.kind) {
+    case Kind::ln_scale:
+      return std::log(law.scale);
+    case Kind::exponent:
+      return law.exponent;
+    case Kind::shape:
+      return law.shape;
+    case Kind::ln_mean_life:
+      return std::log(law.mean_life(quantity.effective_tension_N));
+    case Kind::ln_quantile:
+      break;
+  }
+  return std::log(law.quantile(quantity.p, quantity.effective_tension_N));
+}
+
+// Small campaigns too: two levels of three.
+TEST_P(ProfileInterval, HoldsTheEstimateAndWidensWithConfidence) {
+  const LifeQuantity quantity = GetParam();
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    LifeData data = testing::paper_like(seed, 3);
+    data.resize(6);
+    const LifeFit fit = fit_life(data);
+    ASSERT_EQ(fit.problem, statistics::FitProblem::none);
+    const double estimate = estimate_of(fit.law(), quantity);
+    statistics::Interval inner{.low = estimate, .high = estimate};
+    for (const double confidence : {0.5, 0.9, 0.99, 0.9999}) {
+      const statistics::Interval outer = profile_interval(data, fit, quantity, confidence);
+      EXPECT_LT(outer.low, inner.low) << seed << ' ' << confidence;
+      EXPECT_GT(outer.high, inner.high) << seed << ' ' << confidence;
+      inner = outer;
+    }
+    EXPECT_TRUE(std::isfinite(inner.low) && std::isfinite(inner.high)) << seed;
+  }
+}
+
+// ln A is ln alpha at 1 N, where 63.2 % have failed.
+TEST(ProfileIntervalOfAQuantile, AtOneLessOneOverEIsThatOfAlpha) {
+  const LifeData data = campaign();
+  const LifeFit fit = fit_life(data);
+  const statistics::Interval scale = profile_interval(data, fit, {Kind::ln_scale});
+  const statistics::Interval quantile =
+      profile_interval(data, fit, {Kind::ln_quantile, 1, 1 - std::exp(-1)});
+  EXPECT_NEAR(scale.low, quantile.low, 1e-7);
+  EXPECT_NEAR(scale.high, quantile.high, 1e-7);
+}
+
+}  // namespace
+}  // namespace host_sim::life_law
