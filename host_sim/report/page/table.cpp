@@ -26,9 +26,18 @@ Table::Table(std::string_view label, std::initializer_list<std::string_view> col
 }
 
 void Table::row(std::string_view name, const std::vector<std::string>& cells) {
+  add(name, cells, kNumberClass);
+}
+
+void Table::texts(std::string_view name, const std::vector<std::string>& cells) {
+  add(name, cells, "");
+}
+
+void Table::add(std::string_view name, const std::vector<std::string>& cells,
+                std::string_view attributes) {
   html_ += fmt::format("<tr><th scope=\"row\">{}</th>", html_escape(name));
   for (const std::string& cell : cells) {
-    html_ += fmt::format("<td{}>{}</td>", kNumberClass, html_escape(cell));
+    html_ += fmt::format("<td{}>{}</td>", attributes, html_escape(cell));
   }
   html_ += "</tr>\n";
 }

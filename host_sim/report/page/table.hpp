@@ -15,9 +15,15 @@ class Table {
 
   void row(std::string_view name, const std::vector<std::string>& cells);
 
+  /// A row of running text, which may break into lines.
+  void texts(std::string_view name, const std::vector<std::string>& cells);
+
   [[nodiscard]] std::string html() const;
 
  private:
+  void add(std::string_view name, const std::vector<std::string>& cells,
+           std::string_view attributes);
+
   std::string html_;
 };
 

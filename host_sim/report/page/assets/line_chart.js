@@ -62,6 +62,25 @@ function addKeys(holder, chart) {
   });
 }
 
+/** Series draw with the colours of their `ink` and `wash` on the canvas. */
+function inked(series) {
+  return series.map(({ ink, wash, ...rest }) => ({
+    ...rest,
+    ...(ink && { stroke: () => colour(ink) }),
+    ...(wash && { fill: () => colour(wash) }),
+  }));
+}
+
+/** Signs of a legend that take their colours from the style sheet, so that they follow it. */
+function legendMarkers(series) {
+  const from = (name) => (name ? `var(--${name})` : 'transparent');
+  return {
+    width: 2,
+    stroke: (chart, index) => from(series[index].ink),
+    fill: (chart, index) => from(series[index].wash),
+  };
+}
+
 /** Draws a line chart into its holder and returns a function that tells whether it was drawn. */
 function lineChart(holder, { data, series, bands, xAxis, yAxis, yRange, onDraw }) {
   let drawn = 0;
@@ -71,7 +90,7 @@ function lineChart(holder, { data, series, bands, xAxis, yAxis, yRange, onDraw }
       width,
       height: chartHeight(width),
       pxAlign: false,
-      series,
+      series: inked(series),
       bands,
       scales: {
         x: { time: false },
@@ -80,7 +99,7 @@ function lineChart(holder, { data, series, bands, xAxis, yAxis, yRange, onDraw }
       axes: [axis(xAxis, { size: 34 }), axis(yAxis, { size: 58 })],
       padding: [12, 14, 0, 0],
       cursor: { y: false, hover: { skip: [null, undefined] } },
-      legend: { show: true },
+      legend: { show: true, markers: legendMarkers(series) },
       hooks: {
         drawSeries: [() => { drawn += 1; }],
         draw: onDraw ? [onDraw] : [],

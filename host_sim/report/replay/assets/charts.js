@@ -9,7 +9,7 @@ function tensionChart(holder, data) {
   const high = divided(tension.high_N, force.divisor);
   const low = divided(tension.low_N, force.divisor);
   const line = {
-    stroke: () => colour('line'),
+    ink: 'line',
     width: 1,
     spanGaps: true,
     value: valueText,
@@ -17,7 +17,7 @@ function tensionChart(holder, data) {
   };
   const turningPoints = {
     label: 'Turning point',
-    stroke: () => colour('mark'),
+    ink: 'mark',
     paths: () => null,
     value: valueText,
     points: {
@@ -55,7 +55,7 @@ function trajectoryChart(holder, data) {
       { label: time.label, value: valueText },
       {
         label: `Damage${damage.suffix}`,
-        stroke: () => colour('line'),
+        ink: 'line',
         width: 2,
         value: valueText,
         points: { show: trajectory.time_s.length < 100, size: 4, fill: () => colour('line') },
@@ -138,8 +138,8 @@ function lifeChart(holder, data) {
       { label: `Repeats${scale.suffix}`, value: valueText },
       {
         label: 'Broken wires, %',
-        stroke: () => colour('line'),
-        fill: () => colour('band'),
+        ink: 'line',
+        wash: 'band',
         width: 2,
         value: valueText,
         points: { show: false },

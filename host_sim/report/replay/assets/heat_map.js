@@ -3,16 +3,6 @@
 const HEAT_MARGIN = { top: 8, right: 16, bottom: 44, left: 62 };
 const LEGEND_HEIGHT = 46;
 
-/** Round numbers that cut low..high into about `wanted` parts. */
-function roundTicks(low, high, wanted) {
-  const rough = (high - low) / wanted;
-  const power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map((digit) => digit * power).find((size) => size >= rough);
-  const first = Math.ceil(low / step);
-  const last = Math.floor(high / step);
-  return Array.from({ length: last - first + 1 }, (_, index) => (first + index) * step);
-}
-
 /** How values become colours: by logarithm where they span two decades or more. */
 function colourScale(values) {
   const shown = values.filter((value) => value > 0);

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "host_sim/calibrate/result.hpp"
+#include "host_sim/report/page/chart.hpp"
+
+/// How levels look and are called in all plots and tables of the page.
+namespace host_sim::calibrate_page {
+
+/// What a level is to the law.
+enum class Part { fitted, validation, left_out };
+[[nodiscard]] Part part_of(const calibrate::LevelResult& level);
+
+/// circle, diamond or cross.
+[[nodiscard]] std::string_view shape_of(Part part);
+
+/// A colour of its own for each of the first six levels; grey where it is left out.
+[[nodiscard]] std::string colour_of(const calibrate::CalibrateResult& result, std::size_t level);
+
+/// The name with what the level is where it is not fitted: "540 deg, 99.7 N (left out)".
+[[nodiscard]] std::string title_of(const calibrate::LevelResult& level);
+
+/// Whether the Weibull fit has numbers.
+[[nodiscard]] bool has_fit(const calibrate::LevelResult& level);
+
+/// Points for the specimens that failed, or for the suspended: open, with an arrow where they point
+/// beyond.
+[[nodiscard]] Layer specimen_points(Part part, bool failed, std::string_view colour);
+
+}  // namespace host_sim::calibrate_page
