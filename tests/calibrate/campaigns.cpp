@@ -28,7 +28,7 @@ CampaignBuilder& CampaignBuilder::specimen(
     Campaign::Role role) {
   Campaign::Specimen made;
   made.line = campaign_.specimens.size() + 2;
-  made.name = "S" + std::to_string(made.line);
+  made.name = std::to_string(made.line);
   made.status = status;
   made.role = role;
   for (const auto& [tension_N, cycles] : tension_N_and_cycles) {
