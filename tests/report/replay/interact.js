@@ -49,6 +49,12 @@
     expect('coloured by damage', svg.textContent.includes('Damage in a class'));
     expect('the outline stays', svg.querySelectorAll('.picked').length === 1);
 
+    const sign = chart('trajectory').querySelectorAll('.u-legend .u-marker')[1]
+      || chart('trajectory').querySelector('.u-legend .u-marker');
+    document.documentElement.style.setProperty('--line', '#123456');
+    expect('signs of the legend follow the colours of the page',
+      getComputedStyle(sign).borderTopColor === 'rgb(18, 52, 86)');
+
     expect('nothing hangs over the side',
       document.documentElement.scrollWidth <= document.documentElement.clientWidth);
     document.documentElement.dataset.interaction = problems.join('; ') || 'ok';

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+/// What tests look for in the text of a page.
+namespace host_sim::page_text {
+
+/// The data that the page draws from.
+[[nodiscard]] nlohmann::json data_in(const std::string& page);
+
+[[nodiscard]] std::size_t count_of(const std::string& page, const std::string& text);
+
+/// The page without comments of HTML, CSS and JavaScript.
+[[nodiscard]] std::string without_comments(std::string page);
+
+/// A way to reach another file or the network that is in the page; empty without one.
+[[nodiscard]] std::string reference_out_of(const std::string& page);
+
+}  // namespace host_sim::page_text
