@@ -86,6 +86,7 @@ std::string plan_json(const PlanRequest& request, const PlanResult& result) {
     json["reached"] = result.fewest_specimens.has_value();
     json["fewest_specimens"] = name_of(result, result.fewest_specimens);
     json["fewest_cycles"] = name_of(result, result.fewest_cycles);
+    json["fewest_showing_curvature"] = name_of(result, result.fewest_showing_curvature);
   }
   return json.dump(2) + "\n";
 }

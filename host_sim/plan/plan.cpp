@@ -41,16 +41,29 @@ std::vector<PlannedTest> searched_tests(const PlanRequest& request) {
   return tests;
 }
 
-/// The first of the tests that reach the goal with the least of `cost`.
-template <typename Cost>
-std::optional<std::size_t> cheapest(const std::vector<PlannedTest>& tests, Cost cost) {
+/// The first with the least of `cost` among the tests that reach the goal and are `fit`.
+template <typename Cost, typename Fit>
+std::optional<std::size_t> cheapest(const std::vector<PlannedTest>& tests, Cost cost, Fit fit) {
   std::optional<std::size_t> best;
   for (std::size_t i = 0; i < tests.size(); ++i) {
-    if (tests[i].reached && (!best || cost(tests[i].outlook) < cost(tests[*best].outlook))) {
+    if (tests[i].reached && fit(tests[i]) &&
+        (!best || cost(tests[i].outlook) < cost(tests[*best].outlook))) {
       best = i;
     }
   }
   return best;
+}
+
+void choose(PlanResult& result) {
+  const auto specimens = [](const Outlook& outlook) { return outlook.specimens(); };
+  const auto cycles = [](const Outlook& outlook) { return outlook.cycles(); };
+  const auto any = [](const PlannedTest&) { return true; };
+  const auto shows_curvature = [](const PlannedTest& test) {
+    return test.curvature_power && *test.curvature_power >= kGoodPower;
+  };
+  result.fewest_specimens = cheapest(result.tests, specimens, any);
+  result.fewest_cycles = cheapest(result.tests, cycles, any);
+  result.fewest_showing_curvature = cheapest(result.tests, specimens, shows_curvature);
 }
 
 }  // namespace
@@ -84,8 +97,7 @@ PlanResult make_plan(const PlanRequest& request) {
     test.curvature_power = power_to_see({request.goal.use_tension_N, request.curvature_factor},
                                         request.conditions.law, test.design, request.simulation);
   }
-  result.fewest_specimens = cheapest(result.tests, [](const Outlook& o) { return o.specimens(); });
-  result.fewest_cycles = cheapest(result.tests, [](const Outlook& o) { return o.cycles(); });
+  choose(result);
   return result;
 }
 

@@ -45,7 +45,11 @@ struct PlanResult {
   std::vector<PlannedTest> tests;
   std::optional<std::size_t> fewest_specimens;  ///< index of the test; of those that reach the goal
   std::optional<std::size_t> fewest_cycles;
+  std::optional<std::size_t> fewest_showing_curvature;  ///< specimens, of those that likely show it
 };
+
+/// Power from which on a design is said to show a curvature.
+inline constexpr double kGoodPower = 0.8;
 
 /// Days that a rig takes for so many cycles.
 double days_of(double cycles, double cycles_per_minute);

@@ -1,6 +1,7 @@
 #include <fmt/ostream.h>
 
 #include <cmath>
+#include <set>
 
 #include "host_sim/plan/results.hpp"
 
@@ -28,7 +29,7 @@ void write_extrapolation(std::ostream& out, const Extrapolation& beyond) {
 
 void write_head(std::ostream& out, const PlanRequest& request, const PlanResult& result) {
   const LifeLaw& law = request.conditions.law;
-  fmt::print(out, "B10 at {:g} N: {:.4g} cycles under A {:g}, gamma {:g}, Weibull shape {:g}\n",
+  fmt::print(out, "B10 at {:g} N: {:.0f} cycles under A {:g}, gamma {:g}, Weibull shape {:g}\n",
              request.goal.use_tension_N, result.b10_cycles, law.scale, law.exponent, law.shape);
   if (std::isfinite(request.goal.ratio)) {
     fmt::print(out,
@@ -57,7 +58,7 @@ void write_tests(std::ostream& out, const PlanRequest& request, const PlanResult
     for (const Outlook::Level& level : test.outlook.levels) {
       fmt::print(out, "{:>8}", level.specimens);
     }
-    fmt::print(out, "{:>7}{:>10.1f}{:>10.4g}{:>10}{:>10}{:>11}{}\n", test.outlook.specimens(),
+    fmt::print(out, "{:>7}{:>10.1f}{:>10.0f}{:>10}{:>10}{:>11}{}\n", test.outlook.specimens(),
                test.outlook.failures(), test.outlook.cycles(),
                ratio_text(test.outlook.ratio_median), ratio_text(test.outlook.ratio_at_assurance),
                test.curvature_power ? percent(*test.curvature_power) : "never",
@@ -81,7 +82,7 @@ void write_levels(std::ostream& out, const PlanRequest& request, const PlannedTe
     if (level.specimens == 0) {
       continue;
     }
-    fmt::print(out, "    {:g} N: {} specimens, {:.1f} failures, {:.4g} cycles, the longest {:.4g}",
+    fmt::print(out, "    {:g} N: {} specimens, {:.1f} failures, {:.0f} cycles, the longest {:.0f}",
                level.effective_tension_N, level.specimens, level.failures, level.cycles,
                level.longest_cycles);
     if (request.cycles_per_minute) {
@@ -100,7 +101,7 @@ void write_limits(std::ostream& out, const PlanRequest& request, const PlannedTe
                "  {} cannot check the law: {} levels fit any curvature, and B10 at the use rests "
                "on the law being straight\n",
                test.name, test.design.tested_levels());
-  } else if (*test.curvature_power < 0.8) {
+  } else if (*test.curvature_power < kGoodPower) {
     fmt::print(out,
                "  {} would miss such a curvature in {} of campaigns, and B10 would be {:g} times "
                "too long\n",
@@ -115,14 +116,23 @@ void write_limits(std::ostream& out, const PlanRequest& request, const PlannedTe
 void write_choice(std::ostream& out, const PlanRequest& request, const PlanResult& result) {
   const PlannedTest& fewest = result.tests[*result.fewest_specimens];
   const PlannedTest& shortest = result.tests[*result.fewest_cycles];
-  fmt::print(out, "\n  fewest specimens: {}, {}; fewest cycles: {}, {:.4g}\n", fewest.name,
+  fmt::print(out, "\n  fewest specimens: {}, {}; fewest cycles: {}, {:.0f}\n", fewest.name,
              fewest.outlook.specimens(), shortest.name, shortest.outlook.cycles());
-  write_limits(out, request, fewest);
-  write_levels(out, request, fewest);
-  if (result.fewest_specimens != result.fewest_cycles) {
-    fmt::print(out, "\n");
-    write_limits(out, request, shortest);
-    write_levels(out, request, shortest);
+  std::set<std::size_t> chosen{*result.fewest_specimens, *result.fewest_cycles};
+  if (result.fewest_showing_curvature) {
+    const PlannedTest& checked = result.tests[*result.fewest_showing_curvature];
+    fmt::print(out,
+               "  fewest specimens that show such a curvature in {:g} % of campaigns: {}, {}\n",
+               100 * kGoodPower, checked.name, checked.outlook.specimens());
+    chosen.insert(*result.fewest_showing_curvature);
+  } else {
+    fmt::print(out, "  none shows such a curvature in {:g} % of campaigns\n", 100 * kGoodPower);
+  }
+  for (const std::size_t index : chosen) {
+    write_limits(out, request, result.tests[index]);
+  }
+  for (const std::size_t index : chosen) {
+    write_levels(out, request, result.tests[index]);
   }
 }
 

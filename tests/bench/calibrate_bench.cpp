@@ -13,7 +13,7 @@ constexpr std::size_t kSpecimensOfLevel = 20;
 
 Campaign::Specimen specimen(std::size_t number, double tension_N, double cycles) {
   Campaign::Specimen made;
-  made.name = "s" + std::to_string(number);
+  made.name = std::to_string(number);
   Campaign::Load load;
   load.input_tension_mean_N = tension_N;
   load.effective_tension_N = tension_N;

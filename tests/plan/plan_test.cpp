@@ -77,6 +77,24 @@ TEST(Plan, FindsTheExtremesToNeedTheFewestFarBelowTheLevels) {
             result.tests.front().outlook.specimens());
 }
 
+TEST(Plan, ChoosesTheFewestThatShowACurvature) {
+  PlanRequest request = small_request();
+  // Half of the life at the use is four times the life in the middle.
+  request.goal.use_tension_N = 40;
+  request.goal.ratio = 1.4;
+  const PlanResult result = make_plan(request);
+  ASSERT_TRUE(result.fewest_showing_curvature);
+  const PlannedTest& chosen = result.tests[*result.fewest_showing_curvature];
+  EXPECT_GE(chosen.curvature_power.value(), 0.8);
+  for (const PlannedTest& test : result.tests) {
+    if (test.reached && test.curvature_power && *test.curvature_power >= 0.8) {
+      EXPECT_LE(chosen.outlook.specimens(), test.outlook.specimens());
+    }
+  }
+  request.curvature_factor = 1.001;
+  EXPECT_FALSE(make_plan(request).fewest_showing_curvature);
+}
+
 TEST(Plan, ChoosesNoneOutOfReach) {
   PlanRequest request = small_request();
   request.goal.ratio = 1.01;

@@ -1,8 +1,8 @@
 #include "tests/proof/campaigns.hpp"
 
+#include <fmt/core.h>
+
 #include <cmath>
-#include <iomanip>
-#include <iostream>
 
 namespace host_sim::proof {
 
@@ -34,8 +34,7 @@ double Share::tolerance(double expected, double sigmas) const {
 }
 
 void tell(const std::string& what, const Share& share) {
-  std::cout << "proof: " << what << ": " << std::fixed << std::setprecision(2)
-            << 100 * share.value() << " % of " << share.campaigns << " campaigns\n";
+  fmt::print("proof: {}: {:.2f} % of {} campaigns\n", what, 100 * share.value(), share.campaigns);
 }
 
 }  // namespace host_sim::proof

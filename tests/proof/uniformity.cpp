@@ -1,10 +1,10 @@
 #include "tests/proof/uniformity.hpp"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 
 #include "tests/proof/campaigns.hpp"
 
@@ -31,8 +31,8 @@ void expect_uniform(const std::string& what, std::vector<double> p, std::size_t 
   const double distance = distance_from_uniform(p);
   const double allowed = kOnceInAThousand / std::sqrt(static_cast<double>(p.size())) +
                          1 / static_cast<double>(replicates + 1);
-  std::cout << "proof: " << what << ": distance of p from uniform " << distance << ", allowed "
-            << allowed << '\n';
+  fmt::print("proof: {}: distance of p from uniform {:.4f}, allowed {:.4f}\n", what, distance,
+             allowed);
   EXPECT_LT(distance, allowed) << what;
   const auto rejected = std::upper_bound(p.begin(), p.end(), kSignificance + kRounding) - p.begin();
   const Share share{static_cast<std::size_t>(rejected), p.size()};
