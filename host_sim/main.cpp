@@ -29,7 +29,9 @@ int run(int argc, char** argv) {
   int status = 0;
   host_sim::watch_for_interruption();
   host_sim::add_replay(app, status);
+  host_sim::add_calibrate(app, status);
   host_sim::add_pack(app, status);
+  host_sim::add_plan(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
