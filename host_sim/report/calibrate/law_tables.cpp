@@ -107,10 +107,10 @@ std::string validation(const CalibrateResult& result) {
 
 std::string mixes(const CalibrateResult& result) {
   Table table("Constant load that equals a mix",
-              {"Mix", "Parts", "By damage", "By the average of lives"});
+              {"Mix", "Parts", "By damage", "By the average of lives"}, Table::Cells::texts);
   for (const calibrate::MixResult& mix : result.mixes) {
-    table.texts(mix.name, {parts_text(mix), quantity_text(mix.by_damage_N, "N", kDigits),
-                           quantity_text(mix.by_average_of_lives_N, "N", kDigits)});
+    table.row(mix.name, {parts_text(mix), quantity_text(mix.by_damage_N, "N", kDigits),
+                         quantity_text(mix.by_average_of_lives_N, "N", kDigits)});
   }
   return table.html();
 }

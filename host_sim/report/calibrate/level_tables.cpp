@@ -88,9 +88,10 @@ std::string goodness_of_fit(const CalibrateResult& result) {
 }
 
 std::string specimens(const CalibrateResult& result) {
-  Table table("Lives of the specimens, cycles", {"Level", "Failed at", "Suspended at"});
+  Table table("Lives of the specimens, cycles", {"Level", "Failed at", "Suspended at"},
+              Table::Cells::texts);
   for (const LevelResult& level : result.levels) {
-    table.texts(title_of(level), {lives_text(level, true), lives_text(level, false)});
+    table.row(title_of(level), {lives_text(level, true), lives_text(level, false)});
   }
   return table.html();
 }

@@ -5,39 +5,25 @@
 #include "host_sim/report/page/escape.hpp"
 
 namespace host_sim {
-namespace {
-
-constexpr std::string_view kNumberClass = " class=\"number\"";
-
-}  // namespace
-
-Table::Table(std::string_view label, std::initializer_list<std::string_view> columns) {
+Table::Table(std::string_view label, std::initializer_list<std::string_view> columns, Cells cells)
+    : cell_attributes_(cells == Cells::numbers ? " class=\"number\"" : "") {
   html_ = fmt::format(
       "<div class=\"table\" tabindex=\"0\" role=\"region\" aria-label=\"{}\">\n"
       "<table>\n<thead><tr>",
       html_escape(label));
   bool first = true;
   for (const std::string_view column : columns) {
-    html_ +=
-        fmt::format("<th scope=\"col\"{}>{}</th>", first ? "" : kNumberClass, html_escape(column));
+    html_ += fmt::format("<th scope=\"col\"{}>{}</th>", first ? "" : cell_attributes_,
+                         html_escape(column));
     first = false;
   }
   html_ += "</tr></thead>\n<tbody>\n";
 }
 
 void Table::row(std::string_view name, const std::vector<std::string>& cells) {
-  add(name, cells, kNumberClass);
-}
-
-void Table::texts(std::string_view name, const std::vector<std::string>& cells) {
-  add(name, cells, "");
-}
-
-void Table::add(std::string_view name, const std::vector<std::string>& cells,
-                std::string_view attributes) {
   html_ += fmt::format("<tr><th scope=\"row\">{}</th>", html_escape(name));
   for (const std::string& cell : cells) {
-    html_ += fmt::format("<td{}>{}</td>", attributes, html_escape(cell));
+    html_ += fmt::format("<td{}>{}</td>", cell_attributes_, html_escape(cell));
   }
   html_ += "</tr>\n";
 }

@@ -7,23 +7,21 @@
 
 namespace host_sim {
 
-/// A table whose first column names the rows and whose other columns are numbers. Texts are escaped
-/// here.
+/// A table whose first column names the rows. Texts are escaped here.
 class Table {
  public:
-  Table(std::string_view label, std::initializer_list<std::string_view> columns);
+  /// Numbers stand to the right and stay in one line; texts stand to the left and may break.
+  enum class Cells { numbers, texts };
+
+  Table(std::string_view label, std::initializer_list<std::string_view> columns,
+        Cells cells = Cells::numbers);
 
   void row(std::string_view name, const std::vector<std::string>& cells);
-
-  /// A row of running text, which may break into lines.
-  void texts(std::string_view name, const std::vector<std::string>& cells);
 
   [[nodiscard]] std::string html() const;
 
  private:
-  void add(std::string_view name, const std::vector<std::string>& cells,
-           std::string_view attributes);
-
+  std::string_view cell_attributes_;
   std::string html_;
 };
 
