@@ -48,6 +48,14 @@ TEST(Replicates, EachOnceWhateverTheThreads) {
   }
 }
 
+TEST(Replicates, DrawNumbersOfTheirOwn) {
+  std::vector<double> drawn(123);
+  for_each_replicate({.replicates = drawn.size()}, [&] {
+    return [&](Random& random, std::size_t i) { drawn[i] = random.uniform(); };
+  });
+  EXPECT_EQ(std::set<double>(drawn.begin(), drawn.end()).size(), drawn.size());
+}
+
 TEST(Replicates, NoneHaveNoP) {
   EXPECT_TRUE(std::isnan(bootstrap_p({}, 1)));
 }

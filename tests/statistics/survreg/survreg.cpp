@@ -87,7 +87,9 @@ std::vector<Fit> fits_of(std::span<const Row> rows, const std::string& formulas,
 }  // namespace
 
 bool available() {
-  return std::system("Rscript -e 'library(survival)' > /dev/null 2>&1") == 0;
+  return std::system(
+             "Rscript -e 'quit(status = !nzchar(system.file(package = \"survival\")))'"
+             " > /dev/null 2>&1") == 0;
 }
 
 std::vector<Fit> fit(std::span<const Row> rows, const std::string& formula,
