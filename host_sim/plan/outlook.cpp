@@ -114,6 +114,7 @@ Outlook look_out(const LifeLaw& law, const Design& design, const Goal& goal,
                  const SimulationOptions& options) {
   const auto campaigns = judge_all(law, design, goal.use_tension_N, options);
   std::vector<double> ratios;
+  ratios.reserve(campaigns.size());
   for (const Campaign& campaign : campaigns) {
     ratios.push_back(campaign.ratio);
   }

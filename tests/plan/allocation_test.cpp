@@ -68,6 +68,8 @@ TEST(ShareOut, FollowsTheWeights) {
   EXPECT_EQ(share_out(allocation, 70), (Counts{40, 20, 10}));
   EXPECT_EQ(share_out({"", {1, 1, 1, 1}}, 80), (Counts{20, 20, 20, 20}));
   EXPECT_EQ(share_out({"", {2, 0, 1}}, 30), (Counts{20, 0, 10}));
+  // 8.25 and 2.75, to the nearest.
+  EXPECT_EQ(share_out({"", {3, 1}}, 11), (Counts{8, 3}));
 }
 
 TEST(ShareOut, StartsWithTwoAtEachTestedLevel) {
