@@ -6,6 +6,14 @@
 #include <vector>
 
 namespace host_sim {
+namespace {
+
+// Of a relative path that does not exist, weakly_canonical alone makes no absolute one.
+std::string canonical_place(const std::filesystem::path& path) {
+  return std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string();
+}
+
+}  // namespace
 
 std::optional<OutputFile> open_if_asked(const std::string& path) {
   return path.empty() ? std::nullopt : std::optional<OutputFile>(std::in_place, path);
@@ -15,7 +23,7 @@ std::string conflict_of(std::span<const std::string> paths) {
   std::vector<std::string> places;
   for (const std::string& path : paths) {
     if (!path.empty()) {
-      places.push_back(path == "-" ? path : std::filesystem::weakly_canonical(path).string());
+      places.push_back(path == "-" ? path : canonical_place(path));
     }
   }
   std::sort(places.begin(), places.end());
