@@ -42,7 +42,10 @@ struct LifeFit {
 /// accumulated damage D = sum n_j / alpha_j: survival exp(-D^beta), and for a failure the density
 /// of the last cycle, beta D^(beta - 1) exp(-D^beta) / alpha_last. Under a growing shape the shape
 /// of a specimen in blocks is that at the cycle-weighted mean of x. Forms with free levels take the
-/// specimens that have a level, and skip the others.
+/// specimens that have a level, and skip the others; where scales are free, a level without
+/// failures has an infinite ln alpha, adds nothing to the likelihood, and its own ln beta is not a
+/// number. Problems: too_few_failures; no_spread where a shape grows without bound (all failures on
+/// the law); not_identified where the likelihood is flat in a direction; not_converged.
 LifeFit fit_life(std::span<const LifeDatum> data, LifeForm form = {});
 
 /// The same from a start nearby, for replicates.

@@ -70,8 +70,7 @@ TEST(LifeFitProblem, ALevelWithOneFailureHasNoShapeOfItsOwn) {
 TEST(LifeFitProblem, ABadStartIsForgotten) {
   const LifeData data = testing::paper_like(1);
   LifeFit start = fit_life(data);
-  start.scale[0] += 200;
-  start.shape[0] = 15;
+  start.scale[0] -= 2000;  // every damage beyond what a double holds
   const LifeFit fit = fit_life(data, start);
   ASSERT_EQ(fit.problem, FitProblem::none);
   EXPECT_NEAR(fit.log_likelihood, fit_life(data).log_likelihood, 1e-9);
