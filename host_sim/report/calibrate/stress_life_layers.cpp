@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "host_sim/report/calibrate/level_look.hpp"
+#include "host_sim/report/page/number_text.hpp"
 
 namespace host_sim::calibrate_page {
 namespace {
@@ -116,7 +117,10 @@ void add_left_out_names(Chart& chart, const CalibrateResult& result) {
                            [](const auto& a, const auto& b) { return a.value < b.value; });
       labels.x.push_back(level.load.effective_tension_N);
       labels.y.push_back(longest->value);
-      labels.texts.push_back(title_of(level));
+      labels.texts.push_back((level.load.bend_angle_deg
+                                  ? angle_text(*level.load.bend_angle_deg)
+                                  : quantity_text(level.load.effective_tension_N, "N")) +
+                             " left out");
     }
   }
   add_if_any(chart, std::move(labels));

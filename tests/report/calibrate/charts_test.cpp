@@ -115,7 +115,7 @@ TEST(StressLifeChart, NamesWhatIsLeftOut) {
       std::find_if(chart.layers.begin(), chart.layers.end(),
                    [](const Layer& layer) { return layer.kind == Layer::Kind::labels; });
   ASSERT_NE(labels, chart.layers.end());
-  EXPECT_THAT(labels->texts, ElementsAre("540 deg, 99.8 N (left out)"));
+  EXPECT_THAT(labels->texts, ElementsAre("540\u00b0 left out"));
   EXPECT_EQ(layer_of(chart, "Suspended: lives longer").arrow, Layer::Arrow::up);
 }
 
