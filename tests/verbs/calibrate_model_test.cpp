@@ -31,7 +31,7 @@ TEST(CalibrateModel, ReadsBackAsItWasFitted) {
 TEST(CalibrateModel, SaysWhereItIsFrom) {
   const std::string text = model_text(campaign_with_model(), hand_made_result(), "1.2.3");
   EXPECT_EQ(text.rfind("# Written by host_sim calibrate 1.2.3 from the campaign by hand.\n"
-                       "# [life] by maximum likelihood from 9 specimens, 6 failed and 3 "
+                       "# [life] by maximum likelihood from 6 specimens, 4 failed and 2 "
                        "suspended.\n"
                        "# Without its level 540 deg, 99.5 N: its shape is another.\n",
                        0),

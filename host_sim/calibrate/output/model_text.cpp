@@ -58,16 +58,22 @@ void check_range(const Campaign& campaign, const ModelKey& key, double value) {
 
 std::string head(const CalibrateResult& result, std::string_view program_version) {
   const StressLife& life = *result.stress_life;
+  std::size_t failed = result.failed;
+  std::size_t suspended = result.suspended;
+  std::string without;
+  for (const LevelResult& level : result.levels) {
+    if (level.role == Campaign::Role::fit && !level.left_out.empty()) {
+      failed -= level.failed();
+      suspended -= level.sample.size() - level.failed();
+      without +=
+          fmt::format("# Without its level {}: {}.\n", level.name(), printable(level.left_out));
+    }
+  }
   std::string text = fmt::format(
       "# Written by host_sim calibrate {} from the campaign {}.\n"
       "# [life] by maximum likelihood from {} specimens, {} failed and {} suspended.\n",
-      program_version, printable(result.campaign), result.specimens, result.failed,
-      result.suspended);
-  for (const LevelResult& level : result.levels) {
-    if (level.role == Campaign::Role::fit && !level.left_out.empty()) {
-      text += fmt::format("# Without its level {}: {}.\n", level.name(), printable(level.left_out));
-    }
-  }
+      program_version, printable(result.campaign), failed + suspended, failed, suspended);
+  text += without;
   text += fmt::format("# 95 %: ipl_scale {}, ipl_exponent {}, weibull_shape {}.\nschema = 1\n",
                       figure(life.scale_ci95), figure(life.exponent_ci95), figure(life.shape_ci95));
   return text;
