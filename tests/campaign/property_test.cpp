@@ -46,7 +46,8 @@ std::string field(const std::string& text) {
 std::string line(const std::vector<std::string>& cells, const std::vector<std::size_t>& order) {
   std::string text = *rc::gen::element("", "", "", "# comment, \"\n", "#\r\n");
   for (std::size_t i = 0; i < order.size(); ++i) {
-    text += (i == 0 ? "" : ",") + field(cells[order[i]]);
+    text += i == 0 ? "" : ",";
+    text += field(cells[order[i]]);
   }
   return text + *rc::gen::element("\n", "\r\n");
 }
