@@ -51,7 +51,7 @@ check_format() {
 }
 
 build() {
-  cmake --preset "$1"
+  cmake --preset "$@"
   cmake --build --preset "$1" -j "$jobs"
 }
 
@@ -129,7 +129,7 @@ stage "format" check_format
 stage "first command of the README" try_example
 stage "host-asan-ubsan: build" build host-asan-ubsan
 stage "host-asan-ubsan: tests" run_tests host-asan-ubsan
-stage "host-release: build" build host-release
+stage "host-release: build" build host-release -DTENDONLIFE_MPI=ON
 stage "host-release: tests" run_tests host-release
 stage "host-fuzz: build" build_fuzzers
 stage "host-fuzz: short runs" ctest --preset host-fuzz -L fuzz -j "$jobs" --timeout 900
