@@ -91,7 +91,7 @@ class Warnings {
 
   /// Tensions that the law was fitted to.
   [[nodiscard]] Interval tested_N() const {
-    Interval range{INFINITY, 0};
+    Interval range{HUGE_VAL, 0};
     const auto widen = [&range](double tension_N) {
       range = {std::min(range.low, tension_N), std::max(range.high, tension_N)};
     };

@@ -161,7 +161,7 @@ TEST_F(TendonAlt, HasTheUpperArmApplication) {
     });
   };
   EXPECT_EQ(between(647, 1088), 8);
-  EXPECT_EQ(between(1088, INFINITY), 2);
+  EXPECT_EQ(between(1088, HUGE_VAL), 2);
 }
 
 TEST_F(TendonAlt, HasTheUsesOfThePaper) {

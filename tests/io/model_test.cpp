@@ -214,8 +214,8 @@ TEST(Model, AcceptsTheEndsOfEachRangeAndNothingBeyond) {
     SCOPED_TRACE(range.key);
     EXPECT_EQ(complaint(with_value(range.key, range.minimum)), "");
     EXPECT_EQ(complaint(with_value(range.key, range.maximum)), "");
-    const double below = std::nextafter(range.minimum, -INFINITY);
-    const double above = std::nextafter(range.maximum, INFINITY);
+    const double below = std::nextafter(range.minimum, -HUGE_VAL);
+    const double above = std::nextafter(range.maximum, HUGE_VAL);
     EXPECT_NE(complaint(with_value(range.key, below)).find(range.key), std::string::npos);
     EXPECT_NE(complaint(with_value(range.key, above)).find(range.key), std::string::npos);
   }
@@ -299,7 +299,7 @@ TEST(ModelDigest, ChangesWithEachValue) {
   const std::string digest = model_digest(parse_model(kGood, "m.toml"));
   for (const ModelKey& key : model_keys()) {
     Model model = parse_model(kGood, "m.toml");
-    key.value(model) = std::nextafter(key.value(model), INFINITY);
+    key.value(model) = std::nextafter(key.value(model), HUGE_VAL);
     EXPECT_NE(model_digest(model), digest) << key.key;
   }
 }

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
+#include <limits>
 #include <sstream>
 
 #include "host_sim/calibrate/output/findings.hpp"
@@ -17,6 +17,9 @@ using host_sim::calibrate::found_in;
 using host_sim::calibrate::p_text;
 using host_sim_test::hand_made_result;
 using Names = std::vector<std::string>;
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 std::string summary(const host_sim::calibrate::CalibrateResult& result) {
   std::ostringstream text;
@@ -70,15 +73,15 @@ TEST(CalibrateSummary, KeepsControlCharactersOut) {
 TEST(CalibrateNumbers, HaveFourDigitsAndWordsForTheRest) {
   EXPECT_EQ(figure(1.45351), "1.454");
   EXPECT_EQ(figure(153000.0), "1.53e+05");
-  EXPECT_EQ(figure(INFINITY), "no limit");
-  EXPECT_EQ(figure(NAN), "-");
+  EXPECT_EQ(figure(kInfinite), "no limit");
+  EXPECT_EQ(figure(kNone), "-");
   EXPECT_EQ(cycles_text(99.96), "99.96");
   EXPECT_EQ(cycles_text(1045.5), "1046");
   EXPECT_EQ(cycles_text(1234567.0), "1.235e+06");
-  EXPECT_EQ(cycles_text({500, INFINITY}), "500 .. no limit");
+  EXPECT_EQ(cycles_text({500, kInfinite}), "500 .. no limit");
   EXPECT_EQ(p_text(0.0416), "0.042");
   EXPECT_EQ(p_text(0.00012), "1e-04");
-  EXPECT_EQ(p_text(NAN), "-");
+  EXPECT_EQ(p_text(kNone), "-");
 }
 
 TEST(CalibrateFindings, AreWhatSpeaksAgainstTheModel) {
@@ -102,7 +105,7 @@ TEST(CalibrateFindings, TakeTheSimulatedPBeforeTheChiSquare) {
   result.levels[2].left_out.clear();
   result.common_shape->homogeneity.p_chi_square = 0.01;
   EXPECT_EQ(found_in(result), Names{});
-  result.common_shape->homogeneity.p_simulated = NAN;
+  result.common_shape->homogeneity.p_simulated = kNone;
   EXPECT_EQ(found_in(result), Names{"shape"});
 }
 
