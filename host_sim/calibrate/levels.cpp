@@ -74,8 +74,7 @@ std::string level_warning(const Campaign& campaign, const Level& level, const Le
   const auto file = (campaign.folder / "specimens.csv").string();
   return fmt::format(
       "{}:{}: level {}: {} failed of {}: no Weibull fit of its own, {}; its specimens still count "
-      "in "
-      "the life law",
+      "in the life law",
       file, level.specimens.front()->line, result.name(), result.failed(), result.sample.size(),
       problem_text(weibull.problem));
 }

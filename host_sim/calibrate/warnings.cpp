@@ -1,6 +1,7 @@
 #include "host_sim/calibrate/warnings.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,12 @@ namespace host_sim::calibrate {
 namespace {
 
 constexpr double kSignificance = 0.05;
+/// Levels of too few failures that have a warning each; more are told together.
+constexpr std::size_t kLevelsToldApart = 3;
+
+bool has_too_few_failures(const LevelResult& level) {
+  return level.weibull().problem == statistics::FitProblem::too_few_failures;
+}
 
 class Warnings {
  public:
@@ -34,15 +41,34 @@ class Warnings {
   }
 
   void add_levels() {
+    const auto few = static_cast<std::size_t>(
+        std::count_if(result_.levels.begin(), result_.levels.end(), has_too_few_failures));
+    const bool together = few > kLevelsToldApart;
+    if (together) {
+      add_levels_of_few_failures(few);
+    }
     for (std::size_t i = 0; i < sources_.size(); ++i) {
       const LevelResult& level = result_.levels[i];
-      if (std::string text = level_warning(campaign_, sources_[i], level); !text.empty()) {
+      if (std::string text = level_warning(campaign_, sources_[i], level);
+          !text.empty() && !(together && has_too_few_failures(level))) {
         result_.warnings.push_back(std::move(text));
       }
       if (!level.left_out.empty()) {
         add("level {} is left out of the life law: {}", level.name(), level.left_out);
       }
     }
+  }
+
+  void add_levels_of_few_failures(std::size_t count) {
+    std::vector<std::uint64_t> lines;
+    for (std::size_t i = 0; i < sources_.size(); ++i) {
+      if (has_too_few_failures(result_.levels[i])) {
+        lines.push_back(sources_[i].specimens.front()->line);
+      }
+    }
+    add("{}: {} levels have fewer than 2 failures and so no Weibull fit of their own; their "
+        "specimens still count in the life law; they begin at lines {}",
+        (campaign_.folder / "specimens.csv").string(), count, fmt::join(lines, ", "));
   }
 
   void add_shape() {
@@ -82,8 +108,7 @@ class Warnings {
     for (const UseLevel& use : result_.use_levels) {
       if (use.effective_tension_N < low || use.effective_tension_N > high) {
         add("use level {}: {:.1f} N lies outside of the tested {:.1f} to {:.1f} N: its intervals "
-            "hold "
-            "only if the law goes on as it is",
+            "hold only if the law goes on as it is",
             use.name, use.effective_tension_N, low, high);
       }
     }

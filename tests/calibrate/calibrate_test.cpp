@@ -120,6 +120,19 @@ TEST(Calibrate, ALevelWithOneFailureIsNamedWithItsLineAndStillCounts) {
   EXPECT_NE(result.stress_life->law.exponent, 2);
 }
 
+TEST(Calibrate, ManyLevelsWithFewFailuresAreToldTogether) {
+  CampaignBuilder builder = square_law(6);
+  builder.level(10, {9000}).level(11, {8000}).level(12, {7000});
+  EXPECT_THAT(calibrate(builder.campaign(), quick()).warnings,
+              testing::Contains(HasSubstr("1 failed of 1")).Times(3));
+  builder.level(13, {6000});
+  const CalibrateResult result = calibrate(builder.campaign(), quick());
+  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("1 failed of 1")).Times(0));
+  EXPECT_THAT(result.warnings,
+              testing::Contains(HasSubstr("specimens.csv: 4 levels have fewer than 2 failures")));
+  EXPECT_THAT(result.warnings, testing::Contains(HasSubstr("at lines 62, 63, 64, 65")));
+}
+
 TEST(Calibrate, ALevelWithAllSuspendedIsNamed) {
   CampaignBuilder builder = square_law(6);
   builder.suspended(10, {9500, 9900});
