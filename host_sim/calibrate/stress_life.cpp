@@ -9,7 +9,6 @@
 namespace host_sim::calibrate {
 namespace {
 
-using life_law::LifeQuantity;
 using Kind = life_law::LifeQuantity::Kind;
 
 Interval exp_of(Interval interval) {

@@ -90,7 +90,7 @@ LifeFit fit_life(std::span<const LifeDatum> data, LifeForm form) {
 
 LifeFit fit_life(std::span<const LifeDatum> data, const LifeFit& start) {
   if (can_start_from(start)) {
-    const LifeFit fit = fit_form(data, start.form, &start);
+    LifeFit fit = fit_form(data, start.form, &start);
     if (fit.problem == FitProblem::none || fit.problem == FitProblem::too_few_failures) {
       return fit;
     }
