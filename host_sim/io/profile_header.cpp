@@ -61,8 +61,9 @@ bool holds(const Present& present, InputKind kind) {
          (kind != InputKind::kOutputTension || present[kTendonVelocity]);
 }
 
-[[noreturn]] void fail_missing(const TextPlace& line, std::string_view column) {
-  line.fail(line.text.size(), fmt::format("no column {}", column), kNeeded);
+[[noreturn]] void fail_missing(const TextPlace& line, std::string_view column,
+                               std::string_view needed = kNeeded) {
+  line.fail(line.text.size(), fmt::format("no column {}", column), needed);
 }
 
 InputKind chosen_kind(const Present& present, const TextPlace& line,
@@ -83,11 +84,11 @@ InputKind chosen_kind(const Present& present, const TextPlace& line,
 
 }  // namespace
 
-ProfileHeader parse_profile_header(const TextPlace& line, const ProfileOptions& options) {
+std::vector<ProfileColumnId> parse_profile_columns(const TextPlace& line, std::string_view needed) {
   if (line.text.empty()) {
-    line.fail(0, "an empty line in place of the header", kNeeded);
+    line.fail(0, "an empty line in place of the header", needed);
   }
-  ProfileHeader header{};
+  std::vector<ProfileColumnId> columns;
   Present present;
   CsvLine fields(line.text);
   while (fields.next()) {
@@ -101,10 +102,20 @@ ProfileHeader parse_profile_header(const TextPlace& line, const ProfileOptions& 
                 "each column once");
     }
     present.set(id);
-    header.columns.push_back(id);
+    columns.push_back(id);
   }
   if (!present[kTime]) {
-    fail_missing(line, name_of(kTime));
+    fail_missing(line, name_of(kTime), needed);
+  }
+  return columns;
+}
+
+ProfileHeader parse_profile_header(const TextPlace& line, const ProfileOptions& options) {
+  ProfileHeader header{};
+  header.columns = parse_profile_columns(line, kNeeded);
+  Present present;
+  for (const ProfileColumnId id : header.columns) {
+    present.set(id);
   }
   header.kind = chosen_kind(present, line, options);
   header.has_bend_angle = header.kind == InputKind::kOutputTension && present[kBendAngle];

@@ -16,6 +16,10 @@ struct ProfileHeader {
   std::vector<ProfileColumnId> columns;
 };
 
+/// The columns of a header line, `time_s` among them. Throws InputError for columns that are
+/// unknown, of another unit or there twice; `needed` says there which columns a file must have.
+std::vector<ProfileColumnId> parse_profile_columns(const TextPlace& line, std::string_view needed);
+
 /// Reads a header line and chooses the kind of input. Throws InputError for columns that are
 /// unknown, of another unit, missing or there twice.
 ProfileHeader parse_profile_header(const TextPlace& line, const ProfileOptions& options);
