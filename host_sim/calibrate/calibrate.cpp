@@ -29,7 +29,11 @@ void count_specimens(const Campaign& campaign, CalibrateResult& result) {
   }
 }
 
-void refuse_without_failures(const Campaign& campaign, const CalibrateResult& result) {
+void refuse_without_lives(const Campaign& campaign, const CalibrateResult& result) {
+  if (campaign.specimens.empty()) {
+    throw InputError(campaign.folder.string(), 0, 0, "recordings only, no lives to calibrate from",
+                     "a campaign folder with specimens.csv");
+  }
   constexpr std::size_t kFewest = 2;
   if (result.failed < kFewest) {
     throw InputError(
@@ -48,7 +52,7 @@ class Calibration {
     result_.seed = options.seed;
     result_.bootstraps = options.bootstraps;
     count_specimens(campaign, result_);
-    refuse_without_failures(campaign, result_);
+    refuse_without_lives(campaign, result_);
   }
 
   CalibrateResult run() {

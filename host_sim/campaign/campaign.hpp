@@ -10,8 +10,8 @@
 
 namespace host_sim {
 
-/// A life test as its folder holds it: campaign.toml, specimens.csv, and blocks.csv where specimens
-/// were loaded in blocks.
+/// A test as its folder holds it: campaign.toml, specimens.csv with the lives, and blocks.csv where
+/// specimens were loaded in blocks. Recordings, which sessions.csv names, are read elsewhere.
 struct Campaign {
   /// Parts of the nominal model; those that the data do not need may be missing.
   struct Nominal {
@@ -69,7 +69,9 @@ struct Campaign {
   std::filesystem::path folder;
   std::vector<Use> uses;  ///< [[use]] of campaign.toml
   Nominal nominal;
-  std::vector<Specimen> specimens;  ///< in order of their names, whatever the order in the file
+  /// In order of their names, whatever the order in the file; none where the campaign holds
+  /// recordings only: sessions.csv and no specimens.csv.
+  std::vector<Specimen> specimens;
 };
 
 /// Reads and checks a campaign; refused whole with file, line and column for anything that cannot

@@ -7,7 +7,7 @@
 
 namespace host_sim {
 
-/// The name of a specimen: visible characters, at least one. @throws InputError
+/// A name of the kind that its column says: visible characters, at least one. @throws InputError
 std::string name_in_row(const CsvTable& table, std::size_t column);
 
 /// A number of cycles: above 0. @throws InputError

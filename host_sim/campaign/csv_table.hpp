@@ -31,6 +31,8 @@ class CsvTable {
   CsvTable(std::unique_ptr<ByteSource> source, std::string_view name,
            std::span<const CsvColumn> columns);
 
+  std::string_view name(std::size_t column) const { return columns_[column].name; }
+
   bool has(std::size_t column) const { return fields_[column] != kAbsent; }
 
   /// Goes to the next row; false at the end. A table without rows is refused.

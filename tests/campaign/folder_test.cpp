@@ -45,6 +45,31 @@ TEST(CampaignFolder, IsReadWithItsBlocks) {
   EXPECT_EQ(read_campaign(folder / "").specimens.at(0).blocks.size(), 2U);
 }
 
+TEST(CampaignFolder, MayHoldRecordingsOnly) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "campaign.toml", test::kPaperCampaign);
+  test::write_text(folder / "sessions.csv", "session,specimen,file,start_cycle\n");
+  const Campaign campaign = read_campaign(folder / "");
+  EXPECT_EQ(campaign.name, "paper");
+  EXPECT_TRUE(campaign.nominal.cable);
+  EXPECT_TRUE(campaign.specimens.empty());
+  test::write_text(folder / "blocks.csv",
+                   "specimen,order,cycles,input_tension_mean_N,input_tension_amplitude_N\n"
+                   "a,1,10,30,20\n");
+  EXPECT_THAT(complaint_about(folder / ""),
+              StartsWith((folder / "blocks.csv").string() +
+                         ":2:1: a block of 'a', which is no specimen; "));
+}
+
+TEST(CampaignFolder, WithSpecimensThatCannotBeReadIsRefusedDespiteRecordings) {
+  const test::TemporaryFolder folder;
+  test::write_text(folder / "campaign.toml", test::kPaperCampaign);
+  test::write_text(folder / "sessions.csv", "session,specimen,file,start_cycle\n");
+  std::filesystem::create_symlink(folder / "gone.csv", folder / "specimens.csv");
+  EXPECT_THAT(complaint_about(folder / ""),
+              StartsWith((folder / "specimens.csv").string() + ": cannot be opened: "));
+}
+
 TEST(CampaignFolder, IsRefusedWithTheFileThatIsMissingOrWrong) {
   const test::TemporaryFolder folder;
   EXPECT_EQ(complaint_about(folder / "none"),
@@ -55,7 +80,7 @@ TEST(CampaignFolder, IsRefusedWithTheFileThatIsMissingOrWrong) {
   EXPECT_EQ(complaint_about(folder / ""),
             (folder / "specimens.csv").string() +
                 ": cannot be opened: No such file or directory; accepted: a campaign folder with "
-                "specimens.csv");
+                "specimens.csv, sessions.csv or both");
   test::write_text(folder / "specimens.csv", kSpecimens);
   EXPECT_EQ(complaint_about(folder / ""), "");
   test::write_text(folder / "blocks.csv", "");

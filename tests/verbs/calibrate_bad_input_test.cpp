@@ -92,6 +92,12 @@ TEST_F(BadCampaign, NoFolderAndNoFiles) {
   expect_refusal("c", "");
 }
 
+TEST_F(BadCampaign, RecordingsOnly) {
+  fs::remove(folder_ / "c/specimens.csv");
+  write("c/sessions.csv", "session,specimen,file,start_cycle\ns1,a1,s1.csv,0\n");
+  expect_refusal("c: recordings only", "specimens.csv");
+}
+
 TEST_F(BadCampaign, ANominalModelThatReplayCannotUse) {
   write("c/campaign.toml",
         "[campaign]\nname = \"small\"\n\n[model.cable]\ndiameter_mm = 0.457\n"
