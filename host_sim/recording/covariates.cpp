@@ -1,0 +1,184 @@
+#include "host_sim/recording/covariates.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <numbers>
+
+#include "host_sim/io/input_error.hpp"
+#include "host_sim/io/printable.hpp"
+#include "host_sim/recording/integral.hpp"
+#include "host_sim/recording/log_rate.hpp"
+#include "host_sim/recording/motion.hpp"
+#include "host_sim/recording/usable.hpp"
+#include "host_sim/reference/equations.hpp"
+
+namespace host_sim::recording {
+namespace {
+
+constexpr double kRadPerDeg = std::numbers::pi / 180;
+constexpr std::size_t kLeastPiece = 5;
+
+[[noreturn]] void fail(const Recording& recording, std::string_view what,
+                       std::string_view accepted) {
+  throw InputError(recording.file.string(), 0, 0,
+                   fmt::format("session {} {}", in_quotes(recording.session), what), accepted);
+}
+
+double spool_radius_m(const Model::Drive& drive) {
+  return drive.spool_radius_mm / 1000;
+}
+
+std::vector<double> scaled(std::vector<double> values, double factor) {
+  for (double& value : values) {
+    value *= factor;
+  }
+  return values;
+}
+
+std::vector<double> current_tension_N(const std::vector<double>& current_A,
+                                      const Model::Drive& drive) {
+  const reference::Drive nominal{drive.torque_constant_Nm_per_A, drive.gear_ratio,
+                                 drive.gear_efficiency, spool_radius_m(drive),
+                                 drive.current_offset_A};
+  std::vector<double> tension_N;
+  tension_N.reserve(current_A.size());
+  for (const double current : current_A) {
+    tension_N.push_back(reference::input_tension_from_current(current, nominal));
+  }
+  return tension_N;
+}
+
+std::vector<double> bend_angle_rad(const Recording& recording, const Channels& channels,
+                                   const Campaign::Nominal& nominal) {
+  if (!channels[kBendAngle].empty()) {
+    return scaled(channels[kBendAngle], kRadPerDeg);
+  }
+  if (!nominal.sheath) {
+    fail(recording, "has no known bend angle",
+         "the column bend_angle_deg, or bend_angle_deg in [model.sheath] of campaign.toml");
+  }
+  return std::vector<double>(recording.samples(), nominal.sheath->bend_angle_deg * kRadPerDeg);
+}
+
+void add_current(const Recording& recording, const Channels& channels,
+                 const Campaign::Nominal& nominal, Covariates& all) {
+  if (channels[kMotorCurrentColumn].empty()) {
+    return;
+  }
+  if (!nominal.drive) {
+    fail(recording, "has motor_current_A, but the campaign no drive",
+         "[model.drive] in campaign.toml");
+  }
+  all.current_A = channels[kMotorCurrentColumn];
+  for (double& current : all.current_A) {
+    current -= nominal.drive->current_offset_A;
+  }
+  all.current_tension_N = current_tension_N(channels[kMotorCurrentColumn], *nominal.drive);
+}
+
+void add_motion(const Recording& recording, const Motion& motion, Covariates& all) {
+  all.direction = motion.direction;
+  all.travel_m = motion.travel_m;
+  for (const double reversals : motion.reversals) {
+    all.cycle.push_back(recording.start_cycle + reversals / 2);
+  }
+}
+
+void add_position(const Channels& channels, const Campaign::Nominal& nominal, Covariates& all) {
+  all.motor_angle_rad = channels[kMotorAngle];
+  if (nominal.drive && !all.motor_angle_rad.empty()) {
+    all.position_m =
+        scaled(all.motor_angle_rad, spool_radius_m(*nominal.drive) / nominal.drive->gear_ratio);
+  } else {
+    all.position_m = integral(all.time_s, all.velocity_m_s);
+  }
+}
+
+/// Samples of pieces that are long enough, with tensions that have a logarithm.
+std::vector<Stretch> pieces_of(const Usable& usable, const Covariates& all) {
+  std::vector<bool> whole(all.samples());
+  for (const Stretch& stretch : usable.motion) {
+    for (std::size_t i = stretch.first; i < stretch.end(); ++i) {
+      const auto is_positive = [&](const std::vector<double>& values) {
+        return values.empty() || values[i] > 0;
+      };
+      whole[i] = !usable.touched[i] && is_positive(all.input_tension_N) &&
+                 is_positive(all.current_tension_N) && is_positive(all.output_tension_N);
+    }
+  }
+  std::vector<Stretch> pieces;
+  for (const Stretch& stretch : usable.motion) {
+    const auto begin = whole.begin() + static_cast<std::ptrdiff_t>(stretch.first);
+    const std::vector<bool> part(begin, begin + static_cast<std::ptrdiff_t>(stretch.count));
+    for (const Stretch& piece : stretches_of(part, true, kLeastPiece)) {
+      pieces.push_back({stretch.first + piece.first, piece.count});
+    }
+  }
+  return pieces;
+}
+
+std::vector<std::size_t> kept_samples(const std::vector<Stretch>& pieces, const Motion& motion) {
+  std::vector<std::size_t> kept;
+  for (const Stretch& piece : pieces) {
+    for (std::size_t i = piece.first; i < piece.end(); ++i) {
+      if (motion.known[i]) {
+        kept.push_back(i);
+      }
+    }
+  }
+  return kept;
+}
+
+std::vector<double> at(const std::vector<double>& values, const std::vector<std::size_t>& places) {
+  std::vector<double> picked;
+  if (!values.empty()) {
+    picked.reserve(places.size());
+    for (const std::size_t place : places) {
+      picked.push_back(values[place]);
+    }
+  }
+  return picked;
+}
+
+Covariates at(const Covariates& all, const std::vector<std::size_t>& places) {
+  Covariates picked;
+  for (std::vector<double> Covariates::*const member :
+       {&Covariates::time_s, &Covariates::cycle, &Covariates::direction, &Covariates::velocity_m_s,
+        &Covariates::bend_angle_rad, &Covariates::input_tension_N, &Covariates::current_A,
+        &Covariates::current_tension_N, &Covariates::output_tension_N, &Covariates::travel_m,
+        &Covariates::position_m, &Covariates::motor_angle_rad, &Covariates::log_tension_rate_1_s,
+        &Covariates::sheath_temperature_C, &Covariates::winding_temperature_C}) {
+    picked.*member = at(all.*member, places);
+  }
+  return picked;
+}
+
+}  // namespace
+
+Covariates covariates_of(const Recording& recording, const std::vector<Fault>& faults,
+                         const Campaign::Nominal& nominal) {
+  const Usable usable = usable_part(recording, faults);
+  const Channels& channels = usable.channels;
+  Covariates all;
+  all.time_s = channels[kTime];
+  all.velocity_m_s = channels[kTendonVelocity];
+  all.input_tension_N = channels[kInputTensionColumn];
+  all.output_tension_N = channels[kOutputTensionColumn];
+  all.sheath_temperature_C = channels[kSheathTemperature];
+  all.winding_temperature_C = channels[kWindingTemperature];
+  all.bend_angle_rad = bend_angle_rad(recording, channels, nominal);
+  add_current(recording, channels, nominal, all);
+  if (all.velocity_m_s.empty() || all.output_tension_N.empty() || all.tension_in_N().empty()) {
+    return {};
+  }
+  const Motion motion =
+      motion_of(all.time_s, all.velocity_m_s, usable.motion, dead_band_m_s(all.velocity_m_s));
+  add_motion(recording, motion, all);
+  add_position(channels, nominal, all);
+  const std::vector<Stretch> pieces = pieces_of(usable, all);
+  all.log_tension_rate_1_s = log_rate_1_s(all.time_s, all.tension_in_N(), pieces);
+  return at(all, kept_samples(pieces, motion));
+}
+
+}  // namespace host_sim::recording

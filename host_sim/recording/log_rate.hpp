@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "host_sim/recording/stretch.hpp"
+
+namespace host_sim::recording {
+
+/// d ln T / dt by differences over two samples to each side, fewer at the ends of a piece: each
+/// piece, of at least two samples, stands for itself. Zero outside of the pieces.
+/// @param tension_N above 0 within the pieces
+std::vector<double> log_rate_1_s(std::span<const double> time_s, std::span<const double> tension_N,
+                                 std::span<const Stretch> pieces);
+
+}  // namespace host_sim::recording

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host_sim/campaign/campaign.hpp"
+#include "host_sim/io/profile_columns.hpp"
+
+namespace host_sim::recording {
+
+/// By ProfileColumnId, the values of each channel in the unit of profile_columns(); a channel that
+/// was not recorded is empty.
+using Channels = std::array<std::vector<double>, kProfileColumnCount>;
+
+/// One recording: what the sensors said in one session of a campaign.
+struct Recording {
+  std::string session;
+  std::string specimen;
+  std::filesystem::path file;
+  double start_cycle = 0;  ///< cycles that the tendon had seen before; at least 0
+  std::uint64_t line = 0;  ///< in sessions.csv
+
+  /// Each of samples() values or empty. Time rises strictly.
+  Channels channels;
+
+  [[nodiscard]] const std::vector<double>& operator[](ProfileColumnId id) const {
+    return channels[id];
+  }
+  [[nodiscard]] bool has(ProfileColumnId id) const { return !channels[id].empty(); }
+  [[nodiscard]] std::size_t samples() const { return channels[kTime].size(); }
+};
+
+/// The recordings that sessions.csv of a campaign names, in order of their sessions' names; none
+/// where the campaign has no such file. Files are found relative to the folder.
+/// @throws InputError for anything that cannot be trusted, and where a recording holds neither
+///   input tension nor motor current, or no output tension or no velocity
+std::vector<Recording> read_recordings(const std::filesystem::path& campaign_folder);
+
+/// What a sensor did that no tendon does.
+struct Fault {
+  enum class Kind {
+    constant,      ///< the channel never changes
+    stuck,         ///< it stands still for long while others of its kind move
+    saturated,     ///< it stays at its largest or smallest value
+    gap,           ///< five samples or more are missing; the sample behind the jump
+    not_positive,  ///< a tension or current that has no logarithm
+  };
+  std::string session;
+  ProfileColumnId channel = kTime;
+  Kind kind = Kind::constant;
+  std::size_t first = 0;  ///< sample at which it begins
+  std::size_t count = 0;  ///< samples of the session that it touches
+  std::string words;      ///< where, what, and what is done about it
+};
+
+/// What is wrong with each channel that the diagnosis reads, in order of session, channel, kind and
+/// sample. The rules with their thresholds are in fault_rules.hpp. A temperature or a bend angle
+/// may be constant or stand still. Without a fault a recording may still hold too little:
+/// covariates leave out what they cannot use.
+std::vector<Fault> faults_of(const std::vector<Recording>& recordings);
+
+}  // namespace host_sim::recording

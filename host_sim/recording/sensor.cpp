@@ -1,0 +1,126 @@
+#include "host_sim/recording/sensor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "host_sim/recording/noise.hpp"
+
+namespace host_sim::recording {
+namespace {
+
+constexpr std::size_t kLongestOfCoarse = 50;
+constexpr std::size_t kLongestOfFine = 8;
+
+/// Samples outside of long rows of equal values, which may be the fault that is looked for, that
+/// change least over 16 sample times: a tenth of all, at least 100.
+std::vector<std::size_t> slow_samples(std::span<const double> values) {
+  constexpr std::size_t kReach = 8;
+  constexpr std::size_t kEnoughToJudge = 100;
+  std::vector<bool> in_row(values.size());
+  for (const Stretch& row : still_stretches(values, kLongestOfFine)) {
+    std::fill_n(in_row.begin() + static_cast<std::ptrdiff_t>(row.first), row.count, true);
+  }
+  std::vector<std::pair<double, std::size_t>> samples;
+  for (std::size_t i = kReach; i + kReach < values.size(); ++i) {
+    if (!in_row[i - 1] && !in_row[i] && !in_row[i + 1]) {
+      samples.emplace_back(std::abs(values[i + kReach] - values[i - kReach]), i);
+    }
+  }
+  const std::size_t wanted = std::max(kEnoughToJudge, values.size() / 10);
+  if (samples.size() > wanted) {
+    std::nth_element(samples.begin(), samples.begin() + static_cast<std::ptrdiff_t>(wanted),
+                     samples.end());
+    samples.resize(wanted);
+  }
+  std::vector<std::size_t> slow;
+  if (samples.size() >= kEnoughToJudge) {
+    std::transform(samples.begin(), samples.end(), std::back_inserter(slow),
+                   [](const auto& sample) { return sample.second; });
+  }
+  return slow;
+}
+
+std::size_t longest_by_chance(std::span<const double> values) {
+  const std::vector<std::size_t> slow = slow_samples(values);
+  std::size_t equal = 0;
+  std::size_t turning = 0;
+  for (const std::size_t i : slow) {
+    const double before = values[i] - values[i - 1];
+    const double after = values[i + 1] - values[i];
+    equal += after == 0 ? 1U : 0U;
+    turning += (after > 0 && before < 0) || (after < 0 && before > 0) ? 1U : 0U;
+  }
+  const double all = static_cast<double>(std::max<std::size_t>(slow.size(), 1));
+  const double equal_share = static_cast<double>(equal) / all;
+  const double turning_share = static_cast<double>(turning) / all;
+  if (turning_share >= 0.4 && equal_share <= 0.05) {
+    return kLongestOfFine;
+  }
+  return turning_share >= 0.25 && equal_share <= 0.3 ? kLongestOfCoarse : 0;
+}
+
+double climb(std::span<const double> values, const Stretch& stretch, double sign) {
+  double lowest = sign * values[stretch.first];
+  double most = 0;
+  for (const double value : values.subspan(stretch.first, stretch.count)) {
+    lowest = std::min(lowest, sign * value);
+    most = std::max(most, sign * value - lowest);
+  }
+  return most;
+}
+
+/// The largest excursion to the side of `sign` that comes back as far.
+double hump(std::span<const double> values, const Stretch& stretch, double sign) {
+  std::vector<double> before;
+  double lowest = sign * values[stretch.first];
+  for (const double value : values.subspan(stretch.first, stretch.count)) {
+    lowest = std::min(lowest, sign * value);
+    before.push_back(lowest);
+  }
+  double most = 0;
+  lowest = sign * values[stretch.end() - 1];
+  for (std::size_t i = stretch.end(); i-- > stretch.first;) {
+    const double value = sign * values[i];
+    lowest = std::min(lowest, value);
+    most = std::max(most, value - std::max(lowest, before[i - stretch.first]));
+  }
+  return most;
+}
+
+}  // namespace
+
+Sensor sensor_of(std::span<const double> values) {
+  const auto [lowest, highest] = std::minmax_element(values.begin(), values.end());
+  return {*lowest, *highest, noise_sigma(values), resolution(values), longest_by_chance(values)};
+}
+
+std::vector<Stretch> still_stretches(std::span<const double> values, std::size_t least) {
+  std::vector<Stretch> stretches;
+  std::size_t first = 0;
+  for (std::size_t i = 1; i <= values.size(); ++i) {
+    if (i < values.size() && values[i] == values[first]) {
+      continue;
+    }
+    if (i - first >= least) {
+      stretches.push_back({first, i - first});
+    }
+    first = i;
+  }
+  return stretches;
+}
+
+double rise_in(std::span<const double> values, const Stretch& stretch) {
+  return climb(values, stretch, 1);
+}
+
+double fall_in(std::span<const double> values, const Stretch& stretch) {
+  return climb(values, stretch, -1);
+}
+
+double swing_in(std::span<const double> values, const Stretch& stretch) {
+  return std::max(hump(values, stretch, 1), hump(values, stretch, -1));
+}
+
+}  // namespace host_sim::recording

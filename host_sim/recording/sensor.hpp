@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "host_sim/recording/stretch.hpp"
+
+namespace host_sim::recording {
+
+/// How the values of one channel behave.
+struct Sensor {
+  double lowest = 0;
+  double highest = 0;
+  double noise_sigma = 0;  ///< see noise_sigma()
+  double resolution = 0;   ///< see resolution()
+  /// How many equal values in a row noise does not leave by chance; 0 where the sensor shows too
+  /// little noise to tell. It is judged by the tenth of the samples around which the values change
+  /// least, outside of rows of 8 and more equal ones. Independent noise turns back from two thirds
+  /// of them: 8 where 40 % turn back and at most 5 % repeat, 50 where 25 % and at most 30 % do.
+  std::size_t longest_by_chance = 0;
+
+  [[nodiscard]] double span() const { return highest - lowest; }
+};
+
+/// @param values at least one
+Sensor sensor_of(std::span<const double> values);
+
+/// Rows of at least `least` samples of equal value, in order.
+std::vector<Stretch> still_stretches(std::span<const double> values, std::size_t least);
+
+/// How far `values` go up after having been lower, within the stretch.
+double rise_in(std::span<const double> values, const Stretch& stretch);
+
+/// How far `values` go down after having been higher, within the stretch.
+double fall_in(std::span<const double> values, const Stretch& stretch);
+
+/// The larger of the excursions that come back: up and as far down again, or down and up.
+double swing_in(std::span<const double> values, const Stretch& stretch);
+
+}  // namespace host_sim::recording

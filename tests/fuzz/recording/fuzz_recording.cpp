@@ -1,0 +1,81 @@
+// Whatever the bytes: a recording with faults and covariates that can be calculated with, or an
+// InputError.
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "host_sim/io/input_error.hpp"
+#include "host_sim/recording/covariates.hpp"
+#include "host_sim/recording/recording_file.hpp"
+#include "tests/fuzz/io/require.hpp"
+
+namespace {
+
+using host_sim::fuzz::require;
+namespace recording = host_sim::recording;
+
+host_sim::Campaign::Nominal nominal() {
+  host_sim::Campaign::Nominal nominal;
+  nominal.sheath = {.friction_coefficient = 0.128, .bend_angle_deg = 270};
+  nominal.drive = {.torque_constant_Nm_per_A = 0.0325,
+                   .gear_ratio = 9,
+                   .gear_efficiency = 0.88,
+                   .spool_radius_mm = 12.5,
+                   .current_offset_A = 0.1};
+  return nominal;
+}
+
+void require_channels(const recording::Recording& one) {
+  for (const auto& values : one.channels) {
+    require(values.empty() || values.size() == one.samples());
+  }
+  require(one.samples() >= recording::kFewestSamples);
+  for (std::size_t i = 1; i < one.samples(); ++i) {
+    require(one[host_sim::kTime][i] > one[host_sim::kTime][i - 1]);
+  }
+}
+
+void require_faults(const recording::Recording& one, const std::vector<recording::Fault>& faults) {
+  for (const recording::Fault& fault : faults) {
+    require(fault.count > 0 && fault.first + fault.count <= one.samples());
+    require(fault.words.starts_with("session 'fuzz': "));
+  }
+}
+
+void require_covariates(const recording::Covariates& covariates) {
+  const std::size_t samples = covariates.samples();
+  for (const auto& values :
+       {covariates.cycle, covariates.direction, covariates.travel_m, covariates.position_m,
+        covariates.log_tension_rate_1_s, covariates.output_tension_N, covariates.tension_in_N()}) {
+    require(values.size() == samples);
+    for (const double value : values) {
+      require(std::isfinite(value));
+    }
+  }
+  for (std::size_t i = 0; i < samples; ++i) {
+    require(covariates.tension_in_N()[i] > 0 && covariates.output_tension_N[i] > 0);
+    require(std::abs(covariates.direction[i]) == 1 && covariates.travel_m[i] >= 0);
+  }
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view text(reinterpret_cast<const char*>(data), size);
+  recording::Recording one;
+  one.session = "fuzz";
+  try {
+    one.channels = recording::parse_recording(host_sim::memory_source(text), "fuzz");
+  } catch (const host_sim::InputError& error) {
+    host_sim::fuzz::require_one_line(error.what());
+    return 0;
+  }
+  require_channels(one);
+  const auto faults = recording::faults_of({one});
+  require_faults(one, faults);
+  require_covariates(recording::covariates_of(one, faults, nominal()));
+  return 0;
+}
