@@ -1,0 +1,73 @@
+#include "host_sim/effects/tension/definition.hpp"
+
+#include <string>
+#include <utility>
+
+namespace host_sim::effects {
+namespace {
+
+/// What r itself needs.
+std::string missing_in_residual(const recording::Covariates& covariates) {
+  if (covariates.tension_in_N().empty()) {
+    return "no input tension (input_tension_N or motor_current_A)";
+  }
+  if (covariates.output_tension_N.empty()) {
+    return "no output tension (output_tension_N)";
+  }
+  if (covariates.direction.empty()) {
+    return "no direction of travel (tendon_velocity_m_s)";
+  }
+  if (covariates.bend_angle_rad.empty()) {
+    return "no bend angle (bend_angle_deg, in the recording or in the nominal sheath)";
+  }
+  return {};
+}
+
+class DefinedEffect final : public TensionEffect {
+ public:
+  explicit DefinedEffect(TensionDefinition definition) : definition_(std::move(definition)) {}
+
+  std::string_view id() const override { return definition_.id; }
+  std::string_view term() const override { return definition_.term; }
+  std::string_view equation() const override { return definition_.equation; }
+  std::string_view life_consequence() const override { return definition_.life_consequence; }
+  std::span<const Parameter> parameters() const override { return definition_.parameters; }
+  std::span<const Separation> separations() const override { return definition_.separations; }
+  bool per_pose() const override { return definition_.per_pose; }
+
+  std::string missing(const recording::Covariates& covariates) const override {
+    if (definition_.acts_on_current && !covariates.input_tension_N.empty()) {
+      return "input tension comes from a load cell, which the drive does not change";
+    }
+    if (const std::string words = missing_in_residual(covariates); !words.empty()) {
+      return words;
+    }
+    for (const Need& need : definition_.needs) {
+      if ((covariates.*need.values).empty()) {
+        std::string words = "no ";
+        words += need.words;
+        return words;
+      }
+    }
+    return {};
+  }
+
+  std::vector<std::vector<double>> shapes() const override { return definition_.shapes; }
+
+  Signature signature(const recording::Covariates& covariates, const Baseline& baseline,
+                      std::span<const double> shape) const override {
+    return {.shape = {shape.begin(), shape.end()},
+            .columns = definition_.columns(covariates, baseline, shape)};
+  }
+
+ private:
+  TensionDefinition definition_;
+};
+
+}  // namespace
+
+std::unique_ptr<TensionEffect> effect_of(TensionDefinition definition) {
+  return std::make_unique<DefinedEffect>(std::move(definition));
+}
+
+}  // namespace host_sim::effects
