@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host_sim/diagnose/gram.hpp"
+#include "host_sim/diagnose/projection.hpp"
+
+namespace host_sim::diagnose {
+
+/// What a campaign can show of one effect, before any response is looked at.
+struct EffectAudit {
+  enum class Verdict {
+    visible,
+    missing_channel,
+    nothing_left,  ///< under kLeastShare once gain and friction are refitted
+    too_weak,      ///< under kLeastSigmas even at the bounds of physics
+  };
+  const effects::TensionEffect* effect = nullptr;
+  Verdict verdict = Verdict::visible;
+  /// Root of the share of the signature's energy that is left after the projection, each column at
+  /// its typical size, for the shape that the campaign shows best. 0 .. 1.
+  double share = 0;
+  /// How many standard deviations the typical effect makes.
+  double sigmas = 0;
+  /// The same at the largest size that physics allows, for the shape shown best.
+  double sigmas_at_bound = 0;
+  std::string words;  ///< why it is invisible and what would show it; else how well it shows
+
+  [[nodiscard]] bool visible() const { return verdict == Verdict::visible; }
+};
+
+/// How alike two visible effects are in this campaign. Where the effects have shapes: the typical
+/// shape of each against all of the other that physics makes visible, the worst case.
+struct PairAudit {
+  std::size_t first = 0, second = 0;  ///< indices in Audit::effects, first < second
+  /// Root of the share of one's energy, each column at its typical size, that the other imitates;
+  /// the smaller of both ways. |cos| for single columns. Where one holds the other as a special
+  /// case it alone can imitate, and this is small.
+  double cosine = 0;
+  /// The largest canonical correlation: |cos| of the most alike members of both.
+  double canonical = 0;
+  std::string experiment;  ///< that tells them apart
+};
+
+/// Effects that this campaign cannot tell apart: connected by pairs above kSameCosine.
+struct EquivalenceClass {
+  std::vector<std::size_t> members;      ///< indices in Audit::effects, rising; one or more
+  std::vector<std::string> experiments;  ///< that break it, one for each such pair, without repeats
+};
+
+struct Audit {
+  static constexpr double kLeastShare = 0.05;
+  static constexpr double kLeastSigmas = 3;
+  static constexpr double kSameCosine = 0.9;
+
+  std::vector<EffectAudit> effects;       ///< in order of GramLayout::effects
+  std::vector<PairAudit> pairs;           ///< of all visible effects
+  std::vector<EquivalenceClass> classes;  ///< of all visible effects, by first member
+  std::string words;                      ///< the whole in sentences, for a report
+
+  /// @throws std::out_of_range where there is no such effect
+  [[nodiscard]] const EffectAudit& of(std::string_view id) const;
+  /// Null where one of them is not visible.
+  [[nodiscard]] const PairAudit* pair(std::string_view one, std::string_view other) const;
+};
+
+/// Step 0: what a campaign can show and tell apart, from its design alone.
+Audit audit(const Grams& grams, const NoiseModel& noise);
+
+}  // namespace host_sim::diagnose

@@ -1,0 +1,124 @@
+#include "host_sim/diagnose/gram.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "host_sim/statistics/parallel.hpp"
+
+namespace host_sim::diagnose {
+namespace {
+
+using Eigen::Index;
+
+void fill_baseline(Eigen::MatrixXd& columns, const recording::Covariates& covariates,
+                   const GramLayout& layout, double friction_coefficient) {
+  const std::vector<double>& input_N = covariates.tension_in_N();
+  const auto residual = static_cast<Index>(layout.residual());
+  for (std::size_t i = 0; i < covariates.samples(); ++i) {
+    const auto row = static_cast<Index>(i);
+    const double angle = covariates.bend_angle_rad[i] * covariates.direction[i];
+    columns(row, Index{GramLayout::kIntercept}) = 1;
+    columns(row, Index{GramLayout::kFriction}) = -angle;
+    columns(row, residual) =
+        std::log(covariates.output_tension_N[i] / input_N[i]) + friction_coefficient * angle;
+  }
+}
+
+void fill_block(Eigen::MatrixXd& columns, const GramLayout::Block& block,
+                const effects::Signature& signature) {
+  if (signature.columns.size() != block.count) {
+    throw std::logic_error("an effect has another number of columns than its layout");
+  }
+  for (std::size_t column = 0; column < block.count; ++column) {
+    const std::vector<double>& values = signature.columns[column];
+    if (static_cast<Index>(values.size()) != columns.rows()) {
+      throw std::logic_error("a signature has another number of samples than its session");
+    }
+    columns.col(static_cast<Index>(block.first + column)) =
+        Eigen::Map<const Eigen::VectorXd>(values.data(), columns.rows());
+  }
+}
+
+void whiten(Eigen::MatrixXd& columns, double autocorrelation) {
+  if (autocorrelation == 0 || columns.rows() == 0) {
+    return;
+  }
+  for (Index row = columns.rows() - 1; row > 0; --row) {
+    columns.row(row) -= autocorrelation * columns.row(row - 1);
+  }
+  columns.row(0) *= std::sqrt(1 - autocorrelation * autocorrelation);
+}
+
+void weigh(Eigen::MatrixXd& columns, const std::vector<double>& weights) {
+  if (static_cast<Index>(weights.size()) != columns.rows()) {
+    throw std::logic_error("weights have another number of samples than their session");
+  }
+  for (Index row = 0; row < columns.rows(); ++row) {
+    columns.row(row) *= std::sqrt(weights[static_cast<std::size_t>(row)]);
+  }
+}
+
+double mean_bend_angle(const recording::Covariates& covariates) {
+  double sum_rad = 0;
+  for (const double angle_rad : covariates.bend_angle_rad) {
+    sum_rad += angle_rad;
+  }
+  return covariates.samples() == 0 ? 0 : sum_rad / static_cast<double>(covariates.samples());
+}
+
+SessionGram session_gram(const Session& session, const GramLayout& layout,
+                         const effects::Baseline& baseline, double autocorrelation,
+                         const std::vector<double>* weights) {
+  Eigen::MatrixXd columns = columns_of(session, layout, baseline);
+  whiten(columns, autocorrelation);
+  if (weights != nullptr) {
+    weigh(columns, *weights);
+  }
+  SessionGram result{.session = session.name,
+                     .gram = Eigen::MatrixXd::Zero(columns.cols(), columns.cols()),
+                     .samples = session.covariates.samples(),
+                     .bend_angle_rad = mean_bend_angle(session.covariates)};
+  result.gram.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
+  result.gram.triangularView<Eigen::StrictlyUpper>() = result.gram.transpose();
+  return result;
+}
+
+}  // namespace
+
+Eigen::MatrixXd columns_of(const Session& session, const GramLayout& layout,
+                           const effects::Baseline& baseline) {
+  Eigen::MatrixXd columns(static_cast<Index>(session.covariates.samples()),
+                          static_cast<Index>(layout.size()));
+  fill_baseline(columns, session.covariates, layout, baseline.friction_coefficient);
+  for (const GramLayout::Effect& entry : layout.effects) {
+    for (const GramLayout::Block& block : entry.blocks) {
+      fill_block(columns, block,
+                 entry.effect->signature(session.covariates, baseline, block.shape));
+    }
+  }
+  return columns;
+}
+
+Grams gram_of(std::span<const Session> sessions, const GramOptions& options) {
+  if (!options.weights.empty() && options.weights.size() != sessions.size()) {
+    throw std::logic_error("weights of another number of sessions");
+  }
+  Grams grams{.baseline = options.baseline, .layout = {}, .sessions = {}};
+  if (grams.baseline.poses_rad.empty()) {
+    grams.baseline.poses_rad = poses_of(sessions);
+  }
+  grams.layout = layout_of(sessions, grams.baseline);
+  grams.sessions.resize(sessions.size());
+  statistics::parallel_for(
+      sessions.size(),
+      [&](std::size_t i) {
+        grams.sessions[i] =
+            session_gram(sessions[i], grams.layout, grams.baseline, options.autocorrelation,
+                         options.weights.empty() ? nullptr : &options.weights[i]);
+      },
+      options.threads);
+  return grams;
+}
+
+}  // namespace host_sim::diagnose
