@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "host_sim/synth/life/specimen.hpp"
+#include "host_sim/synth/plan/plan.hpp"
+
+namespace host_sim::synth {
+
+/// One specimen of a plan with what became of it.
+struct LifeSpecimen {
+  SpecimenPlace place;
+  std::vector<std::size_t> levels;  ///< places in LifePlan::levels; one, or those of a program
+  bool validation = false;
+  double storage_days = 0;
+  LifeResult result;
+};
+
+/// Runs all specimens of a plan: those of the levels in order, then those of the programs.
+/// @pre plan.lives
+std::vector<LifeSpecimen> run_lives(const SynthPlan& plan, std::uint64_t seed);
+
+/// Contents of the files; `blocks` is empty where no specimen has a program.
+struct LifeTexts {
+  std::string specimens, blocks;
+};
+LifeTexts life_texts(const SynthPlan& plan, std::uint64_t seed);
+
+}  // namespace host_sim::synth

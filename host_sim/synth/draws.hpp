@@ -1,0 +1,17 @@
+#pragma once
+
+#include "host_sim/statistics/random.hpp"
+
+namespace host_sim::synth {
+
+/// A standard normal number: the quantile of one uniform number, the same on every machine.
+double normal(statistics::Random& random);
+
+/// A number of Student's t with `dof` degrees of freedom, scaled to a standard deviation of 1.
+/// @pre dof > 2
+double student_t(statistics::Random& random, double dof);
+
+/// A standard exponential number.
+double exponential(statistics::Random& random);
+
+}  // namespace host_sim::synth

@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdint>
+
+#include "host_sim/synth/plan/tables.hpp"
+#include "host_sim/synth/plan/toml_values.hpp"
+
+namespace host_sim::synth {
+namespace {
+
+constexpr NumberKey kBendAngle{"bend_angle_deg", "deg", {0, 1800}};
+constexpr NumberKey kMean{"output_tension_mean_N", "N", {0, 1000}};
+constexpr NumberKey kAmplitude{"output_tension_amplitude_N", "N", {0, 1000, true}};
+constexpr NumberKey kFrequency{"frequency_Hz", "Hz", {0.001, 1000}};
+constexpr NumberKey kRatio{"wire_to_bend_ratio", "", {0, 1, true}};
+constexpr NumberKey kSpecimens{"specimens", "", {1, 10'000}};
+constexpr NumberKey kSuspend{"suspend_at_cycles", "cycles", {1, 1e15}};
+constexpr std::array kLevel{kBendAngle, kMean,      kAmplitude, kFrequency,
+                            kRatio,     kSpecimens, kSuspend};
+constexpr NumberKey kLevelSpecimens{"specimens", "", {0, 10'000}};
+
+constexpr NumberKey kLevels{"levels", "", {1, 10'000}};
+constexpr NumberKey kCycles{"cycles", "", {1, 1e15}};
+constexpr std::array kProgram{kLevels, kCycles, kSpecimens};
+
+constexpr NumberKey kLots{"lots", "", {1, 10'000}};
+constexpr NumberKey kRigs{"rigs", "", {1, 1000}};
+constexpr NumberKey kStorage{"storage_days", "days", {0, 1e5}};
+constexpr std::array kLives{kLots, kRigs, kStorage};
+constexpr std::array<std::string_view, 4> kLivesOthers{"lots_by", "record_days", "level",
+                                                       "program"};
+constexpr std::array<std::string_view, 2> kLotsBy{"specimen", "level"};
+constexpr std::array<std::string_view, 1> kRole{"role"};
+constexpr std::array<std::string_view, 2> kRoles{"fit", "validation"};
+
+LifeLevel level_in(const TomlTable& table) {
+  table.refuse_unknown_keys(kLevel, kRole);
+  LifeLevel level;
+  level.load.bend_angle_deg = table.number(kBendAngle);
+  level.load.output_mean_N = table.number(kMean);
+  level.load.output_amplitude_N = table.number(kAmplitude);
+  level.load.frequency_Hz = number_or(table, kFrequency, 1);
+  level.load.wire_to_bend_ratio = number_or(table, kRatio, 0);
+  level.specimens = whole_or(table, kLevelSpecimens, 0);
+  level.suspend_at_cycles = number_or(table, kSuspend, level.suspend_at_cycles);
+  level.validation = word(table, "role", kRoles) == 1;
+  return level;
+}
+
+LifeProgram program_in(const TomlTable& table, std::size_t levels) {
+  table.refuse_unknown_keys(kProgram, kRole);
+  LifeProgram program;
+  for (const double place : numbers(table, kLevels)) {
+    if (place != static_cast<double>(static_cast<std::size_t>(place)) ||
+        place > static_cast<double>(levels)) {
+      table.fail(table.place_of("levels"), fmt::format("levels holds {}", place),
+                 fmt::format("numbers of [[lives.level]], 1..{}", levels));
+    }
+    program.levels.push_back(static_cast<std::size_t>(place) - 1);
+  }
+  program.cycles = numbers(table, kCycles);
+  for (double& cycles : program.cycles) {
+    cycles = static_cast<double>(static_cast<std::uint64_t>(cycles));
+  }
+  if (program.levels.size() < 2 || program.cycles.size() + 1 != program.levels.size()) {
+    table.fail(table.place_of("cycles"),
+               fmt::format("{} levels with {} numbers of cycles", program.levels.size(),
+                           program.cycles.size()),
+               "at least two levels, and cycles for all but the last");
+  }
+  static_cast<void>(table.number(kSpecimens));
+  program.specimens = whole_or(table, kSpecimens, 0);
+  program.validation = word(table, "role", kRoles) == 1;
+  return program;
+}
+
+}  // namespace
+
+LifePlan lives_in(const TomlTable& table) {
+  table.refuse_unknown_keys(kLives, kLivesOthers);
+  LifePlan plan;
+  plan.lots = whole_or(table, kLots, 1);
+  plan.lots_by = static_cast<LifePlan::LotsBy>(word(table, "lots_by", kLotsBy));
+  plan.rigs = whole_or(table, kRigs, 1);
+  plan.storage_days = numbers_or(table, kStorage, 0);
+  plan.record_days = flag(table, "record_days");
+  for (const TomlTable& level : tables(table, "level")) {
+    plan.levels.push_back(level_in(level));
+  }
+  for (const TomlTable& program : tables(table, "program")) {
+    plan.programs.push_back(program_in(program, plan.levels.size()));
+  }
+  if (plan.specimens() == 0) {
+    table.fail(table.place(), "no specimens", "[[lives.level]] or [[lives.program]] with some");
+  }
+  return plan;
+}
+
+std::size_t LifePlan::specimens() const {
+  std::size_t sum = 0;
+  for (const LifeLevel& level : levels) {
+    sum += level.specimens;
+  }
+  for (const LifeProgram& program : programs) {
+    sum += program.specimens;
+  }
+  return sum;
+}
+
+}  // namespace host_sim::synth

@@ -1,0 +1,117 @@
+#include "host_sim/synth/plan/toml_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace host_sim::synth {
+namespace {
+
+constexpr std::size_t kLongestList = 10'000;
+
+std::string accepted_list(const NumberKey& key) {
+  return fmt::format("{} {}, or a list of such numbers", key.name, range_text(key.range));
+}
+
+double number_in_list(const TomlTable& table, const NumberKey& key, const toml::node& node) {
+  const auto value = node.is_number() ? node.value<double>() : std::nullopt;
+  if (!value || !key.range.contains(*value)) {
+    table.fail(node.source().begin, fmt::format("{} holds {}", key.name, describe(node)),
+               accepted_list(key));
+  }
+  return *value;
+}
+
+}  // namespace
+
+double number_or(const TomlTable& table, const NumberKey& key, double standard) {
+  return table.has(key.name) ? table.number(key) : standard;
+}
+
+std::size_t whole_or(const TomlTable& table, const NumberKey& key, std::size_t standard) {
+  if (!table.has(key.name)) {
+    return standard;
+  }
+  const double value = table.number(key);
+  if (value != std::floor(value)) {
+    table.fail(table.place_of(key.name), fmt::format("{} is {}", key.name, value),
+               fmt::format("a whole number, {}", range_text(key.range)));
+  }
+  return static_cast<std::size_t>(value);
+}
+
+std::vector<double> numbers(const TomlTable& table, const NumberKey& key) {
+  const toml::node& node = table.node(key.name, accepted_list(key));
+  const toml::array* const array = node.as_array();
+  if (array == nullptr) {
+    return {table.number(key)};
+  }
+  if (array->empty() || array->size() > kLongestList) {
+    table.fail(table.place_of(key.name), fmt::format("{} has {} numbers", key.name, array->size()),
+               fmt::format("1..{} numbers", kLongestList));
+  }
+  std::vector<double> values;
+  for (const toml::node& element : *array) {
+    values.push_back(number_in_list(table, key, element));
+  }
+  return values;
+}
+
+std::vector<double> numbers_or(const TomlTable& table, const NumberKey& key, double standard) {
+  return table.has(key.name) ? numbers(table, key) : std::vector<double>{standard};
+}
+
+std::size_t word(const TomlTable& table, std::string_view key,
+                 std::span<const std::string_view> words) {
+  if (!table.has(key)) {
+    return 0;
+  }
+  const std::string accepted = fmt::format("{} as one of {}", key, fmt::join(words, ", "));
+  const toml::node& node = table.node(key, accepted);
+  const auto* const text = node.as_string();
+  const auto found =
+      text == nullptr ? words.end() : std::find(words.begin(), words.end(), text->get());
+  if (found == words.end()) {
+    table.fail(table.place_of(key), fmt::format("{} is {}", key, describe(node)), accepted);
+  }
+  return static_cast<std::size_t>(found - words.begin());
+}
+
+bool flag(const TomlTable& table, std::string_view key) {
+  if (!table.has(key)) {
+    return false;
+  }
+  const std::string accepted = fmt::format("{} as true or false", key);
+  const toml::node& node = table.node(key, accepted);
+  const auto* const value = node.as_boolean();
+  if (value == nullptr) {
+    table.fail(table.place_of(key), fmt::format("{} is {}", key, describe(node)), accepted);
+  }
+  return value->get();
+}
+
+std::vector<TomlTable> tables(const TomlTable& above, std::string_view key) {
+  std::vector<TomlTable> found;
+  if (!above.has(key)) {
+    return found;
+  }
+  const std::string name = fmt::format("{}.{}", above.name(), key);
+  const std::string accepted = fmt::format("tables [[{}]]", name);
+  const toml::node& node = above.node(key, accepted);
+  const toml::array* const array = node.as_array();
+  if (array == nullptr) {
+    above.fail(above.place_of(key), fmt::format("{} is {}", key, describe(node)), accepted);
+  }
+  for (const toml::node& element : *array) {
+    if (!element.is_table()) {
+      above.fail(element.source().begin, fmt::format("{} holds {}", key, describe(element)),
+                 accepted);
+    }
+    found.emplace_back(above.file(), *element.as_table(), name, element.source().begin);
+  }
+  return found;
+}
+
+}  // namespace host_sim::synth

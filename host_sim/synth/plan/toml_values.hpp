@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host_sim/io/toml_table.hpp"
+
+namespace host_sim::synth {
+
+/// The number of a key, or `standard` where the table leaves it out. @throws InputError
+double number_or(const TomlTable& table, const NumberKey& key, double standard);
+
+/// A whole number. The same.
+std::size_t whole_or(const TomlTable& table, const NumberKey& key, std::size_t standard);
+
+/// One number, or a list of at least one. @throws InputError, also where the key is not there
+std::vector<double> numbers(const TomlTable& table, const NumberKey& key);
+
+/// The same, or `standard` where the table leaves it out.
+std::vector<double> numbers_or(const TomlTable& table, const NumberKey& key, double standard);
+
+/// The place in `words` of the word of a key, 0 where the table leaves it out. @throws InputError
+std::size_t word(const TomlTable& table, std::string_view key,
+                 std::span<const std::string_view> words);
+
+/// true or false; false where the table leaves it out. @throws InputError
+bool flag(const TomlTable& table, std::string_view key);
+
+/// The tables of an array of tables, none where the table leaves it out. @throws InputError
+std::vector<TomlTable> tables(const TomlTable& above, std::string_view key);
+
+}  // namespace host_sim::synth

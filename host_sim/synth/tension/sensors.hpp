@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+
+#include "host_sim/synth/tension/channels.hpp"
+
+namespace host_sim::synth {
+
+/// What sensors and recorder add to all sessions of a plan. Resolutions of 0 leave values alone.
+struct Noise {
+  double log_tension_sd = 0;  ///< of each tension and of the current, in proportion to them
+  double ar1 = 0;             ///< correlation from sample to sample; the sd stays
+  double student_t_dof = 0;   ///< of the innovations; 0 is normal
+  double tension_resolution_N = 0;
+  double current_resolution_A = 0;
+  double velocity_sd_m_s = 0;
+  double velocity_resolution_m_s = 0;
+  double temperature_sd_C = 0;
+  double clock_jitter_s = 0;   ///< sd of the time of a sample; less than a third of a step
+  double clock_drift_ppm = 0;  ///< of the recorder against true time
+};
+
+/// Adds noise to what a session would be without: the same numbers for the same seed and session.
+void add_noise(const Noise& noise, std::uint64_t seed, std::size_t session, Channels& channels);
+
+/// The multiple of `resolution` next to a value; the value where the resolution is 0.
+double quantised(double value, double resolution);
+
+}  // namespace host_sim::synth

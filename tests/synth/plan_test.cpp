@@ -1,0 +1,150 @@
+#include "tests/synth/support.hpp"
+
+namespace host_sim::synth::test {
+namespace {
+
+std::string complaint(const std::string& text) {
+  return complaint_of([&] { plan_of(text); });
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+const std::string kLevel =
+    "[lives]\n[[lives.level]]\nbend_angle_deg = 90\noutput_tension_mean_N = 30\n"
+    "output_tension_amplitude_N = 20\nspecimens = 3\n";
+
+struct Bad {
+  std::string text;
+  std::string complaint;  ///< a part of it
+};
+
+void PrintTo(const Bad& bad, std::ostream* out) {
+  *out << bad.complaint;
+}
+
+class BadSynthPlan : public testing::TestWithParam<Bad> {};
+
+TEST_P(BadSynthPlan, IsRefusedWithItsPlace) {
+  const std::string found = complaint(GetParam().text);
+  EXPECT_NE(found.find(GetParam().complaint), std::string::npos) << "it says: " << found;
+  EXPECT_EQ(found.rfind("plan:", 0), 0U) << found;
+}
+
+const Bad kBad[]{
+    {"", "neither recordings nor lives"},
+    {"[recording]\n", "unknown table 'recording'"},
+    {kRecordings + "speed = 3\n", "unknown key 'speed' in [recordings]"},
+    {kRecordings + "start_cycles = [1, -2]\n", "start_cycles holds -2"},
+    {kRecordings + "start_cycles = []\n", "start_cycles has 0 numbers"},
+    {kRecordings + "repeats = 1.5\n", "repeats is 1.5; accepted: a whole number"},
+    {replaced(kRecordings, "travels_mm = 40.0", "travels_m = 0.04"), "unknown unit 'm' of key"},
+    {replaced(kRecordings, "travels_mm = 40.0\n", ""), "no key travels_mm"},
+    {replaced(kRecordings, "270.0", "\"90\""), "bend_angles_deg is '90'"},
+    {replaced(kRecordings, "= 30.0", "= [30.0, 9.0]"), "an amplitude of 10 N with a mean of 9 N"},
+    {replaced(kRecordings, "= 30.0", "= nan"), "output_means_N is nan"},
+    {kRecordings + "design = \"random\"\n",
+     "design is 'random'; accepted: design as one of crossed, listed, balanced"},
+    {kRecordings + "design = \"balanced\"\n", "a balanced design without sessions"},
+    {kRecordings + "sessions = 4\n", "sessions beside a design that is not balanced"},
+    {kRecordings + "design = \"listed\"\nstart_cycles = [1, 2]\nsheath_ambients_C = [1, 2, 3]\n",
+     "2 values of start_cycles; accepted: 1 or 3"},
+    {kRecordings + "repeats = 1000\nstart_cycles = [1,2,3,4,5,6,7,8,9,10,11]\n",
+     "11000 or more sessions"},
+    {replaced(kRecordings, "duration_s = 4.0", "duration_s = 0.01"), "2 samples a session"},
+    {replaced(kRecordings, "frequencies_Hz = 0.5", "frequencies_Hz = 40") +
+         "load_frequency_ratio = 3\n",
+     "40 Hz at 200 samples a second"},
+    {kRecordings + "pose_sway_deg = 180\nbend_angles_deg2 = 1\n", "unknown unit 'deg2' of key"},
+    {replaced(kRecordings, "270.0", "[270.0, 3.0]") + "pose_sway_deg = 4\n",
+     "a sway of 4 deg about 3 deg"},
+    {kRecordings + "channels = [\"output_tension_N\", \"tendon_velocity_m_s\"]\n",
+     "channels that tell no friction"},
+    {kRecordings + "channels = [\"output_tension\"]\n", "channels holds 'output_tension'"},
+    {kRecordings + "channels = [\"output_tension_N\", \"output_tension_N\"]\n", "twice"},
+    {kRecordings + "channels = [\"time_s\"]\n", "channels holds 'time_s'"},
+    {kRecordings + "[noise]\nar1 = 1\n", "ar1 is 1"},
+    {kRecordings + "[noise]\nstudent_t_dof = 2\n", "student_t_dof is 2"},
+    {kRecordings + "[noise]\nclock_jitter_s = 0.01\n", "clock_jitter_s is 0.01"},
+    {kRecordings + "[scatter]\ngain_sd = 0.1\n", "unknown key 'gain_sd' in [scatter]"},
+    {kRecordings + "[thermal]\nroom_K = 293\n", "unknown unit 'K' of key 'room_K'"},
+    {kRecordings + "[effects.friction]\n", "unknown table 'friction' in [effects]"},
+    {kRecordings + "[effects]\nslack = 3\n", "slack is 3"},
+    {kRecordings + "[effects.slack]\ndead_zone_mm = 1\n", "no key held_share in [effects.slack]"},
+    {kRecordings + "[effects.slack]\ndead_zone_mm = 1\nheld_share = 1\n", "held_share is 1"},
+    {kRecordings + "[effects.sheath_creep]\nshare = 0.1\n", "unknown table 'sheath_creep'"},
+    {kRecordings + "[outside.slack]\ndead_zone_mm = 1\n", "unknown table 'slack' in [outside]"},
+    {kRecordings + "[effects.filter_lag]\ntime_constant_ms = 5\nsensor = \"input\"\n",
+     "sensor is 'input'"},
+    {kRecordings + "[effects.lot_frailty]\nlog_sd = 0.1\n",
+     "[effects.lot_frailty] without [lives]"},
+    {kLevel + "[effects.friction_preload]\nforce_N = 3\n",
+     "[effects.friction_preload] without [recordings]"},
+    {kRecordings + "[outside.load_cell_cross_talk]\nsensitivity_N_s_rad = 2\n",
+     "without pose_sway_deg"},
+    {kLevel + "[outside.rig_bias]\nshare = 0.1\n", "without rigs above 1"},
+    {kLevel + "[effects.bending_fatigue]\nmetal_area_mm2 = 0.1\nshare = 0.5\n",
+     "without wire_to_bend_ratio"},
+    {"[lives]\nlots = 2\n", "no specimens"},
+    {"[lives]\nlevel = 3\n", "level is 3"},
+    {"[lives]\nlevel = [3]\n", "level holds 3"},
+    {replaced(kLevel, "= 20\n", "= 31\n"), "a level of 30 +- 31 N at 90 deg"},
+    {replaced(kLevel, "= 90\n", "= 900\n"), "an input tension below the ultimate one"},
+    {kLevel + "[[lives.program]]\nlevels = [1, 2]\ncycles = [9]\nspecimens = 1\n",
+     "levels holds 2"},
+    {kLevel + "[[lives.program]]\nlevels = [1, 1]\ncycles = [9, 9]\nspecimens = 1\n",
+     "2 levels with 2 numbers of cycles"},
+    {kLevel + "[[lives.program]]\nlevels = [1, 1]\ncycles = 9\n", "no key specimens"},
+    {kLevel + "role = \"test\"\n", "role is 'test'"},
+    {kLevel + "specimens = 1\n", "plan:"},
+};
+
+INSTANTIATE_TEST_SUITE_P(All, BadSynthPlan, testing::ValuesIn(kBad));
+
+TEST(SynthPlan, SaysWhereAKeyStands) {
+  const std::string found =
+      complaint_of([] { parse_synth_plan("[campaign]\nname = \"x\"\n  nme = 3\n", "p.toml"); });
+  EXPECT_EQ(found.rfind("p.toml:3:3: unknown key 'nme' in [campaign]", 0), 0U) << found;
+}
+
+TEST(SynthPlan, NeedsTheModelThatItsPartsUse) {
+  const std::string head =
+      "[campaign]\nname = \"x\"\n[model.cable]\ndiameter_mm = 0.4\n"
+      "ultimate_tension_N = 100\n";
+  EXPECT_NE(complaint_of([&] {
+              parse_synth_plan(head + kRecordings, "p");
+            }).find("no table [model.sheath]"),
+            std::string::npos);
+  const std::string sheath = "[model.sheath]\nfriction_coefficient = 0.1\nbend_angle_deg = 90\n";
+  EXPECT_NE(complaint_of([&] {
+              parse_synth_plan(head + sheath + kLevel, "p");
+            }).find("no table [model.life]"),
+            std::string::npos);
+  EXPECT_NE(complaint_of([&] {
+              parse_synth_plan(
+                  head + sheath + kRecordings + "[effects.current_offset]\noffset_A = 0.1\n", "p");
+            }).find("without [model.drive]"),
+            std::string::npos);
+  EXPECT_EQ(complaint_of([&] { parse_synth_plan(head + sheath + kRecordings, "p"); }), "");
+}
+
+TEST(SynthPlan, ReadsWhatIsHiddenInTheOrderOfTheCatalogue) {
+  const SynthPlan plan = plan_of(kRecordings +
+                                 "[outside.sheath_creep]\nshare = 0.05\ntime_constant_s = 3\n"
+                                 "[effects.slack]\ndead_zone_mm = 1\nheld_share = 0.5\n"
+                                 "[effects.bend_angle]\nerror_deg = [1, 2]\n");
+  ASSERT_EQ(plan.hidden.size(), 3U);
+  EXPECT_EQ(plan.hidden[0].id, "slack");
+  EXPECT_EQ(plan.hidden[0].values["held_share"], 0.5);
+  EXPECT_EQ(plan.hidden[1].id, "bend_angle");
+  EXPECT_EQ(plan.hidden[1].values.list("error_deg"), (std::vector<double>{1, 2}));
+  EXPECT_EQ(plan.hidden[1].values["sd_deg"], 0);
+  EXPECT_EQ(plan.hidden[2].id, "sheath_creep");
+  EXPECT_TRUE(plan.hidden[2].outside);
+}
+
+}  // namespace
+}  // namespace host_sim::synth::test
