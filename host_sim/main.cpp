@@ -30,8 +30,10 @@ int run(int argc, char** argv) {
   host_sim::watch_for_interruption();
   host_sim::add_replay(app, status);
   host_sim::add_calibrate(app, status);
+  host_sim::add_import(app, status);
   host_sim::add_pack(app, status);
   host_sim::add_plan(app, status);
+  host_sim::add_synth(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
