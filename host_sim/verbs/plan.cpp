@@ -12,6 +12,7 @@
 #include "host_sim/io/progress.hpp"
 #include "host_sim/plan/results.hpp"
 #include "host_sim/verbs/outputs.hpp"
+#include "host_sim/verbs/plan_diagnosis.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
 namespace host_sim {
@@ -20,6 +21,7 @@ namespace {
 using plan::PlanRequest;
 
 struct Arguments {
+  std::string for_diagnosis;
   std::string model;
   std::string json;
   PlanRequest request;
@@ -107,6 +109,16 @@ void take_law_of_model(const std::string& path, PlanRequest& request) {
 
 int run(Arguments& arguments) {
   PlanRequest& request = arguments.request;
+  if (!arguments.for_diagnosis.empty()) {
+    return plan_for_diagnosis({arguments.for_diagnosis, arguments.json, request.simulation.seed,
+                               static_cast<unsigned>(request.simulation.threads)});
+  }
+  if (request.conditions.levels_N.empty()) {
+    throw CLI::RequiredError("--levels");
+  }
+  if (request.goal.use_tension_N == 0) {
+    throw CLI::RequiredError("--use-tension");
+  }
   if (arguments.model.empty() && request.conditions.law.scale == 0) {
     refuse("give the law: --model, or --scale, --exponent and --shape");
   }
@@ -147,7 +159,6 @@ void add_law_options(CLI::App& verb, Arguments& arguments) {
 void add_design_options(CLI::App& verb, PlanRequest& request) {
   verb.add_option("--levels", request.conditions.levels_N, "Effective tensions to test at, in N")
       ->delimiter(',')
-      ->required()
       ->check(above(0));
   verb.add_option("--suspend-at", request.conditions.suspend_at_cycles,
                   "Cycles at which a specimen that still lives is suspended")
@@ -167,7 +178,6 @@ void add_design_options(CLI::App& verb, PlanRequest& request) {
 void add_goal_options(CLI::App& verb, PlanRequest& request) {
   verb.add_option("--use-tension", request.goal.use_tension_N,
                   "Effective tension that B10 is wanted for, in N")
-      ->required()
       ->check(above(0));
   verb.add_option("--ratio", request.goal.ratio,
                   "Wanted: high / low of the 95 % interval of B10 at most this")
@@ -201,14 +211,22 @@ void add_plan(CLI::App& app, int& status) {
   auto arguments = std::make_shared<Arguments>();
   CLI::App* verb =
       app.add_subcommand("plan", "How many specimens a life test needs, and at which levels");
+  CLI::Option* for_diagnosis =
+      verb->add_option("--for-diagnosis", arguments->for_diagnosis,
+                       "Instead: what a campaign of recordings, planned as for synth, could show");
   add_law_options(*verb, *arguments);
   add_design_options(*verb, arguments->request);
   add_goal_options(*verb, arguments->request);
   add_simulation_options(*verb, arguments->request);
+  for (const char* name : {"--model", "--scale", "--levels", "--use-tension", "--ratio",
+                           "--specimens", "--suspend-at", "--cycles-per-minute"}) {
+    for_diagnosis->excludes(verb->get_option(name));
+  }
   verb->add_option("--json", arguments->json, "Write the result as JSON; - is standard output");
   verb->footer(
       "Example: host_sim plan --model host_sim/examples/upper_arm.toml --levels "
-      "42.5,50.8,60.1,71.0 --use-tension 25.5 --ratio 1.25");
+      "42.5,50.8,60.1,71.0 --use-tension 25.5 --ratio 1.25\n"
+      "         host_sim plan --for-diagnosis host_sim/examples/synth/crossed.toml");
   verb->callback([arguments, &status] { status = run(*arguments); });
 }
 

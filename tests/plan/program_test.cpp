@@ -38,6 +38,21 @@ TEST_F(PlanProgram, SortsLevelsWithTheirSpecimens) {
   EXPECT_EQ(levels[1]["specimens"], 3);
 }
 
+TEST_F(PlanProgram, TellsWhatACampaignOfRecordingsCouldShow) {
+  const std::string plan = EXAMPLES "/synth/crossed.toml";
+  ASSERT_EQ(run("plan --json foresight.json --for-diagnosis " + plan), 0) << err_;
+  const json written = json::parse(host_sim_test::contents(folder_ / "foresight.json"));
+  EXPECT_EQ(written["sessions"], 36);
+  EXPECT_EQ(written["equivalent_sets"], json::array());
+  EXPECT_NE(out_.find("friction_wear"), std::string::npos) << out_;
+  EXPECT_EQ(err_, "");
+}
+
+TEST_F(PlanProgram, NamesAPlanOfRecordingsThatIsNotThere) {
+  EXPECT_EQ(run("plan --for-diagnosis nowhere.toml"), 1);
+  EXPECT_NE(err_.find("nowhere.toml"), std::string::npos) << err_;
+}
+
 TEST_F(PlanProgram, EndsWellWhereTheGoalIsOutOfReach) {
   ASSERT_EQ(run(kLaw + kLevels + "--ratio 1.001 --specimens-max 10 --json -"), 0) << err_;
   EXPECT_EQ(json::parse(out_)["reached"], false);
@@ -58,6 +73,9 @@ TEST_F(PlanProgram, TellsOptionsThatDoNotFit) {
       {kLaw + kLevels + "--specimens 0,3,0", "at least two levels need specimens"},
       {kLaw + kLevels + "--specimens 3,3,-1", "--specimens"},
       {kLaw + kLevels + "--ratio 2 --specimens-max 5", "3 levels need at least 6 specimens"},
+      {kLaw + "--use-tension 38 --ratio 2", "--levels is required"},
+      {kLaw + "--levels 40,50 --ratio 2", "--use-tension is required"},
+      {"plan --for-diagnosis plan.toml --levels 40,50", "--for-diagnosis excludes --levels"},
       {kLaw + kLevels + "--ratio 2 --assurance 1", "--assurance"},
       {kLaw + kLevels + "--ratio 2 --suspend-at 0", "--suspend-at"},
       {"plan --scale 1e5 --exponent 2 --ratio 2 " + kLevels, "--shape"},

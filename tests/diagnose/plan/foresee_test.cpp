@@ -1,0 +1,120 @@
+#include "host_sim/diagnose/plan/foresee.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "host_sim/diagnose/plan/results.hpp"
+#include "host_sim/diagnose/plan/scratch_folder.hpp"
+#include "host_sim/io/input_error.hpp"
+
+namespace host_sim::diagnose {
+namespace {
+
+/// Eight short sessions, driven and measured by the motor current unless a load cell is asked for.
+std::string plan_text(std::string_view bend_angles_deg, std::string_view input) {
+  return fmt::format(
+      "schema = 1\n[campaign]\nname = \"planned\"\n"
+      "[model.cable]\ndiameter_mm = 0.457\nultimate_tension_N = 177.4\n"
+      "[model.sheath]\nfriction_coefficient = 0.128\nbend_angle_deg = 270.0\n"
+      "[model.drive]\ntorque_constant_Nm_per_A = 0.0325\ngear_ratio = 9.0\n"
+      "gear_efficiency = 0.88\nspool_radius_mm = 12.5\ncurrent_offset_A = 0.0\n"
+      "[recordings]\ndesign = \"balanced\"\nsessions = 8\nbend_angles_deg = [{}]\n"
+      "output_means_N = [20.0, 35.0]\noutput_amplitudes_N = [5.0, 15.0]\n"
+      "frequencies_Hz = [0.5, 2.0]\ntravels_mm = [20.0]\nsheath_ambients_C = [20.0, 45.0]\n"
+      "winding_starts_C = [20.0, 80.0]\nstart_cycles = [0.0, 2000.0]\n"
+      "load_frequency_ratio = 1.3\nsample_rate_Hz = 100.0\nduration_s = 8.0\n"
+      "channels = [\"{}\", \"output_tension_N\", \"tendon_velocity_m_s\", \"bend_angle_deg\", "
+      "\"motor_angle_rad\", \"sheath_temperature_C\", \"winding_temperature_C\"]\n"
+      "[noise]\nlog_tension_sd = 0.01\nar1 = 0.6\n[scatter]\nlog_gain_sd = 0.01\n"
+      "friction_sd = 0.006\n",
+      bend_angles_deg, input);
+}
+
+Foresight foresight_of(const std::string& text) {
+  return foresee(synth::parse_synth_plan(text, "plan.toml"), {});
+}
+
+TEST(Foresee, TheNoiseIsThatOfTheRatioOfBothTensionsOnceWhitened) {
+  const Foresight foresight = foresight_of(plan_text("90.0, 450.0", "motor_current_A"));
+  // sqrt(2) 0.01 for the ratio, sqrt(1 - 0.6^2) = 0.8 of it is new in each sample.
+  EXPECT_NEAR(foresight.noise.sample_sd, std::sqrt(2.0) * 0.008, 1e-12);
+  EXPECT_EQ(foresight.noise.session_gain_sd, 0.01);
+  EXPECT_EQ(foresight.noise.session_friction_sd, 0.006);
+  EXPECT_EQ(foresight.sessions, 8U);
+  EXPECT_GT(foresight.samples, 8U * 500U);
+  EXPECT_LE(foresight.samples, 8U * 801U);
+}
+
+TEST(Foresee, OnePoseHidesTheAsymmetryOfTheGear) {
+  const Foresight one = foresight_of(plan_text("270.0", "motor_current_A"));
+  EXPECT_FALSE(one.audit.of("gear_asymmetry").visible());
+  EXPECT_FALSE(one.audit.of("bend_angle").visible());
+  const Foresight two = foresight_of(plan_text("90.0, 450.0", "motor_current_A"));
+  EXPECT_TRUE(two.audit.of("gear_asymmetry").visible());
+  EXPECT_TRUE(two.audit.of("friction_load").visible());
+}
+
+TEST(Foresee, ALoadCellHidesTheDrive) {
+  const Foresight foresight = foresight_of(plan_text("90.0, 450.0", "input_tension_N"));
+  EXPECT_EQ(foresight.audit.of("current_offset").verdict, EffectAudit::Verdict::missing_channel);
+  EXPECT_TRUE(foresight.audit.of("friction_wear").visible());
+}
+
+TEST(Foresee, WhatThePlanHidesChangesNothing) {
+  const std::string text = plan_text("90.0, 450.0", "input_tension_N");
+  const Foresight without = foresight_of(text);
+  const Foresight with = foresight_of(text + "[effects.friction_preload]\nforce_N = 3.0\n");
+  ASSERT_EQ(without.audit.effects.size(), with.audit.effects.size());
+  for (std::size_t i = 0; i < with.audit.effects.size(); ++i) {
+    EXPECT_EQ(without.audit.effects[i].sigmas, with.audit.effects[i].sigmas);
+  }
+}
+
+TEST(Foresee, APlanOfLivesAloneIsRefused) {
+  const std::string text = plan_text("270.0", "motor_current_A");
+  synth::SynthPlan plan = synth::parse_synth_plan(text, "plan.toml");
+  plan.recordings.reset();
+  try {
+    foresee(plan, {});
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("plan.toml"), std::string::npos);
+    EXPECT_NE(std::string(error.what()).find("[recordings]"), std::string::npos);
+  }
+}
+
+TEST(Foresee, TellsEachEffectOnceAndInJsonTheSame) {
+  const Foresight foresight = foresight_of(plan_text("270.0", "motor_current_A"));
+  std::ostringstream out;
+  write_foresight(out, foresight);
+  const auto json = nlohmann::json::parse(foresight_json(foresight));
+  ASSERT_EQ(json.at("effects").size(), foresight.audit.effects.size());
+  for (const auto& effect : json.at("effects")) {
+    const std::string id = effect.at("id");
+    EXPECT_NE(out.str().find("  " + id + " "), std::string::npos) << id;
+    const auto& invisible = json.at("invisible");
+    EXPECT_EQ(std::count(invisible.begin(), invisible.end(), id),
+              effect.at("visible").get<bool>() ? 0 : 1);
+  }
+  EXPECT_GE(json.at("invisible").size(), 2U);
+}
+
+TEST(ScratchFolder, IsGoneWithItsFiles) {
+  std::filesystem::path path;
+  {
+    const ScratchFolder scratch;
+    path = scratch.path();
+    EXPECT_TRUE(std::filesystem::is_directory(path));
+    std::filesystem::create_directory(path / "inside");
+  }
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+}  // namespace
+}  // namespace host_sim::diagnose
