@@ -9,12 +9,12 @@ here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 run_packages=(
   g++ cmake ninja-build
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev zlib1g-dev
-  libboost-math-dev libeigen3-dev
+  libboost-math-dev libeigen3-dev libssl-dev
   ca-certificates openssl
 )
 test_packages=(
-  git python3
-  libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev libssl-dev
+  git python3 ccache
+  libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev
   libopenmpi-dev openmpi-bin r-base-core r-cran-survival
   gcc-arm-none-eabi binutils-arm-none-eabi libnewlib-arm-none-eabi
   libstdc++-arm-none-eabi-newlib qemu-system-arm

@@ -8,6 +8,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 # What the set-up has installed may not be missing.
 export CI=true TENDONLIFE_REQUIRE_KERNEL=1
+# host_sim is built by the first command and again with its tests.
+export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
 
 jobs="$(nproc)"
 logs=build/logs
