@@ -46,8 +46,8 @@ void measure(const Rig& rig, std::uint64_t stream, std::vector<double>& values) 
 
 recording::Recording recording_of(const Rig& rig) {
   recording::Recording recording;
-  recording.session = "s1";
-  recording.specimen = "a";
+  recording.session = std::string("s1");
+  recording.specimen = std::string("a");
   recording::Channels& channels = recording.channels;
   double direction = 1;
   for (std::size_t i = 0; i < kSamples; ++i) {

@@ -75,7 +75,7 @@ INSTANTIATE_TEST_SUITE_P(
         Refusal{"Short", "a,x,a.csv\n",
                 "2:10: 3 fields only; accepted: 4 fields, as in the header"},
         Refusal{"NoRows", "", " no rows; accepted: at least one row after the header"}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& refusal) { return std::string(refusal.param.name); });
 
 TEST(SessionsFile, RefusesColumnsThatAreMissingOrUnknown) {
   EXPECT_EQ(test::complaint_of([] { sessions_in("session,specimen,file\na,x,a.csv\n"); }),

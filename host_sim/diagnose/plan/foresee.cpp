@@ -48,7 +48,9 @@ Foresight foresee(const synth::SynthPlan& plan, const ForeseeOptions& options) {
     throw InputError(plan.file, 0, 0, "no session leaves a sample: nothing moves, or too little",
                      "travels_mm of at least 5");
   }
-  Foresight foresight{.noise = noise_of(plan), .sessions = sessions.size()};
+  Foresight foresight;
+  foresight.noise = noise_of(plan);
+  foresight.sessions = sessions.size();
   for (const Session& session : sessions) {
     foresight.samples += session.covariates.samples();
   }
