@@ -19,7 +19,7 @@ struct Foresight {
 struct ForeseeOptions {
   std::uint64_t seed = 1;
   unsigned threads = 0;  ///< 0: all cores; the result does not depend on it
-  std::function<void(double share)> progress;
+  std::function<void(double share)> progress = {};
 };
 
 /// Simulates the campaign with nothing hidden in it, and audits its design.

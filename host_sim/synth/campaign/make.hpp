@@ -12,7 +12,7 @@ namespace host_sim::synth {
 struct MakeOptions {
   std::uint64_t seed = 1;
   unsigned threads = 0;  ///< 0 is one for each core; the files do not depend on it
-  std::function<void(double share)> progress;
+  std::function<void(double share)> progress = {};
 };
 
 /// Writes the files of a campaign into an existing folder that is empty.
