@@ -10,6 +10,12 @@ std::string advice(const effects::TensionEffect& effect) {
   return separations.empty() ? std::string() : fmt::format("; {}", separations.front().experiment);
 }
 
+/// Three digits or all before the point, never an exponent.
+std::string sigmas_text(double sigmas) {
+  constexpr double kWhole = 100;
+  return sigmas < kWhole ? fmt::format("{:.3g}", sigmas) : fmt::format("{:.0f}", sigmas);
+}
+
 std::string names_of(const EquivalenceClass& members, const std::vector<EffectAudit>& effects) {
   std::string names;
   for (const std::size_t member : members.members) {
@@ -46,7 +52,7 @@ std::string words_for(const EffectAudit& effect) {
           "on hardly changes, or the noise is too large",
           effect.sigmas_at_bound);
     case EffectAudit::Verdict::visible:
-      return fmt::format("a usual one makes {:.3g} standard deviations", effect.sigmas);
+      return fmt::format("a usual one makes {} standard deviations", sigmas_text(effect.sigmas));
   }
   return {};
 }
