@@ -26,17 +26,17 @@ Scatter scatter(const LifeCovariates& covariates, const LifeBaseline&, std::span
 std::unique_ptr<LifeEffect> make_lot_frailty();
 
 std::unique_ptr<LifeEffect> make_lot_frailty() {
-  return effect_of(
-      {.id = "lot_frailty",
-       .kind = LifeEffect::Kind::scatter,
-       .term = "batch-to-batch scatter",
-       .equation = "ln N + sigma z, z standard normal, one for each lot",
-       .life_consequence = "specimens of one lot do not count as independent: intervals from one "
-                           "lot are too narrow, B10 over lots is lower",
-       .parameters = kParameters,
-       .separations = kSeparations,
-       .missing = missing,
-       .scatter = scatter});
+  return effect_of({.id = "lot_frailty",
+                    .kind = LifeEffect::Kind::scatter,
+                    .term = "batch-to-batch scatter",
+                    .equation = "ln N + sigma z, z standard normal, one for each lot",
+                    .life_consequence =
+                        "specimens of one lot do not count as independent: intervals from one "
+                        "lot are too narrow, B10 over lots is lower",
+                    .parameters = kParameters,
+                    .separations = kSeparations,
+                    .missing = missing,
+                    .scatter = scatter});
 }
 
 }  // namespace host_sim::effects

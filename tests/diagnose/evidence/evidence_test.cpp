@@ -59,9 +59,9 @@ double by_one_matrix(const Whole& whole, const NoiseModel& noise, const Terms& t
   Index at = 0;
   for (const MatrixXd& columns : whole.sessions) {
     const Index count = columns.rows();
-    const MatrixXd random = columns.leftCols(2) *
-                            Eigen::Vector2d(noise.session_gain_sd, noise.session_friction_sd)
-                                .asDiagonal();
+    const MatrixXd random =
+        columns.leftCols(2) *
+        Eigen::Vector2d(noise.session_gain_sd, noise.session_friction_sd).asDiagonal();
     covariance.block(at, at, count, count) += random * random.transpose();
     common.middleRows(at, count) = columns.leftCols(2);
     responses.segment(at, count) = columns.col(kResponse);
