@@ -39,7 +39,7 @@ class DefinedEffect final : public TensionEffect {
     if (definition_.acts_on_current && !covariates.input_tension_N.empty()) {
       return "input tension comes from a load cell, which the drive does not change";
     }
-    if (const std::string words = missing_in_residual(covariates); !words.empty()) {
+    if (std::string words = missing_in_residual(covariates); !words.empty()) {
       return words;
     }
     for (const Need& need : definition_.needs) {

@@ -5,7 +5,7 @@
 namespace host_sim::synth {
 namespace {
 
-constexpr double kCopper_1_K = 0.00393;
+constexpr double kCopperPerKelvin = 0.00393;
 
 }  // namespace
 
@@ -15,7 +15,7 @@ double temperature_after(double now_C, double end_C, double step_s, double time_
 
 double winding_heat(double current_A, double winding_C, const Thermal& thermal) {
   const double resistance_ohm =
-      thermal.winding_resistance_ohm * (1 + kCopper_1_K * (winding_C - thermal.room_C));
+      thermal.winding_resistance_ohm * (1 + kCopperPerKelvin * (winding_C - thermal.room_C));
   return current_A * current_A * resistance_ohm;
 }
 
