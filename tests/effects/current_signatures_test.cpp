@@ -23,14 +23,14 @@ recording::Covariates one_sample() {
   c.bend_angle_rad = {2};
   c.current_A = {2};
   c.current_tension_N = {42};
-  c.output_tension_N = {54};
+  c.output_tension_N = {42 * std::exp(kMu * 2)};
   c.motor_angle_rad = {0.5};
   c.winding_temperature_C = {65};
   return c;
 }
 
 TEST(CurrentOffset, IsTheDerivative) {
-  EXPECT_NEAR(columns("current_offset", one_sample())[0][0], -0.5, 1e-15);
+  EXPECT_NEAR(columns("current_offset", one_sample())[0][0], -0.5, 1e-14);
   const recording::Covariates c = trace();
   const auto model = [&](std::size_t i, double offset_A) {
     return output(c, i, kNewtonsPerAmpere * (c.current_A[i] - offset_A));

@@ -104,7 +104,7 @@ TEST(FrictionLoad, IsTheDerivativeOfTheLawAtEachPlaceOfTheSheath) {
 }
 
 TEST(FrictionPreload, IsTheDerivativeOfAForceAgainstTheMotion) {
-  EXPECT_NEAR(columns("friction_preload", one_sample())[0][0], -0.01, 1e-15);
+  EXPECT_NEAR(columns("friction_preload", one_sample())[0][0], -0.01, 1e-14);
   const recording::Covariates c = trace();
   const auto output = [&](std::size_t i, double force_N) {
     return (c.current_tension_N[i] - force_N * c.direction[i]) * std::exp(-kMu * angle(c, i));

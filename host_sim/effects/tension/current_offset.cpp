@@ -1,4 +1,5 @@
 #include "host_sim/effects/tension/definition.hpp"
+#include "host_sim/effects/tension/mid_tension.hpp"
 #include "host_sim/effects/tension/needs.hpp"
 
 namespace host_sim::effects {
@@ -19,8 +20,11 @@ constexpr Separation kSeparations[] = {
 constexpr Need kNeeds[] = {kCurrentNeed};
 
 /// With i = I - I_0: ln(i - b) is ln i - b/i for small b, so r = -1/i b.
-Columns columns(const recording::Covariates& covariates, const Baseline&, std::span<const double>) {
-  return {column_of(covariates, [&](std::size_t i) { return -1 / covariates.current_A[i]; })};
+Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
+                std::span<const double>) {
+  return {column_of(covariates, [&](std::size_t i) {
+    return -1 / (covariates.current_A[i] * to_mid_tension(covariates, baseline, i));
+  })};
 }
 
 }  // namespace

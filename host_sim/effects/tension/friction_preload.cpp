@@ -1,4 +1,5 @@
 #include "host_sim/effects/tension/definition.hpp"
+#include "host_sim/effects/tension/mid_tension.hpp"
 #include "host_sim/effects/tension/needs.hpp"
 
 namespace host_sim::effects {
@@ -16,9 +17,11 @@ constexpr Separation kSeparations[] = {
 };
 
 /// ln(T_in - F s) is ln T_in - F s/T_in for small F, so r = -s/T_in F.
-Columns columns(const recording::Covariates& covariates, const Baseline&, std::span<const double>) {
+Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
+                std::span<const double>) {
   return {column_of(covariates, [&](std::size_t i) {
-    return -covariates.direction[i] / covariates.tension_in_N()[i];
+    return -covariates.direction[i] /
+           (covariates.tension_in_N()[i] * to_mid_tension(covariates, baseline, i));
   })};
 }
 
