@@ -57,6 +57,35 @@ TEST(Calibrate, LeavesOutTheLevelThatBreaksTheShapeAndSaysWhy) {
   EXPECT_THAT(result.warnings, ElementsAre(HasSubstr("level 80.0 N is left out")));
 }
 
+TEST(Calibrate, TellsThePOfALevelWithTheCostOfLookingAtEach) {
+  CampaignBuilder builder = square_law(6);
+  builder.level(80, even_lives(156.25, 3.6, 20));
+  const CalibrateResult result = calibrate(builder.campaign(), quick());
+  const std::vector<OddLevel>& odd = result.common_shape->odd_levels;
+  ASSERT_EQ(odd.size(), 4U);
+  EXPECT_LT(odd[3].p_corrected, 1);
+  EXPECT_DOUBLE_EQ(odd[3].p_corrected, 4 * odd[3].test.p_simulated);
+  EXPECT_EQ(odd[0].p_corrected, 1);
+}
+
+// Two levels of shape 4 and two of 7.3: the likelihood ratio for one shape is about 11.8, and each
+// alone is off from the other three by 3.9, p 0.05, which four looks make 0.2.
+TEST(Calibrate, NoLevelIsLeftOutWhereNoneAloneBreaksTheShape) {
+  CampaignBuilder builder;
+  builder.level(20, even_lives(2500, 4, 20))
+      .level(40, even_lives(625, 7.3, 20))
+      .level(50, even_lives(400, 4, 20))
+      .level(80, even_lives(156.25, 7.3, 20));
+  const CalibrateResult result = calibrate(builder.campaign(), quick());
+  EXPECT_LT(result.common_shape->homogeneity.p_simulated, 0.05);
+  EXPECT_FALSE(result.common_shape->with_all_levels.has_value());
+  for (const LevelResult& level : result.levels) {
+    EXPECT_THAT(level.left_out, IsEmpty());
+  }
+  EXPECT_THAT(result.warnings,
+              testing::Contains(HasSubstr("one shape for all levels is rejected")));
+}
+
 TEST(Calibrate, KeepsAllLevelsWhenAsked) {
   CampaignBuilder builder = square_law(6);
   builder.level(80, even_lives(156.25, 2, 20));
