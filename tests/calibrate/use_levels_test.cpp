@@ -33,6 +33,19 @@ TEST(UseLevel, NextSpecimenOfACertainLawLiesBetweenItsQuantiles) {
   EXPECT_NEAR(use.next_specimen_95.high / fit.law().quantile(0.975, 15), 1, 0.01);
 }
 
+// Half of the laws say three times the life, half a third: 2.5 % of the mixture is 5 % of one half.
+TEST(UseLevel, NextSpecimenOfAnUncertainLawLiesFartherOut) {
+  const life_law::LifeData data = two_levels();
+  const life_law::LifeFit fit = life_law::fit_life(data);
+  std::vector<LifeLaw> uncertain(quick().bootstraps, fit.law());
+  for (std::size_t i = 0; i < uncertain.size(); ++i) {
+    uncertain[i].scale *= i % 2 == 0 ? 3 : 1.0 / 3;
+  }
+  const UseLevel use = use_level("u", 15, data, fit, uncertain, 0, quick());
+  EXPECT_NEAR(use.next_specimen_95.low / (fit.law().quantile(0.05, 15) / 3), 1, 0.03);
+  EXPECT_NEAR(use.next_specimen_95.high / (fit.law().quantile(0.95, 15) * 3), 1, 0.02);
+}
+
 TEST(UseLevel, MarksFollowFromTheLaw) {
   const life_law::LifeData data = two_levels();
   const life_law::LifeFit fit = life_law::fit_life(data);
