@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <cmath>
 #include <set>
 #include <string>
 
@@ -29,8 +30,10 @@ double drawn_factor() {
 RC_GTEST_PROP(Proportion, FrictionGrowsWithTheBendAngleAndNothingElseDoes, ()) {
   const double factor = drawn_factor();
   recording::Covariates bent = trace();
-  for (double& angle_rad : bent.bend_angle_rad) {
-    angle_rad *= factor;
+  for (std::size_t i = 0; i < bent.samples(); ++i) {
+    bent.bend_angle_rad[i] *= factor;
+    bent.output_tension_N[i] =
+        bent.current_tension_N[i] * std::exp(-kMu * bent.bend_angle_rad[i] * bent.direction[i]);
   }
   for (const auto& effect : tension_effects()) {
     for (const std::vector<double>& shape : effect->shapes()) {
