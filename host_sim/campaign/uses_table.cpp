@@ -20,27 +20,6 @@ Place to_place(const TomlTable& table, toml::source_position at) {
   return {table.file(), at.line, at.column};
 }
 
-/// The tables of an array of tables.
-std::vector<TomlTable> tables_in(const TomlTable& above, std::string_view key,
-                                 std::string_view accepted) {
-  std::vector<TomlTable> tables;
-  const toml::node& node = above.node(key, accepted);
-  const toml::array* const array = node.as_array();
-  if (array == nullptr) {
-    above.fail(above.place_of(key), fmt::format("{} is {}", key, describe(node)), accepted);
-  }
-  for (const toml::node& element : *array) {
-    if (!element.is_table()) {
-      above.fail(element.source().begin, fmt::format("{} holds {}", key, describe(element)),
-                 accepted);
-    }
-    const std::string name =
-        above.name().empty() ? std::string(key) : fmt::format("{}.{}", above.name(), key);
-    tables.emplace_back(above.file(), *element.as_table(), name, element.source().begin);
-  }
-  return tables;
-}
-
 GivenLoad given_load(const TomlTable& table) {
   GivenLoad load;
   load.accepted = load_words_of_use();
@@ -75,7 +54,7 @@ std::vector<Campaign::Use::Part> mix_in(const TomlTable& use, const LoadModel& m
       "parts = [{ share, load }, ...], at least two whose shares of the cycles sum to 1";
   std::vector<Campaign::Use::Part> parts;
   double sum = 0;
-  for (const TomlTable& table : tables_in(use, "parts", kAccepted)) {
+  for (const TomlTable& table : use.tables("parts", kAccepted)) {
     parts.push_back(part_in(table, model));
     sum += parts.back().share;
   }
@@ -114,7 +93,7 @@ std::vector<Campaign::Use> uses_in(const TomlTable& top, const LoadModel& model)
   if (!top.has("use")) {
     return uses;
   }
-  for (const TomlTable& table : tables_in(top, "use", "tables [[use]]")) {
+  for (const TomlTable& table : top.tables("use", "tables [[use]]")) {
     Campaign::Use use = use_in(table, model);
     for (const Campaign::Use& earlier : uses) {
       if (earlier.name == use.name) {

@@ -90,7 +90,7 @@ std::string TomlTable::text(std::string_view key) const {
 }
 
 TomlTable TomlTable::table(std::string_view key) const {
-  const std::string name = name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
+  const std::string name = name_of(key);
   const toml::node* const found = values_->get(key);
   if (found == nullptr) {
     fail(place_, fmt::format("no table [{}]", name), fmt::format("a table [{}]", name));
@@ -100,6 +100,25 @@ TomlTable TomlTable::table(std::string_view key) const {
          fmt::format("a table [{}]", name));
   }
   return {file_, *found->as_table(), name, place_of(key)};
+}
+
+std::vector<TomlTable> TomlTable::tables(std::string_view key, std::string_view accepted) const {
+  const toml::array* const array = node(key, accepted).as_array();
+  if (array == nullptr) {
+    fail(place_of(key), fmt::format("{} is {}", key, describe(node(key, accepted))), accepted);
+  }
+  std::vector<TomlTable> found;
+  for (const toml::node& element : *array) {
+    if (!element.is_table()) {
+      fail(element.source().begin, fmt::format("{} holds {}", key, describe(element)), accepted);
+    }
+    found.emplace_back(file_, *element.as_table(), name_of(key), element.source().begin);
+  }
+  return found;
+}
+
+std::string TomlTable::name_of(std::string_view key) const {
+  return name_.empty() ? std::string(key) : fmt::format("{}.{}", name_, key);
 }
 
 void TomlTable::refuse_unknown_keys(std::span<const NumberKey> numbers,

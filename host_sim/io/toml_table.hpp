@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "host_sim/io/number_range.hpp"
 
@@ -46,6 +47,9 @@ class TomlTable {
   /// A table in this one. @throws InputError where it is no table
   TomlTable table(std::string_view key) const;
 
+  /// The tables of an array of tables. @throws InputError where it is not there or holds others
+  std::vector<TomlTable> tables(std::string_view key, std::string_view accepted) const;
+
   /// Throws InputError for a key that is neither one of `numbers` nor of `others`, with a hint
   /// where it has the name of a number but for its unit.
   void refuse_unknown_keys(std::span<const NumberKey> numbers,
@@ -58,6 +62,7 @@ class TomlTable {
   [[noreturn]] void fail_unknown(const toml::key& found, std::span<const NumberKey> numbers,
                                  std::span<const std::string_view> others) const;
   std::string in_table() const;
+  std::string name_of(std::string_view key) const;
 
   std::string file_;
   const toml::table* values_;

@@ -93,25 +93,8 @@ bool flag(const TomlTable& table, std::string_view key) {
 }
 
 std::vector<TomlTable> tables(const TomlTable& above, std::string_view key) {
-  std::vector<TomlTable> found;
-  if (!above.has(key)) {
-    return found;
-  }
-  const std::string name = fmt::format("{}.{}", above.name(), key);
-  const std::string accepted = fmt::format("tables [[{}]]", name);
-  const toml::node& node = above.node(key, accepted);
-  const toml::array* const array = node.as_array();
-  if (array == nullptr) {
-    above.fail(above.place_of(key), fmt::format("{} is {}", key, describe(node)), accepted);
-  }
-  for (const toml::node& element : *array) {
-    if (!element.is_table()) {
-      above.fail(element.source().begin, fmt::format("{} holds {}", key, describe(element)),
-                 accepted);
-    }
-    found.emplace_back(above.file(), *element.as_table(), name, element.source().begin);
-  }
-  return found;
+  return above.has(key) ? above.tables(key, fmt::format("tables [[{}.{}]]", above.name(), key))
+                        : std::vector<TomlTable>();
 }
 
 }  // namespace host_sim::synth
