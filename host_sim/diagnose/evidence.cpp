@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace host_sim::diagnose {
 namespace {
@@ -36,18 +37,11 @@ double log_evidence_at(const ScatterPoint& point, const Terms& terms, Index resp
   double explained = 0;
   double occam = 0;
   if (!terms.columns.empty()) {
-    const auto count = static_cast<Index>(terms.columns.size());
-    Eigen::MatrixXd inner(count, count);
-    Eigen::VectorXd with(count);
-    for (Index i = 0; i < count; ++i) {
-      const auto at = static_cast<std::size_t>(i);
-      with(i) = point.left(terms.columns[at], response) * terms.prior_sd[at];
-      for (Index j = 0; j < count; ++j) {
-        const auto other = static_cast<std::size_t>(j);
-        inner(i, j) = point.left(terms.columns[at], terms.columns[other]) * terms.prior_sd[at] *
-                      terms.prior_sd[other];
-      }
-    }
+    const Eigen::Map<const Eigen::VectorXd> sd(terms.prior_sd.data(),
+                                               static_cast<Index>(terms.prior_sd.size()));
+    const Eigen::VectorXd with = sd.cwiseProduct(point.left(terms.columns, response));
+    Eigen::MatrixXd inner =
+        sd.asDiagonal() * point.left(terms.columns, terms.columns) * sd.asDiagonal();
     inner.diagonal().array() += 1;
     const Eigen::LLT<Eigen::MatrixXd> cholesky(inner);
     explained = cholesky.matrixL().solve(with).squaredNorm();
@@ -60,15 +54,15 @@ double log_evidence_at(const ScatterPoint& point, const Terms& terms, Index resp
 }  // namespace
 
 ScatterPoint scatter_point(const Grams& grams, const NoiseModel& noise) {
-  ScatterPoint point{.noise = noise, .left = project(grams, noise).left};
+  Projection projection = project(grams, noise);
+  const Eigen::Matrix2d common = projection.before.topLeftCorner<2, 2>();
+  ScatterPoint point{.noise = noise, .left = std::move(projection.left)};
   const Eigen::Vector2d sd(noise.session_gain_sd, noise.session_friction_sd);
-  Eigen::Matrix2d common = Eigen::Matrix2d::Zero();
   for (const SessionGram& session : grams.sessions) {
     const Eigen::Matrix2d gram = session.gram.topLeftCorner<2, 2>();
     const Eigen::Matrix2d added =
         sd.asDiagonal() * gram * sd.asDiagonal() / (noise.sample_sd * noise.sample_sd);
     point.log_determinants += std::log((Eigen::Matrix2d::Identity() + added).determinant());
-    common += session_information(session, noise).topLeftCorner<2, 2>();
   }
   point.log_determinants += std::log(std::max(common.determinant(), 1e-300));
   return point;
