@@ -1,18 +1,21 @@
 #pragma once
 
 #include <cstddef>
-#include <span>
+#include <string>
 
+#include "host_sim/recording/covariates.hpp"
 #include "host_sim/reference/constants.hpp"
 
 namespace host_sim::effects {
 
-/// Total damage of every `step`-th sample from the first on.
-/// @pre step at least 1
-double damage_of(std::span<const double> tension_N, std::size_t step,
-                 const reference::Constants& constants);
+/// Empty where there is an input tension, else what to record for one.
+std::string missing_input(const recording::Covariates& covariates);
 
-/// The share of `full` that `left` lacks; 0 where `full` is 0.
-double share_lost(double full, double left);
+/// The share of the damage of the input tension, counted whole and without a threshold, that is
+/// lost where every `step`-th sample from the first on is counted with a hysteresis; 0 where the
+/// whole does no damage.
+/// @pre missing_input() is empty, step at least 1
+double share_lost(const recording::Covariates& covariates, reference::Constants constants,
+                  std::size_t step, double hysteresis_N);
 
 }  // namespace host_sim::effects

@@ -28,19 +28,12 @@ class Undersampling final : public CountingEffect {
   std::span<const Separation> separations() const override { return kSeparations; }
 
   std::string missing(const recording::Covariates& covariates) const override {
-    return covariates.tension_in_N().empty()
-               ? "no input tension (input_tension_N or motor_current_A)"
-               : "";
+    return missing_input(covariates);
   }
 
   double damage_lost(const recording::Covariates& covariates, const reference::Constants& constants,
                      double value) const override {
-    reference::Constants without_threshold = constants;
-    without_threshold.hysteresis_N = 0;
-    const auto step = static_cast<std::size_t>(std::lround(value));
-    const std::vector<double>& tension_N = covariates.tension_in_N();
-    return share_lost(damage_of(tension_N, 1, without_threshold),
-                      damage_of(tension_N, step, without_threshold));
+    return share_lost(covariates, constants, static_cast<std::size_t>(std::lround(value)), 0);
   }
 };
 
