@@ -41,11 +41,12 @@ class Warnings {
   }
 
   void add_levels() {
-    const auto few = static_cast<std::size_t>(
-        std::count_if(result_.levels.begin(), result_.levels.end(), has_too_few_failures));
-    const bool together = few > kLevelsToldApart;
+    const std::vector<std::uint64_t> few = lines_of_few_failures();
+    const bool together = few.size() > kLevelsToldApart;
     if (together) {
-      add_levels_of_few_failures(few);
+      add("{}: {} levels have fewer than 2 failures and so no Weibull fit of their own; their "
+          "specimens still count in the life law; they begin at lines {}",
+          (campaign_.folder / "specimens.csv").string(), few.size(), fmt::join(few, ", "));
     }
     for (std::size_t i = 0; i < sources_.size(); ++i) {
       const LevelResult& level = result_.levels[i];
@@ -59,16 +60,14 @@ class Warnings {
     }
   }
 
-  void add_levels_of_few_failures(std::size_t count) {
+  [[nodiscard]] std::vector<std::uint64_t> lines_of_few_failures() const {
     std::vector<std::uint64_t> lines;
     for (std::size_t i = 0; i < sources_.size(); ++i) {
       if (has_too_few_failures(result_.levels[i])) {
         lines.push_back(sources_[i].specimens.front()->line);
       }
     }
-    add("{}: {} levels have fewer than 2 failures and so no Weibull fit of their own; their "
-        "specimens still count in the life law; they begin at lines {}",
-        (campaign_.folder / "specimens.csv").string(), count, fmt::join(lines, ", "));
+    return lines;
   }
 
   void add_shape() {
