@@ -111,7 +111,7 @@ int run(Arguments& arguments) {
   PlanRequest& request = arguments.request;
   if (!arguments.for_diagnosis.empty()) {
     return plan_for_diagnosis({arguments.for_diagnosis, arguments.json, request.simulation.seed,
-                               static_cast<unsigned>(request.simulation.threads)});
+                               request.simulation.threads});
   }
   if (request.conditions.levels_N.empty()) {
     throw CLI::RequiredError("--levels");
