@@ -25,9 +25,10 @@ template <std::size_t kTendons = 1, class LayoutT = DefaultLayout>
 class Estimator {
  public:
   using Layout = LayoutT;
+  using Model = typename ParametersOf<Layout>::Type;
   static constexpr std::size_t tendons() { return kTendons; }
 
-  explicit Estimator(const std::array<Parameters, kTendons>& parameters) {
+  explicit Estimator(const std::array<Model, kTendons>& parameters) {
     for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
       channels_[tendon].parameters = parameters[tendon];
     }
@@ -117,7 +118,7 @@ class Estimator {
     return result;
   }
 
-  [[nodiscard]] const Parameters& parameters(std::size_t tendon) const {
+  [[nodiscard]] const Model& parameters(std::size_t tendon) const {
     return channels_[tendon].parameters;
   }
 
@@ -203,7 +204,7 @@ class Estimator {
   };
 
   struct Channel {
-    Parameters parameters{};
+    Model parameters{};
     Tendon<Layout> state;
   };
 

@@ -50,16 +50,32 @@ struct NoObserver {
   constexpr void half(Tension, Tension, CycleDamage) const {}
 };
 
+/// What a layout knows of a tendon's model: its own `Parameters`, or those that there are.
+template <class Layout>
+struct ParametersOf {
+  using Type = Parameters;
+};
+template <class Layout>
+requires requires {
+  typename Layout::Parameters;
+}
+struct ParametersOf<Layout> {
+  using Type = typename Layout::Parameters;
+};
+
 /// The state of one tendon: a producer side for push(), a consumer side for everything else. They
 /// share only the queue, the run of the filter and the overrun, so that push() may interrupt the
 /// rest at any point.
 template <class Layout = DefaultLayout>
 class Tendon {
  public:
+  using Model = typename ParametersOf<Layout>::Type;
+  using Law = decltype(Model::law);
+
   /// Producer: one sample. Constant time. `left(n)` hears how many turning points it leaves to
   /// settle.
   template <class Left>
-  void push(Tension tension, const Parameters& parameters, Left&& left) {
+  void push(Tension tension, const Model& parameters, Left&& left) {
     filter_.push(tension, parameters.hysteresis, [&](Tension turning_point) {
       if (overrun_.leaving_out() || queue_.free() == 0) [[unlikely]] {
         left(put_late(turning_point));
@@ -73,7 +89,7 @@ class Tendon {
   /// Producer and consumer at once: many samples, each pushed and settled. Precondition: nothing is
   /// pending.
   template <class Observer>
-  void replay(std::span<const Tension> samples, const Parameters& parameters, Observer observer) {
+  void replay(std::span<const Tension> samples, const Model& parameters, Observer observer) {
     while (!samples.empty()) {
       std::size_t count = 1;
       if (filter_.directed() && !overrun_.leaving_out()) {
@@ -103,7 +119,7 @@ class Tendon {
   /// Consumer: counts at most kCycles cycles and takes in at most twice as many turning points.
   /// Returns how many turning points it has taken in.
   template <std::uint32_t kCycles, class Observer>
-  LIFEMODEL_ONE_COPY std::uint32_t settle(const Parameters& parameters, Observer observer) {
+  LIFEMODEL_ONE_COPY std::uint32_t settle(const Model& parameters, Observer observer) {
     if (paid_ != overrun_.owed()) [[unlikely]] {
       pay(parameters.law, observer);
       return 0;
@@ -134,7 +150,7 @@ class Tendon {
 
   /// Consumer: all that is pending. Returns how many turning points it has taken in.
   template <std::uint32_t kCycles, class Observer>
-  std::uint32_t flush(const Parameters& parameters, Observer observer) {
+  std::uint32_t flush(const Model& parameters, Observer observer) {
     std::uint32_t taken = 0;
     while (pending()) {
       taken += settle<kCycles>(parameters, observer);
@@ -149,7 +165,7 @@ class Tendon {
   /// good. Precondition: nothing was pending. False, and no reading, where push() came in between.
   /// Time is bounded by the places of the residue.
   template <class Observer>
-  [[nodiscard]] bool read(const Parameters& parameters, Reading& r, Observer observer) const {
+  [[nodiscard]] bool read(const Model& parameters, Reading& r, Observer observer) const {
     const std::uint32_t started = filter_.lock().start();
     const Last last = last_turning_point();
     const bool settled = !pending();
@@ -255,7 +271,7 @@ class Tendon {
   template <class Observer>
   struct Finals {
     Ledger& ledger;
-    const CycleLaw& law;
+    const Law& law;
     Observer observer;
 
     void half(Tension from, Tension to) {
@@ -273,7 +289,7 @@ class Tendon {
   template <class Observer>
   struct ReadingSink {
     Reading& reading;
-    const CycleLaw& law;
+    const Law& law;
     Observer& observer;
 
     void full(Tension from, Tension to) {
@@ -330,7 +346,7 @@ class Tendon {
 
   /// Counts all cycles that overruns owe.
   template <class Observer>
-  [[gnu::noinline]] void pay(const CycleLaw& law, Observer observer) {
+  [[gnu::noinline]] void pay(const Law& law, Observer observer) {
     const std::uint32_t owed = overrun_.owed();
     const std::uint32_t times = owed - paid_;
     paid_ = owed;
@@ -343,7 +359,7 @@ class Tendon {
     }
   }
 
-  static void note_extremes(Tension turning_point, const Parameters& parameters, Flags& flags,
+  static void note_extremes(Tension turning_point, const Model& parameters, Flags& flags,
                             Events& overloads, Events& negatives) {
     // One comparison for both: nothing to note in -hysteresis .. ultimate tension.
     const std::uint32_t hysteresis = parameters.hysteresis.raw();

@@ -37,23 +37,22 @@ struct CycleLaw {
     return t.raw() >= kUltimate.raw() || t.raw() <= -kUltimate.raw();
   }
 
- private:
-  // Packed into a word pair, which comes back in registers.
-  [[nodiscard]] LIFEMODEL_ONE_COPY constexpr std::uint64_t packed_if_below(Tension x,
-                                                                           Tension y) const {
-    return overloads(x) || overloads(y) ? kWholeLife.pack() : packed(x, y);
-  }
-
-  [[nodiscard]] LIFEMODEL_ONE_COPY constexpr std::uint64_t packed(Tension x, Tension y) const {
+  /// log2 T_eff of a cycle relative to the ultimate tension, Q26, at least -30. Precondition:
+  /// x != y, neither reaches the ultimate tension.
+  static constexpr std::int32_t log2_effective(Tension x, Tension y) {
     const auto sum = static_cast<std::uint32_t>(x.raw() + y.raw());
     constexpr std::uint32_t kTwo = 2u << Tension::kFractionBits;
     const std::uint64_t denominator = std::uint64_t{kTwo - sum} * (kTwo + sum);
     const numeric::Normal ratio = numeric::quotient(distance(x, y).raw(), denominator);
-    // log2 T_eff in Q26; the exponent takes in 2 * 2^29. Never below -30.
+    // The exponent takes in 2 * 2^29.
     constexpr std::int32_t kScale = Tension::kFractionBits + 1;
-    const std::int32_t log2_effective = numeric::log2({ratio.mantissa, ratio.exponent + kScale});
+    return numeric::log2({ratio.mantissa, ratio.exponent + kScale});
+  }
+
+  /// CycleDamage::pack() of the damage at an effective tension.
+  [[nodiscard]] constexpr std::uint64_t packed_damage(std::int32_t log2_effective_tension) const {
     const std::int64_t product =
-        std::int64_t{log2_effective} * static_cast<std::int32_t>(exponent.raw());
+        std::int64_t{log2_effective_tension} * static_cast<std::int32_t>(exponent.raw());
     const std::int32_t log2_damage =
         static_cast<std::int32_t>(product >> 32) + log2_damage_at_ultimate;
     if (log2_damage >= 0) {
@@ -67,6 +66,17 @@ struct CycleLaw {
     return CycleDamage{numeric::exp2_fraction(fraction),
                        (log2_damage >> numeric::kExpBits) + Damage::kFractionBits - 31}
         .pack();
+  }
+
+ private:
+  // Packed into a word pair, which comes back in registers.
+  [[nodiscard]] LIFEMODEL_ONE_COPY constexpr std::uint64_t packed_if_below(Tension x,
+                                                                           Tension y) const {
+    return overloads(x) || overloads(y) ? kWholeLife.pack() : packed(x, y);
+  }
+
+  [[nodiscard]] LIFEMODEL_ONE_COPY constexpr std::uint64_t packed(Tension x, Tension y) const {
+    return packed_damage(log2_effective(x, y));
   }
 };
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "lifemodel/input/exponential.hpp"
 #include "lifemodel/numeric/exp2.hpp"
 #include "lifemodel/quantity/units.hpp"
 
@@ -29,22 +30,7 @@ struct Capstan {
     const auto magnitude =
         static_cast<std::int32_t>((product + (std::uint64_t{1} << (kDrop - 1))) >> kDrop);
     const std::int32_t exponent = direction == Direction::pulling ? magnitude : -magnitude;
-    const std::uint32_t factor = numeric::exp2_fraction(static_cast<std::uint32_t>(exponent) &
-                                                        ((1u << numeric::kExpBits) - 1));
-    // factor * 2^(whole - 31), halved so that 63 bits hold the product.
-    const std::int32_t whole = exponent >> numeric::kExpBits;
-    const std::int64_t scaled = std::int64_t{output.raw()} * (factor >> 1);
-    const std::int32_t shift = 30 - whole;
-    if (shift < 1) {
-      // Held where it saturates anyway; the shift is at most 2^16 here.
-      constexpr std::int64_t kHeld = std::int64_t{1} << 40;
-      const std::int64_t held = scaled < -kHeld ? -kHeld : scaled > kHeld ? kHeld : scaled;
-      return Tension::saturated(held * (std::int64_t{1} << -shift), flags);
-    }
-    if (shift > 62) {
-      return Tension{};
-    }
-    return Tension::saturated((scaled + (std::int64_t{1} << (shift - 1))) >> shift, flags);
+    return times_exp2(output, exponent, flags);
   }
 };
 

@@ -1,0 +1,157 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "lifemodel/block/parameters.hpp"
+#include "lifemodel/extension/extension.hpp"
+#include "lifemodel/extension/sample.hpp"
+#include "lifemodel/input/exponential.hpp"
+
+namespace lifemodel::extension {
+
+/// Samples of one tendon to input tension by the extended model. Each sample takes bounded time;
+/// belongs into the interrupt that takes it. Parameters and extension outlive this object.
+class Corrector {
+ public:
+  /// The tendon has turned once it moves faster than this the other way: 1 mm/s.
+  static constexpr Velocity kTurned = Velocity::from_raw(16777);
+
+  Corrector(const Parameters& parameters, const Extension& extension)
+      : parameters_(parameters), extension_(extension) {
+    start_at(0);
+  }
+
+  /// The number of cycles that the sheath has seen, for its wear.
+  void start_at(std::uint32_t cycles) {
+    half_cycles_ = cycles < kMostHalfCycles / 2 ? 2 * cycles : kMostHalfCycles;
+    wear_ = wear();
+  }
+  [[nodiscard]] std::uint32_t cycles() const { return half_cycles_ / 2; }
+
+  /// A sample is missing, so that the next has no rate.
+  void gap() { has_before_ = false; }
+
+  /// T_in = K_t (1 - alpha (T_winding - T_ref)) (I - I_0 - b + a sin(k theta) + c cos(k theta))
+  ///        N eta_g (1 + e s) / r_spool, without the lag of the current. Raises Flag::saturated
+  /// where a quantity meets its bounds. Precondition: the parameters have a drive.
+  [[nodiscard]] Tension input_tension(const DriveSample& sample, Flags& flags) {
+    move(sample.at.velocity);
+    std::int64_t current = sample.current.raw();
+    if (extension_.has(Effect::current_offset)) {
+      current -= extension_.current_offset.offset;
+    }
+    if (extension_.has(Effect::torque_ripple)) {
+      current += extension_.torque_ripple.added(sample.at.rotor);
+    }
+    Tension tension = parameters_.drive.tension(MotorCurrent::saturated(current, flags), flags);
+    if (extension_.has(Effect::torque_gain)) {
+      tension = times(tension, extension_.torque_gain.factor(sample.at.winding), flags);
+    }
+    if (extension_.has(Effect::gear_asymmetry)) {
+      tension = times(tension, extension_.gear_asymmetry.factor(direction_), flags);
+    }
+    return extension_.has(Effect::input_lag) ? without_lag(tension, extension_.input_lag, flags)
+                                             : tension;
+  }
+
+  /// T_in = T_out exp(mu phi s) + F s with mu and phi extended, T_out without its lag.
+  [[nodiscard]] Tension input_tension(const SheathSample& sample, Flags& flags) {
+    move(sample.at.velocity);
+    const Tension output = extension_.has(Effect::output_lag)
+                               ? without_lag(sample.tension, extension_.output_lag, flags)
+                               : sample.tension;
+    Tension tension = times_exp2(output, exponent(output, sample, flags), flags);
+    if (extension_.has(Effect::friction_preload)) {
+      tension = extension_.friction_preload.added(tension, direction_, flags);
+    }
+    return tension;
+  }
+
+ private:
+  static constexpr std::uint32_t kMostHalfCycles = 0xffffffffu;
+  /// mu log2(e) is held in 0 .. 2 log2(e), Q28.
+  static constexpr std::int32_t kMostFriction = 774541002;
+
+  static Tension times(Tension tension, std::int32_t factor, Flags& flags) {
+    return Tension::saturated(rounded(std::int64_t{tension.raw()} * factor, kFactorBits), flags);
+  }
+
+  void move(Velocity velocity) {
+    if (velocity.raw() != 0) {
+      direction_ = velocity.raw() > 0 ? Direction::pulling : Direction::releasing;
+    }
+    const bool turned = pulled_ ? velocity.raw() < -kTurned.raw() : velocity.raw() > kTurned.raw();
+    if (turned) {
+      pulled_ = !pulled_;
+      half_cycles_ += half_cycles_ < kMostHalfCycles ? 1 : 0;
+      wear_ = wear();
+    }
+  }
+
+  [[nodiscard]] std::int32_t wear() const {
+    return extension_.has(Effect::friction_wear) ? extension_.friction_wear.factor(half_cycles_)
+                                                 : kOne;
+  }
+
+  Tension without_lag(Tension now, const FilterLag& lag, Flags& flags) {
+    const Tension before = has_before_ ? before_ : now;
+    before_ = now;
+    has_before_ = true;
+    return lag.undone(before, now, flags);
+  }
+
+  /// Held so that 63 bits hold the next product, Q28.
+  static std::int64_t product(std::int64_t friction, std::int32_t factor) {
+    constexpr std::int64_t kMost = std::int64_t{1} << 32;
+    return std::min(rounded(friction * factor, kFactorBits), kMost);
+  }
+
+  /// mu log2(e), Q28.
+  [[nodiscard]] std::int32_t friction(const Conditions& at, Flags& flags) const {
+    constexpr int kDrop = FrictionExponent::kFractionBits - kFactorBits;
+    std::int64_t friction =
+        rounded(std::int64_t{parameters_.capstan.friction.raw()} * wear_, kFactorBits + kDrop);
+    if (extension_.has(Effect::friction_temperature)) {
+      friction = product(friction, extension_.friction_temperature.factor(at.sheath));
+    }
+    if (extension_.has(Effect::friction_position)) {
+      friction = product(friction, extension_.friction_position.factor(at.rotor));
+    }
+    if (extension_.has(Effect::friction_velocity)) {
+      friction += extension_.friction_velocity.added(at.velocity);
+    }
+    if (friction < 0 || friction > kMostFriction) {
+      flags.raise(Flag::saturated);
+    }
+    return held(friction, 0, kMostFriction);
+  }
+
+  /// log2(T_in/T_out), Q21.
+  [[nodiscard]] std::int32_t exponent(Tension output, const SheathSample& sample,
+                                      Flags& flags) const {
+    const Angle bend = extension_.has(Effect::bend_angle)
+                           ? extension_.bend_angle.corrected(sample.bend)
+                           : sample.bend;
+    const std::int64_t magnitude = rounded(std::int64_t{friction(sample.at, flags)} * bend.raw(),
+                                           kFactorBits + Angle::kFractionBits - kExponentBits);
+    const std::int64_t plain = direction_ == Direction::pulling ? magnitude : -magnitude;
+    const std::int64_t loaded = extension_.has(Effect::friction_load)
+                                    ? extension_.friction_load.log2_ratio(plain, output, flags)
+                                    : plain;
+    // Beyond 2^44 every tension has saturated.
+    constexpr std::int32_t kMost = 44 << kExponentBits;
+    return held(loaded, -kMost, kMost);
+  }
+
+  const Parameters& parameters_;
+  const Extension& extension_;
+  Direction direction_ = Direction::pulling;
+  bool pulled_ = true;
+  bool has_before_ = false;
+  std::uint32_t half_cycles_ = 0;
+  std::int32_t wear_ = kOne;
+  Tension before_;
+};
+
+}  // namespace lifemodel::extension
