@@ -41,19 +41,25 @@ namespace app {
 ///
 /// isr_sample() may interrupt everything; settle() may interrupt poll() where Devices::hold keeps
 /// it away from the readings. Nothing waits or allocates; each call is bounded.
-template <std::size_t kTendons, class DevicesT>
+template <std::size_t kTendons, class DevicesT, class LayoutT = lifemodel::DefaultLayout>
 class App {
  public:
   using Devices = DevicesT;
+  using Estimator = lifemodel::Estimator<kTendons, LayoutT>;
 
   /// How often the lives are read.
   static constexpr hal::Time kReadingPeriod = hal::milliseconds(100);
 
   App(const Devices& devices, const Config& config, const ParameterSet<kTendons>& parameters)
+      : App(devices, config, parameters, all(parameters)) {}
+
+  /// With what the layout needs to know of the models besides, for tendons that have parameters.
+  App(const Devices& devices, const Config& config, const ParameterSet<kTendons>& parameters,
+      const std::array<typename Estimator::Model, kTendons>& models)
       : devices_(devices),
         config_(config),
         parameters_(parameters),
-        estimator_(all(parameters)),
+        estimator_(models),
         keeper_(devices_.store),
         safety_(devices_),
         bus_(devices_.can),
@@ -86,7 +92,12 @@ class App {
   /// One period of the control loop: reads all sensors.
   void isr_sample() { intake_.isr_sample(devices_.sensor, estimator_); }
   /// The control loop left out `periods` periods.
-  void isr_missed(std::uint32_t periods) { intake_.isr_missed(periods, estimator_); }
+  void isr_missed(std::uint32_t periods) {
+    if constexpr (ExtendingSensor<typename Devices::Sensor>) {
+      devices_.sensor.isr_missed();
+    }
+    intake_.isr_missed(periods, estimator_);
+  }
 
   /// Counts cycles, in bounded time. True while there is more.
   bool settle() {
@@ -155,6 +166,9 @@ class App {
     }
     book_.resume(tendon, devices_.store.load(tendon), devices_.store.past_lost(), configuration,
                  life);
+    if constexpr (ExtendingSensor<typename Devices::Sensor>) {
+      devices_.sensor.start_at(tendon, book_.records()[tendon].epoch_cycles);
+    }
     conditions_.configuration = combined(conditions_.configuration, configuration);
   }
 
@@ -282,9 +296,9 @@ class App {
   Devices devices_;
   Config config_;
   ParameterSet<kTendons> parameters_;
-  lifemodel::Estimator<kTendons> estimator_;
+  Estimator estimator_;
   typename Reporter<kTendons>::Bins bins_{};
-  Intake<kTendons> intake_;
+  Intake<kTendons, LayoutT> intake_;
   LifeBook<kTendons> book_;
   Conditions conditions_;
   Emergencies emergencies_;

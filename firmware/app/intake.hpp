@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "firmware/app/extending_sensor.hpp"
 #include "hal/sensor.hpp"
 #include "lifemodel/estimator.hpp"
 #include "lifemodel/input/capstan.hpp"
@@ -20,10 +21,10 @@ struct OutputTension {
 
 /// Takes the samples of all tendons into the estimator, in the interrupt of the control loop, and
 /// tells the rest of the application how that goes.
-template <std::size_t kTendons>
+template <std::size_t kTendons, class LayoutT = lifemodel::DefaultLayout>
 class Intake {
  public:
-  using Estimator = lifemodel::Estimator<kTendons>;
+  using Estimator = lifemodel::Estimator<kTendons, LayoutT>;
 
   /// Samples in a row without a value that make the sensor faulty.
   static constexpr std::uint32_t kFaultySamples = 16;
@@ -39,6 +40,10 @@ class Intake {
       }
       const auto sample = sensor.isr_read(tendon);
       if (sample) [[likely]] {
+        if constexpr (ExtendingSensor<SensorT>) {
+          lifemodel::Flags& flags = estimator.input_flags(tendon);
+          flags = flags | sensor.isr_flags(tendon);
+        }
         push(estimator, tendon, *sample);
         without_[tendon].set_relaxed(0);
       } else {

@@ -7,6 +7,7 @@
 #include <span>
 
 #include "firmware/app/config.hpp"
+#include "firmware/app/extending_sensor.hpp"
 #include "firmware/app/keeper.hpp"
 #include "firmware/app/life_book.hpp"
 #include "firmware/protocol/schema/plan.hpp"
@@ -53,13 +54,16 @@ class Node {
     return devices_.store.log(number);
   }
 
-  /// A new wire: its epoch begins at the last reading.
+  /// A new wire: its epoch begins at the last reading. Cycles of a sheath are those of its wire.
   hal::Error open_epoch(std::uint8_t tendon) {
     auto records = book_.records();
     records[tendon] = book_.next_epoch(tendon);
     const hal::Error error = keeper_.save(devices_.clock.now(), records);
     if (error == hal::Error::none) {
       book_.open(tendon, records[tendon]);
+      if constexpr (ExtendingSensor<typename Devices::Sensor>) {
+        devices_.sensor.start_at(tendon, 0);  // the sheath is changed with the wire
+      }
     }
     return error;
   }

@@ -38,7 +38,10 @@ class TendonLife {
   [[nodiscard]] storage::LifeRecord record() const {
     storage::LifeRecord now = past_;
     lifemodel::Flags flags = flags_ | lifemodel::Flags::from_bits(past_.flags);
-    now.epoch_damage.add(lifemodel::Damage::difference(total_, total_at_opening_), flags);
+    // Under an extended life law a reading may fall a little.
+    if (total_at_opening_ < total_) {
+      now.epoch_damage.add(lifemodel::Damage::difference(total_, total_at_opening_), flags);
+    }
     now.lifetime_damage.add(total_, flags);
     const std::uint64_t since = cycles_ - cycles_at_opening_;
     if (__builtin_add_overflow(now.epoch_cycles, since, &now.epoch_cycles)) {

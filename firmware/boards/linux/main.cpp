@@ -51,7 +51,8 @@ void add_options(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", TENDONLIFE_VERSION);
   app.footer(
       "SIGTERM and SIGINT switch the drive off, save the lives and end the program.\n"
-      "Exit status: 0 done, 1 bad configuration, device or store, 2 wrong usage.");
+      "Exit status: 0 done, 1 bad configuration, device or store, 2 wrong usage.\n"
+      "Example: tendonlife_controller --config /etc/tendonlife/controller.toml --check");
 }
 
 void warn_of_missing_lines(const board::Config& config) {
@@ -93,6 +94,7 @@ int run(int argc, char** argv) {
   app.name("tendonlife_controller");
   Arguments arguments;
   add_options(app, arguments);
+  app.get_formatter()->label("TEXT", "FILE");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

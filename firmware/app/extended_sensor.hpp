@@ -1,0 +1,61 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+
+#include "hal/sensor.hpp"
+#include "lifemodel/block/extended_block.hpp"
+#include "lifemodel/extension/corrector.hpp"
+
+namespace app {
+
+/// A sensor of input tension for the application, made of one that gives the samples of
+/// lifemodel::extension: DriveSample, or SheathSample. Boards without extensions do without it.
+template <class SensorT, std::size_t kTendons>
+class ExtendedSensor {
+ public:
+  using Sample = lifemodel::Tension;
+  using Models = std::array<lifemodel::ExtendedParameters, kTendons>;
+
+  /// Both outlive this object.
+  ExtendedSensor(SensorT& sensor, const Models& models)
+      : ExtendedSensor(sensor, models, std::make_index_sequence<kTendons>{}) {}
+
+  hal::Result<Sample> isr_read(std::size_t tendon) {
+    const auto sample = sensor_.isr_read(tendon);
+    if (!sample) {
+      correctors_[tendon].gap();
+      return sample.error();
+    }
+    return correctors_[tendon].input_tension(*sample, flags_[tendon]);
+  }
+  /// The control loop left out periods, so that no tendon has a rate.
+  void isr_missed() {
+    for (auto& corrector : correctors_) {
+      corrector.gap();
+    }
+  }
+  /// What became of the samples of a tendon so far.
+  [[nodiscard]] lifemodel::Flags isr_flags(std::size_t tendon) const { return flags_[tendon]; }
+
+  /// The cycles that the sheath of a tendon has seen.
+  void start_at(std::size_t tendon, std::uint64_t cycles) {
+    constexpr std::uint64_t kHighest = 0xffffffffu;
+    correctors_[tendon].start_at(static_cast<std::uint32_t>(cycles < kHighest ? cycles : kHighest));
+  }
+
+ private:
+  template <std::size_t... kTendon>
+  ExtendedSensor(SensorT& sensor, const Models& models, std::index_sequence<kTendon...>)
+      : sensor_(sensor),
+        correctors_{lifemodel::extension::Corrector(models[kTendon].nominal,
+                                                    models[kTendon].extension)...} {}
+
+  SensorT& sensor_;
+  std::array<lifemodel::extension::Corrector, kTendons> correctors_;
+  std::array<lifemodel::Flags, kTendons> flags_{};
+};
+
+}  // namespace app
