@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "host_sim/effects/tension/definition.hpp"
 #include "host_sim/effects/tension/mid_tension.hpp"
 #include "host_sim/effects/tension/needs.hpp"
@@ -6,7 +8,14 @@ namespace host_sim::effects {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {.name = "current_offset_A", .unit = "A", .minimum = -0.5, .maximum = 0.5, .typical = 0.05},
+    {.name = "offset_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1, .expected = 1},
+    {.name = "current_offset_A",
+     .unit = "A",
+     .minimum = -0.5,
+     .maximum = 0.5,
+     .typical = 0.05,
+     .scaled_by_share = true,
+     .model_error = 0.005},
 };
 
 constexpr Separation kSeparations[] = {
@@ -19,11 +28,13 @@ constexpr Separation kSeparations[] = {
 
 constexpr Need kNeeds[] = {kCurrentNeed};
 
-/// With i = I - I_0: ln(i - b) is ln i - b/i for small b, so r = -1/i b.
+/// The true current is i - b; over the geometric mean m of it and i that is -2 sinh(r/2) = b/m.
 Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
-                std::span<const double>) {
+                std::span<const double> shape) {
+  const double offset_A = shape[0];
   return {column_of(covariates, [&](std::size_t i) {
-    return -1 / (covariates.current_A[i] * to_mid_tension(covariates, baseline, i));
+    const double mid_A = covariates.current_A[i] * to_mid_tension(covariates, baseline, i);
+    return -2 * std::asinh(offset_A / mid_A / 2);
   })};
 }
 
@@ -41,6 +52,20 @@ std::unique_ptr<TensionEffect> make_current_offset() {
                     .separations = kSeparations,
                     .needs = kNeeds,
                     .acts_on_current = true,
+                    .shapes = {{-0.32},
+                               {-0.16},
+                               {-0.08},
+                               {-0.04},
+                               {-0.02},
+                               {-0.01},
+                               {-0.005},
+                               {0.005},
+                               {0.01},
+                               {0.02},
+                               {0.04},
+                               {0.08},
+                               {0.16},
+                               {0.32}},
                     .columns = columns});
 }
 

@@ -29,7 +29,9 @@ struct TensionDefinition {
   std::span<const Need> needs = {};
   bool acts_on_current = false;  ///< changes T_in only where it comes from the current
   bool per_pose = false;
+  bool at_reversals = false;
   std::vector<std::vector<double>> shapes = {{}};
+  bool whole_shapes = false;  ///< nothing lies between them
   Columns (*columns)(const recording::Covariates& covariates, const Baseline& baseline,
                      std::span<const double> shape) = nullptr;
 };
@@ -49,11 +51,6 @@ std::vector<double> column_of(const recording::Covariates& covariates, Value&& v
 /// phi s of a sample, what friction terms multiply.
 inline double angle_and_direction(const recording::Covariates& covariates, std::size_t i) {
   return covariates.bend_angle_rad[i] * covariates.direction[i];
-}
-
-/// Whether the tendon turns between the sample before and this one.
-inline bool turns_at(const recording::Covariates& covariates, std::size_t i) {
-  return i > 0 && covariates.direction[i] != covariates.direction[i - 1];
 }
 
 }  // namespace host_sim::effects

@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include "host_sim/effects/tension/definition.hpp"
 #include "host_sim/effects/tension/mid_tension.hpp"
 #include "host_sim/effects/tension/needs.hpp"
@@ -6,7 +8,13 @@ namespace host_sim::effects {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {.name = "preload_N", .unit = "N", .minimum = 0, .maximum = 50, .typical = 2},
+    {.name = "preload_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1, .expected = 1},
+    {.name = "preload_N",
+     .unit = "N",
+     .minimum = 0,
+     .maximum = 50,
+     .typical = 2,
+     .scaled_by_share = true},
 };
 
 constexpr Separation kSeparations[] = {
@@ -16,12 +24,14 @@ constexpr Separation kSeparations[] = {
     {"friction_load", "measure at low and at high tension"},
 };
 
-/// ln(T_in - F s) is ln T_in - F s/T_in for small F, so r = -s/T_in F.
+/// T_in - T_out exp(mu phi s) = F s; over the geometric mean G of both terms that is
+/// -2 sinh(r/2) = F s/G.
 Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
-                std::span<const double>) {
+                std::span<const double> shape) {
+  const double preload_N = shape[0];
   return {column_of(covariates, [&](std::size_t i) {
-    return -covariates.direction[i] /
-           (covariates.tension_in_N()[i] * to_mid_tension(covariates, baseline, i));
+    const double mid_N = covariates.tension_in_N()[i] * to_mid_tension(covariates, baseline, i);
+    return -2 * std::asinh(preload_N * covariates.direction[i] / mid_N / 2);
   })};
 }
 
@@ -38,6 +48,7 @@ std::unique_ptr<TensionEffect> make_friction_preload() {
                         "in relative terms at low tension, where lives are long",
                     .parameters = kParameters,
                     .separations = kSeparations,
+                    .shapes = {{0.15}, {0.3}, {0.6}, {1.2}, {2.5}, {5}, {10}, {20}, {40}},
                     .columns = columns});
 }
 

@@ -9,7 +9,8 @@ constexpr Parameter kParameters[] = {
      .unit = "1/K",
      .minimum = -0.05,
      .maximum = 0.05,
-     .typical = 0.005},
+     .typical = 0.005,
+     .model_error = 0.015},
 };
 
 constexpr Separation kSeparations[] = {

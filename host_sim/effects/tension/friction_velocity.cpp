@@ -8,7 +8,12 @@ namespace {
 
 constexpr Parameter kParameters[] = {
     {.name = "stribeck_friction", .unit = "1", .minimum = -0.5, .maximum = 0.5, .typical = 0.05},
-    {.name = "viscous_friction_s_m", .unit = "s/m", .minimum = -10, .maximum = 10, .typical = 0.5},
+    {.name = "viscous_friction_s_m",
+     .unit = "s/m",
+     .minimum = -10,
+     .maximum = 10,
+     .typical = 0.5,
+     .model_error = 0.02},
     {.name = "stribeck_velocity_m_s",
      .unit = "m/s",
      .minimum = 0.002,

@@ -19,6 +19,8 @@ inline constexpr Need kCurrentNeed{&recording::Covariates::current_A,
                                    "motor current (motor_current_A)"};
 inline constexpr Need kTensionRateNeed{&recording::Covariates::log_tension_rate_1_s,
                                        "rate of input tension (time_s and an input tension)"};
+inline constexpr Need kOutputRateNeed{&recording::Covariates::log_output_rate_1_s,
+                                      "rate of output tension (time_s and output_tension_N)"};
 inline constexpr Need kSheathTemperatureNeed{&recording::Covariates::sheath_temperature_C,
                                              "sheath temperature (sheath_temperature_C)"};
 inline constexpr Need kWindingTemperatureNeed{&recording::Covariates::winding_temperature_C,

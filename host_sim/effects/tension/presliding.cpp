@@ -2,17 +2,24 @@
 
 #include "host_sim/effects/tension/definition.hpp"
 #include "host_sim/effects/tension/needs.hpp"
+#include "host_sim/effects/tension/turn.hpp"
 
 namespace host_sim::effects {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {.name = "presliding_share", .unit = "1", .minimum = 0, .maximum = 1, .typical = 1},
+    {.name = "presliding_share",
+     .unit = "1",
+     .minimum = 0,
+     .maximum = 1,
+     .typical = 1,
+     .expected = 1},
     {.name = "presliding_length_m",
      .unit = "m",
      .minimum = 5e-5,
      .maximum = 1e-3,
-     .typical = 3.5e-4},
+     .typical = 3.5e-4,
+     .model_error = 0.005},
 };
 
 constexpr Separation kSeparations[] = {
@@ -28,6 +35,7 @@ constexpr Need kNeeds[] = {kTravelNeed};
 Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
                 std::span<const double> shape) {
   const double length_m = shape[0];
+  const double mu = friction_at_reversals(covariates, baseline);
   double left_at_reversal = 0;
   double left = 0;
   return {column_of(covariates, [&](std::size_t i) {
@@ -35,7 +43,7 @@ Columns columns(const recording::Covariates& covariates, const Baseline& baselin
       left_at_reversal = 2 - left;
     }
     left = left_at_reversal * std::exp(-covariates.travel_m[i] / length_m);
-    return baseline.friction_coefficient * angle_and_direction(covariates, i) * left;
+    return mu * angle_and_direction(covariates, i) * left;
   })};
 }
 
@@ -53,6 +61,7 @@ std::unique_ptr<TensionEffect> make_presliding() {
                     .parameters = kParameters,
                     .separations = kSeparations,
                     .needs = kNeeds,
+                    .at_reversals = true,
                     .shapes = {{5e-5}, {1e-4}, {2e-4}, {3.5e-4}, {6e-4}, {1e-3}},
                     .columns = columns});
 }

@@ -1,13 +1,24 @@
 #include "host_sim/effects/tension/definition.hpp"
 #include "host_sim/effects/tension/needs.hpp"
+#include "host_sim/effects/tension/turn.hpp"
 
 namespace host_sim::effects {
 namespace {
 
 constexpr Parameter kParameters[] = {
-    {.name = "slack_log_drop", .unit = "1", .minimum = -3, .maximum = 3, .typical = 0.3},
+    {.name = "slack_log_drop",
+     .unit = "1",
+     .minimum = -3,
+     .maximum = 3,
+     .typical = 0.3,
+     .model_error = 0.002},
     {.name = "slack_friction_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
-    {.name = "slack_m", .unit = "m", .minimum = 1e-4, .maximum = 2e-3, .typical = 4e-4},
+    {.name = "slack_m",
+     .unit = "m",
+     .minimum = 1e-4,
+     .maximum = 2e-3,
+     .typical = 4e-4,
+     .model_error = 0.008},
 };
 
 constexpr Separation kSeparations[] = {
@@ -23,13 +34,14 @@ constexpr Need kNeeds[] = {kTravelNeed};
 Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
                 std::span<const double> shape) {
   const double slack_m = shape[0];
+  const double mu = friction_at_reversals(covariates, baseline);
   Columns columns(2, std::vector<double>(covariates.samples()));
   bool turned = false;
   for (std::size_t i = 0; i < covariates.samples(); ++i) {
     turned = turned || turns_at(covariates, i);
     if (turned && covariates.travel_m[i] < slack_m) {
       columns[0][i] = 1;
-      columns[1][i] = baseline.friction_coefficient * angle_and_direction(covariates, i);
+      columns[1][i] = mu * angle_and_direction(covariates, i);
     }
   }
   return columns;
@@ -50,6 +62,7 @@ std::unique_ptr<TensionEffect> make_slack() {
        .parameters = kParameters,
        .separations = kSeparations,
        .needs = kNeeds,
+       .at_reversals = true,
        .shapes = {{1e-4}, {2e-4}, {4e-4}, {7e-4}, {1.2e-3}, {2e-3}},
        .columns = columns});
 }

@@ -1,11 +1,22 @@
+#include <algorithm>
+#include <cmath>
+
 #include "host_sim/effects/tension/definition.hpp"
 #include "host_sim/effects/tension/needs.hpp"
 
 namespace host_sim::effects {
 namespace {
 
+constexpr double kLeastGain = 0.05;
+
 constexpr Parameter kParameters[] = {
-    {.name = "droop_1_K", .unit = "1/K", .minimum = 0, .maximum = 0.005, .typical = 0.001},
+    {.name = "droop_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1, .expected = 1},
+    {.name = "droop_1_K",
+     .unit = "1/K",
+     .minimum = 0,
+     .maximum = 0.005,
+     .typical = 0.001,
+     .scaled_by_share = true},
 };
 
 constexpr Separation kSeparations[] = {
@@ -16,11 +27,13 @@ constexpr Separation kSeparations[] = {
 
 constexpr Need kNeeds[] = {kCurrentNeed, kWindingTemperatureNeed};
 
-/// r = -(T - T_ref) alpha. A constant error of the gain is refitted anyway and is no effect.
+/// r = ln(1 - alpha (T - T_ref)). A constant error of the gain is refitted anyway and is no effect.
 Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
-                std::span<const double>) {
+                std::span<const double> shape) {
+  const double droop_1_K = shape[0];
   return {column_of(covariates, [&](std::size_t i) {
-    return -(covariates.winding_temperature_C[i] - baseline.winding_reference_C);
+    const double warmer_K = covariates.winding_temperature_C[i] - baseline.winding_reference_C;
+    return std::log(std::max(kLeastGain, 1 - droop_1_K * warmer_K));
   })};
 }
 
@@ -39,6 +52,7 @@ std::unique_ptr<TensionEffect> make_torque_gain() {
        .separations = kSeparations,
        .needs = kNeeds,
        .acts_on_current = true,
+       .shapes = {{1.5e-4}, {3e-4}, {6e-4}, {1.2e-3}, {2.5e-3}, {5e-3}},
        .columns = columns});
 }
 

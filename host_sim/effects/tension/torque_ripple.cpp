@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "host_sim/effects/tension/definition.hpp"
+#include "host_sim/effects/tension/mid_tension.hpp"
 #include "host_sim/effects/tension/needs.hpp"
 
 namespace host_sim::effects {
@@ -19,17 +20,16 @@ constexpr Separation kSeparations[] = {
 constexpr Need kNeeds[] = {kCurrentNeed, kMotorAngleNeed};
 
 /// ln(i + q) is ln i + q/i for a small q, so r = sin(k theta)/i a + cos(k theta)/i b.
-Columns columns(const recording::Covariates& covariates, const Baseline&,
+Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
                 std::span<const double> shape) {
   const double harmonic = shape[0];
-  return {column_of(covariates,
-                    [&](std::size_t i) {
-                      return std::sin(harmonic * covariates.motor_angle_rad[i]) /
-                             covariates.current_A[i];
-                    }),
-          column_of(covariates, [&](std::size_t i) {
-            return std::cos(harmonic * covariates.motor_angle_rad[i]) / covariates.current_A[i];
-          })};
+  Columns columns(2, std::vector<double>(covariates.samples()));
+  for (std::size_t i = 0; i < covariates.samples(); ++i) {
+    const double mid_A = covariates.current_A[i] * to_mid_tension(covariates, baseline, i);
+    columns[0][i] = std::sin(harmonic * covariates.motor_angle_rad[i]) / mid_A;
+    columns[1][i] = std::cos(harmonic * covariates.motor_angle_rad[i]) / mid_A;
+  }
+  return columns;
 }
 
 }  // namespace
@@ -47,6 +47,7 @@ std::unique_ptr<TensionEffect> make_torque_ripple() {
        .needs = kNeeds,
        .acts_on_current = true,
        .shapes = {{1}, {2}, {3}, {4}, {5}, {6}, {7}, {8}, {10}, {12}, {14}, {16}, {18}, {21}, {24}},
+       .whole_shapes = true,
        .columns = columns});
 }
 
