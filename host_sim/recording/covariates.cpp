@@ -2,14 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <numbers>
+#include <numeric>
 
 #include "host_sim/io/input_error.hpp"
 #include "host_sim/io/printable.hpp"
 #include "host_sim/recording/integral.hpp"
 #include "host_sim/recording/log_rate.hpp"
 #include "host_sim/recording/motion.hpp"
+#include "host_sim/recording/settled_friction.hpp"
+#include "host_sim/recording/smooth.hpp"
 #include "host_sim/recording/usable.hpp"
 #include "host_sim/reference/equations.hpp"
 
@@ -18,6 +22,10 @@ namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180;
 constexpr std::size_t kLeastPiece = 5;
+
+/// To each side: within it a velocity is a cubic, and a temperature goes evenly.
+constexpr double kSmoothMotion_s = 0.03;
+constexpr double kSmoothHeat_s = 1;
 
 [[noreturn]] void fail(const Recording& recording, std::string_view what,
                        std::string_view accepted) {
@@ -85,13 +93,24 @@ void add_motion(const Recording& recording, const Motion& motion, Covariates& al
   }
 }
 
+/// A position without an origin, from the middle of its range, so that strokes of several
+/// recordings lie over each other.
+std::vector<double> from_middle(std::vector<double> position_m) {
+  const auto [low, high] = std::ranges::minmax_element(position_m);
+  const double middle_m = position_m.empty() ? 0 : std::midpoint(*low, *high);
+  for (double& value_m : position_m) {
+    value_m -= middle_m;
+  }
+  return position_m;
+}
+
 void add_position(const Channels& channels, const Campaign::Nominal& nominal, Covariates& all) {
   all.motor_angle_rad = channels[kMotorAngle];
   if (nominal.drive && !all.motor_angle_rad.empty()) {
     all.position_m =
         scaled(all.motor_angle_rad, spool_radius_m(*nominal.drive) / nominal.drive->gear_ratio);
   } else {
-    all.position_m = integral(all.time_s, all.velocity_m_s);
+    all.position_m = from_middle(integral(all.time_s, all.velocity_m_s));
   }
 }
 
@@ -148,7 +167,8 @@ Covariates at(const Covariates& all, const std::vector<std::size_t>& places) {
         &Covariates::bend_angle_rad, &Covariates::input_tension_N, &Covariates::current_A,
         &Covariates::current_tension_N, &Covariates::output_tension_N, &Covariates::travel_m,
         &Covariates::position_m, &Covariates::motor_angle_rad, &Covariates::log_tension_rate_1_s,
-        &Covariates::sheath_temperature_C, &Covariates::winding_temperature_C}) {
+        &Covariates::log_output_rate_1_s, &Covariates::sheath_temperature_C,
+        &Covariates::winding_temperature_C}) {
     picked.*member = at(all.*member, places);
   }
   return picked;
@@ -178,7 +198,16 @@ Covariates covariates_of(const Recording& recording, const std::vector<Fault>& f
   add_position(channels, nominal, all);
   const std::vector<Stretch> pieces = pieces_of(usable, all);
   all.log_tension_rate_1_s = log_rate_1_s(all.time_s, all.tension_in_N(), pieces);
-  return at(all, kept_samples(pieces, motion));
+  all.log_output_rate_1_s = smooth_log_rate_1_s(all.time_s, all.output_tension_N, pieces);
+  all.velocity_m_s = smoothed(all.time_s, all.velocity_m_s, pieces, kSmoothMotion_s);
+  for (auto* const temperature_C : {&all.sheath_temperature_C, &all.winding_temperature_C}) {
+    if (!temperature_C->empty()) {
+      *temperature_C = moving_mean(all.time_s, *temperature_C, pieces, kSmoothHeat_s);
+    }
+  }
+  Covariates kept = at(all, kept_samples(pieces, motion));
+  kept.settled_friction = settled_friction(kept);
+  return kept;
 }
 
 }  // namespace host_sim::recording

@@ -12,19 +12,23 @@ struct Covariates {
   std::vector<double> time_s;
   std::vector<double> cycle;              ///< start_cycle plus the reversals since over two
   std::vector<double> direction;          ///< s: 1 while pulling, -1 while letting go
-  std::vector<double> velocity_m_s;       ///< v
+  std::vector<double> velocity_m_s;       ///< v, smoothed
   std::vector<double> bend_angle_rad;     ///< phi: of the recording, else of the nominal sheath
   std::vector<double> input_tension_N;    ///< of the load cell
   std::vector<double> current_A;          ///< motor current less the nominal offset
   std::vector<double> current_tension_N;  ///< T_in that the current stands for (nominal drive)
   std::vector<double> output_tension_N;
-  std::vector<double> travel_m;    ///< tendon travel since the last reversal, from 0
+  std::vector<double> travel_m;    ///< tendon travel since the last reversal
   std::vector<double> position_m;  ///< motor angle times spool radius over gear ratio, or the
                                    ///< integral of velocity where no angle was recorded
   std::vector<double> motor_angle_rad;
   std::vector<double> log_tension_rate_1_s;  ///< d ln T_in / dt, central differences over 5 samples
+  std::vector<double> log_output_rate_1_s;   ///< d ln T_out / dt, which has no jumps: smoothed
   std::vector<double> sheath_temperature_C;
   std::vector<double> winding_temperature_C;
+
+  /// mu of this recording by itself, see settled_friction(); 0 where it does not tell.
+  double settled_friction = 0;
 
   [[nodiscard]] std::size_t samples() const { return time_s.size(); }
   /// T_in of the load cell where there is one, else of the current.
@@ -38,7 +42,7 @@ struct Covariates {
 /// (see motion.hpp), those of a tension that is not positive, and pieces of fewer than 5 samples;
 /// all of them where no input tension, no output tension or no velocity remains.
 ///
-/// A position that is integrated from velocity (trapezoids) begins at 0 with the recording and
+/// A position that is integrated from velocity (trapezoids) is 0 in the middle of its range and
 /// bridges gaps. Motor current needs `nominal.drive`; so does the position of a motor angle, which
 /// without it is integrated too.
 /// @param faults of this session and of any others

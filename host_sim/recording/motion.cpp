@@ -30,7 +30,7 @@ class Follower {
       const double direction = motion_.direction[i];
       if (moved_ && direction != last_direction_) {
         ++reversals_;
-        travel_m = 0;
+        travel_m = i > stretch.first ? since_turn_m(i) : 0;
         turned = turned || i > first_motion;
       } else if (i > first_motion) {
         travel_m += step_m(i) * direction;
@@ -59,6 +59,15 @@ class Follower {
     return (velocity_m_s_[i] + velocity_m_s_[i - 1]) / 2 * (time_s_[i] - time_s_[i - 1]);
   }
 
+  /// Travel to sample i since the velocity, taken as linear, was zero in the step before it.
+  double since_turn_m(std::size_t i) const {
+    const double speed_m_s = std::abs(velocity_m_s_[i]);
+    const double both_m_s = speed_m_s + std::abs(velocity_m_s_[i - 1]);
+    const double since_s =
+        both_m_s > 0 ? speed_m_s / both_m_s * (time_s_[i] - time_s_[i - 1]) : 0.0;
+    return speed_m_s * since_s / 2;
+  }
+
   /// Returns the sample at which the stretch begins to move, its end if it does not.
   std::size_t find_directions(const Stretch& stretch) {
     double direction = 0;
@@ -79,6 +88,7 @@ class Follower {
       direction_before = sign;
     }
     fill(filled, stretch.end(), direction_before);
+    mark_end(stretch, direction_before);
     return first_motion;
   }
 
@@ -87,6 +97,19 @@ class Follower {
     for (std::size_t i = end; i > first && std::abs(velocity_m_s_[i - 1]) <= band_m_s_; --i) {
       turning_[i - 1] = true;
     }
+  }
+
+  /// A turn that the end of the stretch cuts off before the dead band is left.
+  void mark_end(const Stretch& stretch, double direction) {
+    std::size_t i = stretch.end();
+    while (i > stretch.first && std::abs(velocity_m_s_[i - 1]) <= band_m_s_) {
+      --i;
+    }
+    while (i < stretch.end() && velocity_m_s_[i] * direction >= 0) {
+      ++i;
+    }
+    std::fill(turning_.begin() + static_cast<std::ptrdiff_t>(i),
+              turning_.begin() + static_cast<std::ptrdiff_t>(stretch.end()), true);
   }
 
   void fill(std::size_t from, std::size_t end, double direction) {

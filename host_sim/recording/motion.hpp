@@ -20,10 +20,12 @@ inline constexpr double kSettledTravel_m = 0.005;
 /// How the tendon moved, sample by sample.
 struct Motion {
   std::vector<double> direction;  ///< 1 while pulling, -1 while letting go
-  std::vector<double> travel_m;   ///< since the last reversal, from 0
+  std::vector<double> travel_m;   ///< since the last reversal: where the velocity, taken as
+                                  ///< linear between samples, was zero
   std::vector<double> reversals;  ///< since the start of the recording
   /// Whether direction and travel are known: after the first reversal of a stretch, or after
-  /// kSettledTravel_m; not within the dead band around a reversal, where noise hides the sign.
+  /// kSettledTravel_m; not within the dead band around a reversal, where noise hides the sign, nor
+  /// where the other sign is last seen within the dead band.
   std::vector<bool> known;
 };
 
