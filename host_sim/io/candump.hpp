@@ -73,8 +73,11 @@ class CandumpReader {
   LineBuffer lines_;
 };
 
-/// The line that `candump -L` writes for this frame, with its line end. Precondition: `interface`
-/// is a name of 1 .. 15 printable characters without spaces.
+/// The line that `candump -L` writes for this frame, with its line end and without a direction.
+/// Precondition: the interface is a name of 1 .. 15 printable characters without spaces.
+std::string candump_line(const LoggedFrame& frame);
+
+/// The same for a data frame.
 std::string candump_line(std::uint64_t time_us, std::string_view interface,
                          const hal::CanFrame& frame);
 

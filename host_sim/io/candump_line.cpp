@@ -211,16 +211,38 @@ LoggedFrame parse_candump_line(const TextPlace& line) {
   return LineParser(line).parse();
 }
 
-std::string candump_line(std::uint64_t time_us, std::string_view interface,
-                         const hal::CanFrame& frame) {
-  std::string line;
-  fmt::format_to(std::back_inserter(line), "({:010}.{:06}) {} {:0{}X}#", time_us / 1'000'000,
-                 time_us % 1'000'000, interface, frame.id, frame.extended ? 8 : 3);
-  for (const std::byte byte : frame.payload()) {
-    fmt::format_to(std::back_inserter(line), "{:02X}", static_cast<unsigned>(byte));
+std::string candump_line(const LoggedFrame& frame) {
+  const bool error = frame.kind == Kind::kError;
+  std::string line = fmt::format(
+      "({:010}.{:06}) {} {:0{}X}#", frame.time_us / 1'000'000, frame.time_us % 1'000'000,
+      frame.interface, error ? frame.id | kErrorFlag : frame.id, frame.extended || error ? 8 : 3);
+  if (frame.kind == Kind::kRemote) {
+    line += 'R';
+    if (frame.length != 0) {
+      line += static_cast<char>('0' + frame.length);
+    }
+  } else {
+    if (frame.kind == Kind::kFd) {
+      fmt::format_to(std::back_inserter(line), "#{:X}", frame.fd_flags & 0xfu);
+    }
+    for (const std::byte byte : frame.payload()) {
+      fmt::format_to(std::back_inserter(line), "{:02X}", std::to_integer<unsigned>(byte));
+    }
   }
   line += '\n';
   return line;
+}
+
+std::string candump_line(std::uint64_t time_us, std::string_view interface,
+                         const hal::CanFrame& frame) {
+  LoggedFrame logged;
+  logged.time_us = time_us;
+  logged.interface = interface;
+  logged.id = frame.id;
+  logged.extended = frame.extended;
+  logged.length = frame.length;
+  std::copy_n(frame.data.begin(), frame.data.size(), logged.data.begin());
+  return candump_line(logged);
 }
 
 }  // namespace host_sim

@@ -1,5 +1,6 @@
 #include "host_sim/io/model.hpp"
 
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -21,19 +22,18 @@ void check_schema(const TomlTable& top) {
   }
 }
 
-void refuse_unknown_tables(const TomlTable& top) {
+void refuse_unknown_tables(const TomlTable& top, std::span<const std::string_view> others) {
   std::vector<std::string_view> known{kSchema};
   known.insert(known.end(), model_table_names().begin(), model_table_names().end());
+  known.insert(known.end(), others.begin(), others.end());
   top.refuse_unknown_keys({}, known);
 }
 
 }  // namespace
 
-Model parse_model(std::string_view text, std::string_view name) {
-  const toml::table values = parse_toml(text, name);
-  const TomlTable top(name, values, "", {});
+Model nominal_model_of(const TomlTable& top, std::span<const std::string_view> others) {
   check_schema(top);
-  refuse_unknown_tables(top);
+  refuse_unknown_tables(top, others);
   const ModelTables tables(top);
   Model model{};
   for (const std::string_view table : model_table_names()) {
@@ -43,6 +43,11 @@ Model parse_model(std::string_view text, std::string_view name) {
   }
   tables.check_hysteresis(model);
   return model;
+}
+
+Model parse_model(std::string_view text, std::string_view name) {
+  const toml::table values = parse_toml(text, name);
+  return nominal_model_of({name, values, "", {}}, {});
 }
 
 Model read_model(const std::filesystem::path& path) {

@@ -4,6 +4,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "host_sim/extension/extension.hpp"
 
 namespace host_sim {
 
@@ -41,10 +44,12 @@ struct Model {
   std::optional<Drive> drive;
   Counting counting;
   Life life;
+  std::vector<Extension> extensions = {};  ///< by id, each once; see read_extended_model()
 };
 
 /// Reads and checks `model.toml`. Throws InputError with the position of the offending key for
-/// anything unknown, missing, of the wrong type or out of range.
+/// anything unknown, missing, of the wrong type or out of range. Refuses extensions: whoever
+/// evaluates them calls read_extended_model().
 Model read_model(const std::filesystem::path& path);
 
 /// The same for a text in memory; `name` stands for the file in errors.
@@ -52,7 +57,8 @@ Model parse_model(std::string_view text, std::string_view name);
 
 /// Eight hexadecimal digits that identify the values of a model whatever the formatting of its
 /// file: the CRC-32 (ISO-HDLC) of the lines `schema=1`, `table.key=value` for each number in the
-/// order of model_keys() with 17 significant digits, and `life.mean_stress=gerber`.
+/// order of model_keys() with 17 significant digits, `life.mean_stress=gerber`, and
+/// `extension.id.name=value` for each number of each extension.
 std::string model_digest(const Model& model);
 
 }  // namespace host_sim

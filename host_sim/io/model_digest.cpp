@@ -21,6 +21,14 @@ std::string model_digest(const Model& model) {
                    without_negative_zero);
   }
   text += "life.mean_stress=gerber\n";
+  for (const Extension& extension : model.extensions) {
+    for (const Extension::Value& value : extension.values) {
+      for (const double number : value.values) {
+        fmt::format_to(std::back_inserter(text), "extension.{}.{}={:.17g}\n", extension.id,
+                       value.name, number + 0.0);
+      }
+    }
+  }
   const auto* const bytes = reinterpret_cast<const Bytef*>(text.data());
   return fmt::format("{:08x}", crc32(0, bytes, static_cast<uInt>(text.size())));
 }

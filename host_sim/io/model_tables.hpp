@@ -33,4 +33,8 @@ class ModelTables {
   TomlTable above_;
 };
 
+/// The nominal model in the tables of a whole model.toml, in which the tables `others` may stand
+/// besides. @throws InputError as read_model()
+Model nominal_model_of(const TomlTable& top, std::span<const std::string_view> others);
+
 }  // namespace host_sim

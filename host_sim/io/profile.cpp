@@ -46,8 +46,13 @@ class ProfileReader::Impl {
     std::size_t count = 0;
     while (count < rows.size() && rows_.next()) {
       const auto& values = rows_.values();
-      rows[count] = {values[kTime], values[value_column_], values[velocity_column_],
-                     values[bend_column_]};
+      rows[count] = {values[kTime],
+                     values[value_column_],
+                     values[kTendonVelocity],
+                     values[bend_column_],
+                     values[kMotorAngle],
+                     values[kSheathTemperature],
+                     values[kWindingTemperature]};
       ++count;
     }
     return count;
@@ -69,7 +74,6 @@ class ProfileReader::Impl {
         break;
       case InputKind::kOutputTension:
         value_column_ = kOutputTensionColumn;
-        velocity_column_ = kTendonVelocity;
         break;
     }
     if (header_.has_bend_angle) {
@@ -80,7 +84,6 @@ class ProfileReader::Impl {
   ProfileHeader header_{};
   ProfileRows rows_;
   unsigned value_column_ = kAbsent;
-  unsigned velocity_column_ = kAbsent;
   unsigned bend_column_ = kAbsent;
 };
 
@@ -102,6 +105,14 @@ InputKind ProfileReader::kind() const noexcept {
 
 bool ProfileReader::has_bend_angle() const noexcept {
   return impl_->header().has_bend_angle;
+}
+
+ProfileChannels ProfileReader::channels() const noexcept {
+  ProfileChannels channels;
+  for (const ProfileColumnId id : impl_->header().columns) {
+    channels.set(id);
+  }
+  return channels;
 }
 
 std::size_t ProfileReader::read(std::span<ProfileRow> rows) {

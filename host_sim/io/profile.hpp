@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "host_sim/io/byte_source.hpp"
+#include "host_sim/io/profile_columns.hpp"
 
 namespace host_sim {
 
@@ -30,12 +31,15 @@ struct ProfileOptions {
   std::optional<InputKind> input;
 };
 
-/// One row of a profile. What the file does not hold, and what its kind does not need, is 0.
+/// One row of a profile. What the file does not hold is 0.
 struct ProfileRow {
   double time_s;
   double value;                ///< tension in N, or current in A
-  double tendon_velocity_m_s;  ///< positive while pulling; kOutputTension only
+  double tendon_velocity_m_s;  ///< positive while pulling
   double bend_angle_deg;       ///< only if has_bend_angle()
+  double motor_angle_rad = 0;
+  double sheath_temperature_C = 0;
+  double winding_temperature_C = 0;
 };
 
 /// Reads a profile (RFC 4180 CSV, see profile_columns.hpp) of any length in constant memory.
@@ -60,6 +64,9 @@ class ProfileReader {
 
   /// Whether the file holds `bend_angle_deg` and its kind needs it (kOutputTension).
   bool has_bend_angle() const noexcept;
+
+  /// The columns that the file holds, by ProfileColumnId.
+  ProfileChannels channels() const noexcept;
 
   /// Fills the front of `rows` and returns how many; fewer than asked for only at the end, then 0.
   /// After an error the reader is of no further use.

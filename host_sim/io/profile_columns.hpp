@@ -1,5 +1,6 @@
 #pragma once
 
+#include <bitset>
 #include <span>
 #include <string>
 #include <string_view>
@@ -27,6 +28,9 @@ enum ProfileColumnId : unsigned {
   kWindingTemperature,
   kProfileColumnCount,
 };
+
+/// Columns that are there, by ProfileColumnId.
+using ProfileChannels = std::bitset<kProfileColumnCount>;
 
 /// All columns that are known; each is checked in every row, whether it is needed or not.
 std::span<const ProfileColumn, kProfileColumnCount> profile_columns();
