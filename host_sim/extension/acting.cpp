@@ -1,0 +1,146 @@
+#include "host_sim/extension/acting.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "host_sim/extension/life.hpp"
+#include "host_sim/extension/value.hpp"
+
+namespace host_sim {
+namespace {
+
+/// An effect that is evaluated sample by sample.
+struct OnLine {
+  std::string_view id;
+  InputKind kind;
+  std::optional<ProfileColumnId> channel;  ///< that it needs beside the input
+};
+
+constexpr std::array<OnLine, 11> kOnLine{{
+    {"bend_angle", InputKind::kOutputTension, std::nullopt},
+    {"current_offset", InputKind::kMotorCurrent, std::nullopt},
+    {"friction_load", InputKind::kOutputTension, std::nullopt},
+    {"friction_position", InputKind::kOutputTension, kMotorAngle},
+    {"friction_preload", InputKind::kOutputTension, std::nullopt},
+    {"friction_temperature", InputKind::kOutputTension, kSheathTemperature},
+    {"friction_velocity", InputKind::kOutputTension, kTendonVelocity},
+    {"friction_wear", InputKind::kOutputTension, kTendonVelocity},
+    {"gear_asymmetry", InputKind::kMotorCurrent, kTendonVelocity},
+    {"torque_gain", InputKind::kMotorCurrent, kWindingTemperature},
+    {"torque_ripple", InputKind::kMotorCurrent, kMotorAngle},
+}};
+
+struct OffLine {
+  std::string_view id, why;
+};
+
+constexpr std::array<OffLine, 7> kOffLine{{
+    {"ageing", "needs a calendar, which a controller does not have"},
+    {"compliance", "needs the rate of the tension before friction turns over"},
+    {"load_sequence", "needs the order of the cycles, which a rainflow count gives up"},
+    {"lot_frailty", "scatter between lots, which no one tendon shows"},
+    {"presliding", "needs the travel since each reversal to a fraction of a millimetre"},
+    {"second_mode", "a second life law beside the one that is counted"},
+    {"slack", "needs the travel since each reversal to a fraction of a millimetre"},
+}};
+
+std::string_view in_words(InputKind kind) {
+  switch (kind) {
+    case InputKind::kInputTension:
+      return "an input tension";
+    case InputKind::kMotorCurrent:
+      return "a motor current";
+    case InputKind::kOutputTension:
+      return "an output tension";
+  }
+  return "";
+}
+
+std::string not_of_kind(InputKind needed, InputKind given) {
+  return fmt::format("acts on {}, and the input is {}", in_words(needed), in_words(given));
+}
+
+/// A lag is that of the output where it is positive, else that of the current.
+OnLine lag(const Extension& extension) {
+  return {extension.id,
+          value_of(extension, "lag_s") > 0 ? InputKind::kOutputTension : InputKind::kMotorCurrent,
+          std::nullopt};
+}
+
+std::optional<OnLine> on_line(const Extension& extension) {
+  if (extension.id == "filter_lag") {
+    return lag(extension);
+  }
+  for (const OnLine& effect : kOnLine) {
+    if (effect.id == extension.id) {
+      return effect;
+    }
+  }
+  return std::nullopt;
+}
+
+std::string why_off_line(std::string_view id) {
+  for (const OffLine& effect : kOffLine) {
+    if (effect.id == id) {
+      return std::string(effect.why);
+    }
+  }
+  return "not known";
+}
+
+/// Effects on the damage of a cycle, whatever the input.
+bool is_on_damage(std::string_view id) {
+  return id == "mean_stress" || id == "bending_fatigue" || id == "endurance_limit";
+}
+
+std::string why_not_on_damage(const Extension& extension) {
+  if (extension.id == "bending_fatigue" && !bending_amplitude_N(extension)) {
+    return "needs wire_to_bend_ratio in its table";
+  }
+  if (extension.id == "endurance_limit" && !endurance_limit_N(extension)) {
+    return "needs lowest_effective_N in its table";
+  }
+  return "";
+}
+
+/// Why an effect does not act; empty where it does.
+std::string why_not(const Extension& extension, const Model& model, InputKind kind,
+                    const ProfileChannels& channels) {
+  if (is_on_damage(extension.id)) {
+    return why_not_on_damage(extension);
+  }
+  const std::optional<OnLine> effect = on_line(extension);
+  if (!effect) {
+    return "not evaluated on line: " + why_off_line(extension.id);
+  }
+  if (effect->kind != kind) {
+    return not_of_kind(effect->kind, kind);
+  }
+  if (effect->channel && !channels[*effect->channel]) {
+    return fmt::format("needs {}", profile_columns()[*effect->channel].name);
+  }
+  if (extension.id == "friction_position" && !model.drive) {
+    return "needs [drive] for the position of the tendon";
+  }
+  return "";
+}
+
+}  // namespace
+
+Acting acting_extensions(const Model& model, InputKind kind, const ProfileChannels& channels) {
+  Acting acting;
+  for (const Extension& extension : model.extensions) {
+    std::string why = why_not(extension, model, kind, channels);
+    if (why.empty()) {
+      acting.extensions.push_back(extension);
+    } else {
+      acting.others.push_back({extension.id, std::move(why)});
+    }
+  }
+  return acting;
+}
+
+}  // namespace host_sim

@@ -1,0 +1,224 @@
+#include "host_sim/extension/fixed.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+
+#include "host_sim/extension/life.hpp"
+#include "host_sim/extension/value.hpp"
+#include "host_sim/io/input_error.hpp"
+#include "lifemodel/pack/pack.hpp"
+
+namespace host_sim {
+namespace {
+
+namespace fixed = lifemodel::extension;
+using fixed::Effect;
+
+/// The word nearest to a value with so many fractional bits; the ends of its range beyond them.
+std::int32_t word(double value, int fraction_bits) {
+  constexpr double kMost = std::numeric_limits<std::int32_t>::max();
+  return static_cast<std::int32_t>(
+      std::clamp(std::nearbyint(std::ldexp(value, fraction_bits)), -kMost, kMost));
+}
+
+fixed::FrictionWear wear_of(const Extension& e) {
+  const double size = value_of(e, "wear_coefficient");
+  const double exponent = value_of(e, "wear_exponent");
+  constexpr double kLeast = 1e-15;
+  fixed::FrictionWear wear;
+  wear.log2_size = word(std::log2(std::max(std::abs(size), kLeast)), fixed::kExponentBits);
+  wear.lowers = size < 0 ? 1 : 0;
+  // An exponent that rounds to 0 would make it a run-in.
+  wear.exponent = exponent > 0 ? std::max(1, word(exponent, fixed::kFactorBits)) : 0;
+  if (exponent == 0) {
+    wear.fading = word(std::numbers::log2e / (2 * value_of(e, "run_in_cycles")), 31);
+  }
+  return wear;
+}
+
+fixed::FrictionVelocity velocity_of(const Extension& e) {
+  return {.stribeck = word(value_of(e, "stribeck_friction") * std::numbers::log2e, 28),
+          .viscous = word(value_of(e, "viscous_friction_s_m") * std::numbers::log2e, 24),
+          .log2_a_speed = word(std::numbers::log2e / value_of(e, "stribeck_velocity_m_s"), 16)};
+}
+
+fixed::FrictionLoad load_of(const Extension& e, const Model& model) {
+  constexpr double kReference_N = 50;
+  // Below this a term of the series is all there is.
+  constexpr double kLeastExponent = 0x1p-16;
+  const double exponent = value_of(e, "load_exponent");
+  fixed::FrictionLoad load;
+  load.exponent = word(exponent, fixed::kFactorBits);
+  load.log2_reference =
+      word(std::log2(std::ldexp(kReference_N / model.cable.ultimate_tension_N, 29)), 26);
+  load.inverse =
+      *lifemodel::pack::factor(std::ldexp(1 / std::max(std::abs(exponent), kLeastExponent), -3));
+  return load;
+}
+
+fixed::FrictionPosition position_of(const Extension& e, const Model& model,
+                                    std::string_view model_name) {
+  fixed::FrictionPosition position;
+  for (std::size_t i = 0; i < position.harmonics.size(); ++i) {
+    const std::string number = std::to_string(i + 1);
+    position.harmonics[i] = {word(value_of(e, "position_sine_" + number), 28),
+                             word(value_of(e, "position_cosine_" + number), 28)};
+  }
+  const double metres_a_turn =
+      2 * std::numbers::pi * model.drive->spool_radius_mm * 1e-3 / model.drive->gear_ratio;
+  const double waves = metres_a_turn / value_of(e, "wavelength_m");
+  constexpr double kMostWaves = 7.99;
+  constexpr double kLeastWaves = 1e-6;
+  if (!(waves >= kLeastWaves && waves <= kMostWaves)) {
+    throw InputError(model_name, 0, 0,
+                     fmt::format("wavelength_m of [extension.friction_position] is passed {:.3g} "
+                                 "times in a turn of the rotor",
+                                 waves),
+                     fmt::format("{}..{} times", kLeastWaves, kMostWaves));
+  }
+  position.waves_a_turn = word(waves, 28);
+  return position;
+}
+
+fixed::BendAngle bend_angle_of(const Extension& e) {
+  const std::span<const double> errors_rad = values_of(e, "bend_angle_error_rad");
+  const std::span<const double> angles_deg = values_of(e, "bend_angles_deg");
+  fixed::BendAngle bend;
+  bend.poses = static_cast<std::int32_t>(errors_rad.size());
+  for (std::size_t i = 0; i < errors_rad.size(); ++i) {
+    const double angle_deg = i < angles_deg.size() ? angles_deg[i] : 0;
+    bend.pose[i] = {
+        lifemodel::pack::from_double<lifemodel::Angle>(angle_deg * std::numbers::pi / 180).raw(),
+        word(errors_rad[i], lifemodel::Angle::kFractionBits)};
+  }
+  return bend;
+}
+
+void add_lag(const Extension& e, const Model& model, fixed::Extension& result) {
+  const double periods = value_of(e, "lag_s") * model.counting.sample_rate_Hz;
+  const fixed::FilterLag lag{.periods = word(std::abs(periods), 16)};
+  if (periods > 0) {
+    result.output_lag = lag;
+    result.add(Effect::output_lag);
+  } else if (periods < 0) {
+    result.input_lag = lag;
+    result.add(Effect::input_lag);
+  }
+}
+
+void add_friction(const Extension& e, const Model& model, std::string_view model_name,
+                  fixed::Extension& result) {
+  if (e.id == "bend_angle") {
+    result.bend_angle = bend_angle_of(e);
+    result.add(Effect::bend_angle);
+  } else if (e.id == "friction_load") {
+    result.friction_load = load_of(e, model);
+    result.add(Effect::friction_load);
+  } else if (e.id == "friction_position" && model.drive) {
+    result.friction_position = position_of(e, model, model_name);
+    result.add(Effect::friction_position);
+  } else if (e.id == "friction_preload") {
+    result.friction_preload.force =
+        lifemodel::pack::tension(value_of(e, "preload_N"), model.cable.ultimate_tension_N).raw();
+    result.add(Effect::friction_preload);
+  } else if (e.id == "friction_temperature") {
+    result.friction_temperature = {word(value_of(e, "temperature_coefficient_1_K"), 30),
+                                   word(value_of(e, "sheath_reference_C"), 16)};
+    result.add(Effect::friction_temperature);
+  } else if (e.id == "friction_velocity") {
+    result.friction_velocity = velocity_of(e);
+    result.add(Effect::friction_velocity);
+  } else if (e.id == "friction_wear") {
+    result.friction_wear = wear_of(e);
+    result.add(Effect::friction_wear);
+  }
+}
+
+void add_drive(const Extension& e, fixed::Extension& result) {
+  if (e.id == "current_offset") {
+    result.current_offset = {word(value_of(e, "current_offset_A"), 24)};
+    result.add(Effect::current_offset);
+  } else if (e.id == "gear_asymmetry") {
+    result.gear_asymmetry = {word(value_of(e, "gear_asymmetry"), fixed::kFactorBits)};
+    result.add(Effect::gear_asymmetry);
+  } else if (e.id == "torque_gain") {
+    result.torque_gain = {word(value_of(e, "droop_1_K"), 30),
+                          word(value_of(e, "winding_reference_C"), 16)};
+    result.add(Effect::torque_gain);
+  } else if (e.id == "torque_ripple") {
+    result.torque_ripple = {word(value_of(e, "ripple_sine_A"), 24),
+                            word(value_of(e, "ripple_cosine_A"), 24),
+                            word(value_of(e, "ripple_harmonic"), 16)};
+    result.add(Effect::torque_ripple);
+  }
+}
+
+void add_bending(const Extension& e, const Model& model, std::string_view model_name,
+                 fixed::Extension& result) {
+  const auto amplitude_N = bending_amplitude_N(e);
+  if (!amplitude_N) {
+    return;
+  }
+  const double relative = *amplitude_N / model.cable.ultimate_tension_N;
+  constexpr double kMost = 1.5;
+  if (relative > kMost) {
+    throw InputError(model_name, 0, 0,
+                     fmt::format("bending_N * wire_to_bend_ratio of [extension.bending_fatigue] is "
+                                 "{:.3g} of ultimate_tension_N",
+                                 relative),
+                     fmt::format("up to {}", kMost));
+  }
+  result.bending_fatigue = {word(value_of(e, "bending_share"), fixed::kFactorBits),
+                            word(2 * relative, lifemodel::Tension::kFractionBits)};
+  result.add(Effect::bending_fatigue);
+}
+
+void add_limit(const Extension& e, const Model& model, fixed::Extension& result) {
+  const auto limit_N = endurance_limit_N(e);
+  if (!limit_N) {
+    return;
+  }
+  constexpr double kLeast = 1e-9;
+  const double relative = std::clamp(*limit_N / model.cable.ultimate_tension_N, kLeast, 1.0);
+  result.endurance_limit = {word(value_of(e, "endurance_share"), fixed::kFactorBits),
+                            word(std::log2(relative), lifemodel::numeric::kLogBits)};
+  result.add(Effect::endurance_limit);
+}
+
+void add_life(const Extension& e, const Model& model, std::string_view model_name,
+              fixed::Extension& result) {
+  if (e.id == "mean_stress") {
+    result.mean_stress = {word(value_of(e, "mean_stress_share"), fixed::kFactorBits),
+                          word(value_of(e, "walker_exponent"), fixed::kFactorBits)};
+    result.add(Effect::mean_stress);
+  } else if (e.id == "bending_fatigue") {
+    add_bending(e, model, model_name, result);
+  } else if (e.id == "endurance_limit") {
+    add_limit(e, model, result);
+  }
+}
+
+}  // namespace
+
+fixed::Extension fixed_extension(const Model& model, std::span<const Extension> extensions,
+                                 std::string_view model_name) {
+  fixed::Extension result;
+  for (const Extension& extension : extensions) {
+    if (extension.id == "filter_lag") {
+      add_lag(extension, model, result);
+    }
+    add_friction(extension, model, model_name, result);
+    add_life(extension, model, model_name, result);
+    if (model.drive) {
+      add_drive(extension, result);
+    }
+  }
+  return result;
+}
+
+}  // namespace host_sim

@@ -1,0 +1,149 @@
+#include "host_sim/extension/read.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "host_sim/extension/keys.hpp"
+#include "host_sim/extension/value.hpp"
+#include "host_sim/io/model_tables.hpp"
+#include "host_sim/io/text_file.hpp"
+
+namespace host_sim {
+namespace {
+
+constexpr std::string_view kExtension = "extension";
+
+std::optional<double> number_of(const toml::node& node) {
+  return node.is_number() ? node.value<double>() : std::nullopt;
+}
+
+std::string accepted_array(const NumberKey& key) {
+  return fmt::format("{} an array of 1..{} numbers, each {}", key.name, kMostBendAngles,
+                     range_text(key.range));
+}
+
+/// An array of numbers in their range.
+std::vector<double> numbers(const TomlTable& table, const NumberKey& key) {
+  const std::string accepted = accepted_array(key);
+  const toml::node& node = table.node(key.name, accepted);
+  const toml::array* const array = node.as_array();
+  if (array == nullptr || array->empty() || array->size() > kMostBendAngles) {
+    table.fail(table.place_of(key.name), fmt::format("{} is {}", key.name, describe(node)),
+               accepted);
+  }
+  std::vector<double> values;
+  for (const toml::node& element : *array) {
+    const auto value = number_of(element);
+    if (!value || !key.range.contains(*value)) {
+      table.fail(element.source().begin, fmt::format("{} holds {}", key.name, describe(element)),
+                 accepted);
+    }
+    values.push_back(*value);
+  }
+  return values;
+}
+
+/// One number where the table knows no bend angles, else one for each.
+void read_per_pose(const TomlTable& table, const NumberKey& key, Extension& extension) {
+  if (!table.has(kBendAngles.name)) {
+    extension.values.push_back({std::string(key.name), {table.number(key)}});
+    return;
+  }
+  const std::vector<double> angles_deg = numbers(table, kBendAngles);
+  if (!std::ranges::is_sorted(angles_deg, std::ranges::less_equal{})) {
+    table.fail(table.place_of(kBendAngles.name), fmt::format("{} do not rise", kBendAngles.name),
+               "bend angles from the smallest to the largest, each once");
+  }
+  const std::vector<double> values = numbers(table, key);
+  if (values.size() != angles_deg.size()) {
+    table.fail(table.place_of(key.name), fmt::format("{} has {} numbers", key.name, values.size()),
+               fmt::format("as many as {}: {}", kBendAngles.name, angles_deg.size()));
+  }
+  extension.values.push_back({std::string(key.name), values});
+  extension.values.push_back({std::string(kBendAngles.name), angles_deg});
+}
+
+void read_key(const TomlTable& table, const ExtensionKey& key, Extension& extension) {
+  if (key.per_pose) {
+    read_per_pose(table, key.number, extension);
+  } else if (table.has(key.number.name) || !key.otherwise) {
+    extension.values.push_back({std::string(key.number.name), {table.number(key.number)}});
+  } else if (!std::isnan(*key.otherwise)) {
+    extension.values.push_back({std::string(key.number.name), {*key.otherwise}});
+  }
+}
+
+void refuse_unknown_keys(const TomlTable& table, const ExtensionKeys& keys) {
+  std::vector<NumberKey> numbers;
+  bool per_pose = false;
+  for (const ExtensionKey& key : keys.keys) {
+    numbers.push_back(key.number);
+    per_pose = per_pose || key.per_pose;
+  }
+  if (per_pose) {
+    numbers.push_back(kBendAngles);
+  }
+  table.refuse_unknown_keys(numbers, {});
+}
+
+/// A law of wear needs its exponent, one of run-in its number of cycles.
+void check_wear(const TomlTable& table, const Extension& extension) {
+  constexpr double kLeastRunIn_cycles = 1;
+  if (value_of(extension, "wear_exponent") == 0 &&
+      value_of(extension, "run_in_cycles") < kLeastRunIn_cycles) {
+    table.fail(table.place_of("run_in_cycles"),
+               fmt::format("run_in_cycles is {} with wear_exponent 0",
+                           value_of(extension, "run_in_cycles")),
+               "wear_exponent above 0, or run_in_cycles 1 or more");
+  }
+}
+
+Extension read_extension(const TomlTable& table, const ExtensionKeys& keys) {
+  refuse_unknown_keys(table, keys);
+  Extension extension{std::string(keys.id), {}};
+  for (const ExtensionKey& key : keys.keys) {
+    read_key(table, key, extension);
+  }
+  if (keys.id == "friction_wear") {
+    check_wear(table, extension);
+  }
+  return extension;
+}
+
+}  // namespace
+
+std::vector<Extension> read_extensions(const TomlTable& extension) {
+  std::vector<std::string_view> ids;
+  for (const ExtensionKeys& keys : extension_keys()) {
+    ids.push_back(keys.id);
+  }
+  extension.refuse_unknown_keys({}, ids);
+  std::vector<Extension> read;
+  for (const ExtensionKeys& keys : extension_keys()) {
+    if (extension.has(keys.id)) {
+      read.push_back(read_extension(extension.table(keys.id), keys));
+    }
+  }
+  return read;
+}
+
+Model parse_extended_model(std::string_view text, std::string_view name) {
+  const toml::table values = parse_toml(text, name);
+  const TomlTable top(name, values, "", {});
+  Model model = nominal_model_of(top, std::span(&kExtension, 1));
+  if (top.has(kExtension)) {
+    model.extensions = read_extensions(top.table(kExtension));
+  }
+  return model;
+}
+
+Model read_extended_model(const std::filesystem::path& path) {
+  return parse_extended_model(read_text_file(path, "a model file (TOML) of at most 1 MiB"),
+                              file_name(path));
+}
+
+}  // namespace host_sim
