@@ -1,39 +1,21 @@
 #include "host_sim/batch/deal.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdint>
-#include <cstring>
 #include <exception>
 #include <stdexcept>
 #include <string_view>
 #include <thread>
+#include <utility>
 
+#include "host_sim/batch/wire.hpp"
 #include "host_sim/io/interruption.hpp"
 #include "host_sim/statistics/parallel.hpp"
 
 namespace host_sim::batch {
 namespace {
 
-/// The first byte of what a rank hands in: answers, each behind its size, or why there are none.
+/// The first byte of what a rank hands in: packed answers, or why there are none.
 enum class Outcome : char { answers = 'a', interrupted = 'i', failed = 'f' };
-
-void append(std::string& text, std::string_view answer) {
-  const std::uint64_t size = answer.size();
-  std::array<char, sizeof size> bytes{};
-  std::memcpy(bytes.data(), &size, sizeof size);
-  text.append(bytes.data(), bytes.size());
-  text += answer;
-}
-
-std::string take(std::string_view& text) {
-  std::uint64_t size = 0;
-  std::memcpy(&size, text.data(), sizeof size);
-  text.remove_prefix(sizeof size);
-  std::string answer(text.substr(0, size));
-  text.remove_prefix(size);
-  return answer;
-}
 
 std::size_t pieces_of(std::size_t rank, std::size_t ranks, std::size_t count) {
   return (count + ranks - 1 - rank) / ranks;
@@ -49,11 +31,7 @@ std::string work_of(const Ranks& ranks, std::size_t count, unsigned threads,
         answers[i] = work(ranks.rank() + i * ranks.count());
       },
       threads_of(ranks, threads));
-  std::string text(1, static_cast<char>(Outcome::answers));
-  for (const std::string& answer : answers) {
-    append(text, answer);
-  }
-  return text;
+  return static_cast<char>(Outcome::answers) + packed(answers);
 }
 
 /// A rank that fails hands in why, so that the others do not wait for it.
@@ -98,9 +76,10 @@ std::vector<std::string> deal(Ranks& ranks, std::size_t count, unsigned threads,
   throw_failures(outcomes);
   std::vector<std::string> answers(outcomes.empty() ? 0 : count);
   for (std::size_t rank = 0; rank < outcomes.size(); ++rank) {
-    std::string_view text = std::string_view(outcomes[rank]).substr(1);
-    for (std::size_t i = rank; i < count; i += outcomes.size()) {
-      answers[i] = take(text);
+    std::size_t i = rank;
+    for (std::string& answer : unpacked(std::string_view(outcomes[rank]).substr(1))) {
+      answers[i] = std::move(answer);
+      i += outcomes.size();
     }
   }
   return answers;

@@ -10,7 +10,8 @@ namespace host_sim::batch {
 ///
 /// All ranks make the same calls in the same order. Waiting takes no processor time and ends with
 /// Interruption when the user stops the program. A rank whose object is destroyed by an exception
-/// before leave() ends all ranks, for they would wait for it in vain.
+/// before leave() ends all ranks, for they would wait for it in vain. Outputs belong into objects
+/// made later: what ends ranks gives them no time to remove files.
 class Ranks {
  public:
   Ranks();
@@ -29,8 +30,8 @@ class Ranks {
   /// The texts of all ranks in their order on rank 0; nothing on the others. Up to 2 GB together.
   std::vector<std::string> gather(const std::string& text);
 
-  /// The ranks need each other no more.
-  void leave();
+  /// The ranks need each other no more; they part when their objects are destroyed.
+  void leave() { left_ = true; }
   [[nodiscard]] bool has_left() const { return left_; }
 
  private:

@@ -14,8 +14,4 @@ std::vector<std::string> Ranks::gather(const std::string& text) {
   return {text};
 }
 
-void Ranks::leave() {
-  left_ = true;
-}
-
 }  // namespace host_sim::batch

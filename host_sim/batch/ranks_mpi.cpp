@@ -16,6 +16,10 @@ namespace {
 constexpr int kFirst = 0;
 constexpr std::chrono::milliseconds kBetweenLooks{1};
 
+// The signal that stops this rank mostly stops rank 0 too, which then has files to remove; mpirun
+// itself gives them a second.
+constexpr std::chrono::milliseconds kToRemoveFiles{500};
+
 // Blocking calls of MPI keep a core busy and hear no signal.
 void wait_for(MPI_Request& request) {
   for (;;) {
@@ -79,13 +83,14 @@ Ranks::Ranks() {
 }
 
 Ranks::~Ranks() {
-  if (left_) {
+  if (left_ || count_ == 1 || std::uncaught_exceptions() == 0) {
+    MPI_Finalize();
     return;
   }
-  if (count_ > 1 && std::uncaught_exceptions() > 0) {
-    MPI_Abort(MPI_COMM_WORLD, 1);
+  if (rank_ != kFirst) {
+    std::this_thread::sleep_for(kToRemoveFiles);
   }
-  leave();
+  MPI_Abort(MPI_COMM_WORLD, 1);
 }
 
 std::string Ranks::broadcast(std::string text) {
@@ -115,11 +120,6 @@ std::vector<std::string> Ranks::gather(const std::string& text) {
         all.substr(static_cast<std::size_t>(places[i]), static_cast<std::size_t>(sizes[i])));
   }
   return texts;
-}
-
-void Ranks::leave() {
-  MPI_Finalize();
-  left_ = true;
 }
 
 }  // namespace host_sim::batch
