@@ -4,6 +4,7 @@
 #include <span>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "host_sim/reference/cycle_damage.hpp"
 
@@ -32,15 +33,17 @@ const Constants& checked(const Constants& constants) {
 
 }  // namespace
 
-Reference::Reference(const Constants& constants)
-    : constants_(checked(constants)), filter_(constants.hysteresis_N) {}
+Reference::Reference(const Constants& constants, EffectiveTension effective)
+    : constants_(checked(constants)),
+      effective_(std::move(effective)),
+      filter_(constants.hysteresis_N) {}
 
 void Reference::refuse_sample() {
   throw std::invalid_argument("input tension is not finite");
 }
 
 void Reference::add(Closed& closed, const Cycle& cycle) const {
-  closed.damage.add(cycle_damage(cycle, constants_));
+  closed.damage.add(cycle_damage(cycle, constants_, effective_));
   ++closed.cycles;
   closed.overloads += is_overload(cycle, constants_) ? 1U : 0U;
 }
@@ -62,7 +65,7 @@ Reading Reference::reading() const {
   const std::span<const double> residue_N = rainflow.residue();
   for (std::size_t i = 1; i < residue_N.size(); ++i) {
     const Cycle half{residue_N[i - 1], residue_N[i]};
-    open.add(cycle_damage(half, constants_) / 2.0);
+    open.add(cycle_damage(half, constants_, effective_) / 2.0);
     ++half_cycles;
     overloads += is_overload(half, constants_) ? 1U : 0U;
   }

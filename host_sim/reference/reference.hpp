@@ -8,6 +8,7 @@
 #include "host_sim/reference/compensated_sum.hpp"
 #include "host_sim/reference/constants.hpp"
 #include "host_sim/reference/cycle.hpp"
+#include "host_sim/reference/cycle_damage.hpp"
 #include "host_sim/reference/four_point_rainflow.hpp"
 #include "host_sim/reference/turning_points.hpp"
 
@@ -36,8 +37,9 @@ struct Reading {
 /// law, Miner. The independent reference of the estimator that runs on the target.
 class Reference {
  public:
+  /// @param effective in place of Gerber's, where the life law is extended
   /// @throws std::invalid_argument naming the constant that is out of the range of Constants
-  explicit Reference(const Constants& constants);
+  explicit Reference(const Constants& constants, EffectiveTension effective = {});
 
   /// Takes the next sample of the input tension, counted as it is where negative.
   /// @throws std::invalid_argument if it is not finite; the count is then as before the call
@@ -67,6 +69,7 @@ class Reference {
   void add(Closed& closed, const Cycle& cycle) const;
 
   Constants constants_;
+  EffectiveTension effective_;
   TurningPointFilter filter_;
   FourPointRainflow rainflow_;
   Closed closed_;

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "host_sim/extension/fixed.hpp"
 #include "host_sim/io/input_error.hpp"
 #include "lifemodel/block/parameter_block.hpp"
 #include "lifemodel/pack/pack.hpp"
@@ -97,6 +98,11 @@ lifemodel::Parameters parameters_of(const Model& model, std::string_view model_n
         accepted_by_board(parameters.error(), model));
   }
   return *parameters;
+}
+
+lifemodel::ExtendedParameters extended_parameters_of(const Model& model,
+                                                     std::string_view model_name) {
+  return {parameters_of(model, model_name), fixed_extension(model, model.extensions, model_name)};
 }
 
 }  // namespace host_sim

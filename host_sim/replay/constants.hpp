@@ -5,7 +5,7 @@
 #include "host_sim/io/model.hpp"
 #include "host_sim/reference/constants.hpp"
 #include "host_sim/reference/equations.hpp"
-#include "lifemodel/block/parameters.hpp"
+#include "lifemodel/block/extended_block.hpp"
 
 namespace host_sim {
 
@@ -13,6 +13,11 @@ namespace host_sim {
 /// @param model_name stands for the model in errors
 /// @throws InputError where the target cannot represent the model
 lifemodel::Parameters parameters_of(const Model& model, std::string_view model_name);
+
+/// The same with the extensions that a controller evaluates.
+/// @throws InputError where the target cannot represent the model
+lifemodel::ExtendedParameters extended_parameters_of(const Model& model,
+                                                     std::string_view model_name);
 
 /// The same model for the double-precision reference.
 reference::Constants reference_constants_of(const Model& model);

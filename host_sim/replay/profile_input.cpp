@@ -1,6 +1,8 @@
 #include "host_sim/replay/profile_input.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "host_sim/replay/constants.hpp"
 #include "lifemodel/pack/pack.hpp"
@@ -11,6 +13,7 @@ namespace {
 using lifemodel::Direction;
 using lifemodel::Tension;
 using lifemodel::pack::from_double;
+using lifemodel::pack::to_double;
 
 template <class Q>
 Q saturating(double value, lifemodel::Flags& flags) {
@@ -20,18 +23,47 @@ Q saturating(double value, lifemodel::Flags& flags) {
   return from_double<Q>(value);
 }
 
+lifemodel::extension::RotorAngle rotor_angle(double angle_rad, lifemodel::Flags& flags) {
+  using lifemodel::extension::RotorAngle;
+  constexpr double kMost = 0x1p62;
+  const double raw = std::ldexp(angle_rad / (2 * std::numbers::pi), RotorAngle::kFractionBits);
+  if (std::fabs(raw) > kMost) {
+    flags.raise(lifemodel::Flag::saturated);
+  }
+  return {std::llround(std::clamp(raw, -kMost, kMost))};
+}
+
 }  // namespace
 
 ProfileInput::ProfileInput(const ProfileReader& profile, const Model& model,
-                           const lifemodel::Parameters& parameters)
+                           const lifemodel::ExtendedParameters& parameters,
+                           std::uint32_t start_cycle)
     : kind_(profile.kind()),
       has_bend_angle_(profile.has_bend_angle()),
       ultimate_tension_N_(model.cable.ultimate_tension_N),
       friction_coefficient_(model.sheath.friction_coefficient),
       model_bend_rad_(radians(model.sheath.bend_angle_deg)),
-      parameters_(parameters) {
+      parameters_(parameters.nominal) {
+  if (parameters.extension.effects != 0) {
+    extended_.emplace(model, parameters, start_cycle);
+  }
   if (kind_ == InputKind::kMotorCurrent) {
     drive_ = drive_of(model);
+  }
+}
+
+ProfileInput::Extended::Extended(const Model& model,
+                                 const lifemodel::ExtendedParameters& parameters,
+                                 std::uint32_t start_cycle)
+    : corrector(parameters.nominal, parameters.extension), exact(model) {
+  corrector.start_at(start_cycle);
+  circumstances.cycle = start_cycle;
+}
+
+void ProfileInput::gap() {
+  if (extended_) {
+    extended_->corrector.gap();
+    extended_->exact.gap();
   }
 }
 
@@ -50,12 +82,18 @@ void ProfileInput::take(const ProfileRow& row, lifemodel::Flags& flags) {
       take_output(row);
       break;
   }
+  if (extended_) {
+    take_surroundings(row);
+    take_extended(row);
+  }
   flags = flags | sample_flags_;
   tension_ = converted(flags);
 }
 
 void ProfileInput::take_output(const ProfileRow& row) {
-  direction_ = reference::direction_of(row.tendon_velocity_m_s, direction_);
+  if (!extended_) {
+    direction_ = reference::direction_of(row.tendon_velocity_m_s, direction_);
+  }
   const double bend_rad = has_bend_angle_ ? radians(row.bend_angle_deg) : model_bend_rad_;
   tension_N_ = reference::input_tension_from_output(
       row.value, reference::capstan_efficiency(friction_coefficient_, bend_rad), direction_);
@@ -63,14 +101,56 @@ void ProfileInput::take_output(const ProfileRow& row) {
   bend_ = has_bend_angle_ ? from_double<lifemodel::Angle>(bend_rad) : parameters_.bend;
 }
 
-Tension ProfileInput::converted(lifemodel::Flags& flags) const {
+void ProfileInput::take_surroundings(const ProfileRow& row) {
+  lifemodel::extension::Conditions& target = extended_->conditions;
+  target.velocity =
+      saturating<lifemodel::extension::Velocity>(row.tendon_velocity_m_s, sample_flags_);
+  target.rotor = rotor_angle(row.motor_angle_rad, sample_flags_);
+  target.sheath =
+      saturating<lifemodel::extension::Temperature>(row.sheath_temperature_C, sample_flags_);
+  target.winding =
+      saturating<lifemodel::extension::Temperature>(row.winding_temperature_C, sample_flags_);
+
+  Circumstances& exact = extended_->circumstances;
+  // The direction is the sample's: what rounds to no velocity keeps it.
+  direction_ = reference::direction_of(to_double(target.velocity), direction_);
+  exact.direction = direction_ == reference::Direction::kPulling ? 1 : -1;
+  exact.velocity_m_s = row.tendon_velocity_m_s;
+  exact.motor_angle_rad = row.motor_angle_rad;
+  exact.sheath_temperature_C = row.sheath_temperature_C;
+  exact.winding_temperature_C = row.winding_temperature_C;
+  const double turned_m_s = to_double(lifemodel::extension::Corrector::kTurned);
+  if (extended_->pulled ? exact.velocity_m_s < -turned_m_s : exact.velocity_m_s > turned_m_s) {
+    extended_->pulled = !extended_->pulled;
+    exact.cycle += 0.5;
+  }
+}
+
+/// In place of the nominal equations.
+void ProfileInput::take_extended(const ProfileRow& row) {
+  if (kind_ == InputKind::kMotorCurrent) {
+    tension_N_ = extended_->exact.from_current_N(row.value, extended_->circumstances);
+  } else if (kind_ == InputKind::kOutputTension) {
+    extended_->circumstances.bend_angle_rad =
+        has_bend_angle_ ? radians(row.bend_angle_deg) : model_bend_rad_;
+    tension_N_ = extended_->exact.from_output_N(row.value, extended_->circumstances);
+  }
+}
+
+Tension ProfileInput::converted(lifemodel::Flags& flags) {
+  using lifemodel::extension::DriveSample;
+  using lifemodel::extension::SheathSample;
   switch (kind_) {
     case InputKind::kInputTension:
       return measured_;
     case InputKind::kMotorCurrent:
-      return parameters_.drive.tension(current_, flags);
+      return extended_ ? extended_->corrector.input_tension(
+                             DriveSample{current_, extended_->conditions}, flags)
+                       : parameters_.drive.tension(current_, flags);
     case InputKind::kOutputTension:
-      return parameters_.capstan.input_tension(measured_, bend_, direction(), flags);
+      return extended_ ? extended_->corrector.input_tension(
+                             SheathSample{measured_, bend_, extended_->conditions}, flags)
+                       : parameters_.capstan.input_tension(measured_, bend_, direction(), flags);
   }
   return {};
 }
@@ -84,8 +164,14 @@ BoardSample ProfileInput::sample() const {
     case InputKind::kInputTension:
       return measured_;
     case InputKind::kMotorCurrent:
+      if (extended_) {
+        return lifemodel::extension::DriveSample{current_, extended_->conditions};
+      }
       return current_;
     case InputKind::kOutputTension:
+      if (extended_) {
+        return lifemodel::extension::SheathSample{measured_, bend_, extended_->conditions};
+      }
       return app::OutputTension{measured_, direction(), bend_};
   }
   return measured_;

@@ -8,6 +8,8 @@
 #include <span>
 #include <stdexcept>
 
+#include "host_sim/extension/fixed.hpp"
+#include "host_sim/extension/life.hpp"
 #include "host_sim/io/input_error.hpp"
 #include "host_sim/replay/constants.hpp"
 #include "host_sim/replay/flag_names.hpp"
@@ -16,6 +18,7 @@
 #include "host_sim/replay/sample_clock.hpp"
 #include "host_sim/replay/trajectory_file.hpp"
 #include "lifemodel/estimator.hpp"
+#include "lifemodel/extension/life.hpp"
 #include "lifemodel/pack/pack.hpp"
 
 namespace host_sim {
@@ -38,6 +41,11 @@ struct CyclesToPlots {
   }
 };
 
+Model with(Model model, const std::vector<Extension>& extensions) {
+  model.extensions = extensions;
+  return model;
+}
+
 /// One pass of a profile.
 class Pass {
  public:
@@ -45,19 +53,23 @@ class Pass {
        const ReplayOptions& options)
       : model_(model),
         options_(options),
-        parameters_(parameters_of(model, model_name)),
-        estimator_({parameters_}),
-        exact_(reference_constants_of(model)),
-        input_(profile, model, parameters_),
+        acting_(acting_extensions(model, profile.kind(), profile.channels())),
+        acting_model_(with(model, acting_.extensions)),
+        parameters_{parameters_of(model, model_name),
+                    fixed_extension(acting_model_, acting_.extensions, model_name)},
+        estimator_(
+            {lifemodel::extension::life_parameters(parameters_.nominal, parameters_.extension)}),
+        exact_(reference_constants_of(model), extended_effective_tension(acting_model_)),
+        input_(profile, acting_model_, parameters_, options.start_cycle),
         clock_(1 / model.counting.sample_rate_Hz) {
     if (options.report != nullptr) {
-      plots_.emplace(model, parameters_);
+      plots_.emplace(model, parameters_.nominal);
     }
     if (options.trajectory != nullptr) {
       trajectory_.emplace(*options.trajectory, model.cable.ultimate_tension_N);
     }
     if (options.can) {
-      board_.emplace(profile.kind(), parameters_, options.node,
+      board_.emplace(profile.kind(), parameters_, options.start_cycle, options.node,
                      [this](hal::Time time, const hal::CanFrame& frame) {
                        ++can_frames_;
                        options_.can(time, frame);
@@ -71,6 +83,7 @@ class Pass {
     const std::uint32_t missing = clock_.missing_before(row.time_s);
     if (missing != 0) {
       estimator_.push_missing(0, missing);
+      input_.gap();
     }
     input_.take(row, estimator_.input_flags(0));
     estimator_.push(0, input_.tension());
@@ -120,6 +133,10 @@ class Pass {
     result.missing_samples = reading.missing_samples.raw();
     result.peak_tension_N = exact.peak_tension_N;
     result.model_digest = model_digest(model_);
+    result.not_evaluated = acting_.others;
+    for (const Extension& extension : acting_.extensions) {
+      result.extensions.push_back(extension.id);
+    }
     if (clock_.other_rate()) {
       result.warnings.push_back(fmt::format(
           "the profile was recorded at about {:.4g} Hz, the model says {:.4g} Hz; every interval "
@@ -137,6 +154,8 @@ class Pass {
   }
 
  private:
+  using Layout = lifemodel::extension::ExtendedLife<lifemodel::DefaultLayout>;
+
   static hal::Time since_start(double time_s) {
     return hal::microseconds(static_cast<std::uint64_t>(std::llround(time_s * 1e6)));
   }
@@ -169,8 +188,10 @@ class Pass {
 
   const Model& model_;
   const ReplayOptions& options_;
-  lifemodel::Parameters parameters_;
-  lifemodel::Estimator<1> estimator_;
+  Acting acting_;
+  Model acting_model_;
+  lifemodel::ExtendedParameters parameters_;
+  lifemodel::Estimator<1, Layout> estimator_;
   reference::Reference exact_;
   ProfileInput input_;
   SampleClock clock_;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/extension/acting.hpp"
 #include "host_sim/io/model.hpp"
 #include "host_sim/io/profile.hpp"
 #include "host_sim/reference/equations.hpp"
@@ -35,6 +36,8 @@ struct ReplayResult {
   std::uint64_t missing_samples = 0;
   double peak_tension_N = 0;
   std::string model_digest;
+  std::vector<std::string> extensions;      ///< ids of those that were evaluated
+  std::vector<NotEvaluated> not_evaluated;  ///< extensions of the model that were not, and why
   std::optional<std::uint64_t> can_frames;  ///< that the firmware sent, where it was asked for
 };
 
@@ -45,6 +48,7 @@ struct ReplayOptions {
   ReplayReport* report = nullptr;  ///< its plots are filled
   VirtualBoard::Listener can;      ///< hears what the firmware sends; time 0 is the first sample
   protocol::Node node = 1;         ///< of that firmware
+  std::uint32_t start_cycle = 0;   ///< cycles that the sheath has seen before, for its wear
   std::function<void(std::uint64_t bytes)> progress;
 };
 

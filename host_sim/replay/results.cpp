@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "host_sim/extension/value.hpp"
 #include "host_sim/report/replay/flag_text.hpp"
 
 namespace host_sim {
@@ -39,6 +40,20 @@ std::string_view in_words(InputKind kind) {
   return "";
 }
 
+/// Parameters of what was evaluated among the constants, what was not among the warnings.
+void add_extensions(ReplayReport& report, const ReplayResult& result, const Model& model) {
+  for (const std::string& id : result.extensions) {
+    for (const Extension::Value& value : extension_of(model.extensions, id)->values) {
+      for (const double number : value.values) {
+        report.model_constants.push_back({fmt::format("{} of {}", value.name, id), number, ""});
+      }
+    }
+  }
+  for (const NotEvaluated& effect : result.not_evaluated) {
+    report.warnings.push_back(fmt::format("{} is left out: {}", effect.id, effect.why));
+  }
+}
+
 }  // namespace
 
 std::string replay_json(const ReplayResult& result) {
@@ -64,6 +79,13 @@ std::string replay_json(const ReplayResult& result) {
       {"warnings", result.warnings},
       {"model_digest", result.model_digest},
   };
+  if (!result.extensions.empty() || !result.not_evaluated.empty()) {
+    json["extensions"] = result.extensions;
+    json["not_evaluated"] = ordered_json::array();
+    for (const NotEvaluated& effect : result.not_evaluated) {
+      json["not_evaluated"].push_back({{"id", effect.id}, {"why", effect.why}});
+    }
+  }
   if (result.can_frames) {
     json["can_frames"] = *result.can_frames;
   }
@@ -84,6 +106,12 @@ void write_summary(std::ostream& out, const ReplayResult& result, const std::str
   fmt::print(out, "  repeats       {} to B10, {} to B50, {} to the mean life, {} to B90\n",
              repeats_text(result.repeats_to.b10), repeats_text(result.repeats_to.b50),
              repeats_text(result.repeats_to.mean), repeats_text(result.repeats_to.b90));
+  for (const std::string& id : result.extensions) {
+    fmt::print(out, "  extension     {}\n", id);
+  }
+  for (const NotEvaluated& effect : result.not_evaluated) {
+    fmt::print(out, "  left out      {}: {}\n", effect.id, effect.why);
+  }
   if (result.can_frames) {
     fmt::print(out, "  bus           {} frames of the firmware\n", *result.can_frames);
   }
@@ -132,6 +160,7 @@ void fill_report(ReplayReport& report, const ReplayResult& result, const Model& 
     report.model_constants.push_back({"spool radius", model.drive->spool_radius_mm, "mm"});
     report.model_constants.push_back({"current offset", model.drive->current_offset_A, "A"});
   }
+  add_extensions(report, result, model);
 }
 
 }  // namespace host_sim

@@ -1,8 +1,11 @@
 #include "host_sim/replay/virtual_board.hpp"
 
+#include <array>
+#include <type_traits>
 #include <utility>
 
 #include "firmware/app/app.hpp"
+#include "firmware/app/extended_sensor.hpp"
 #include "firmware/storage/flash_store.hpp"
 #include "hal/fake/can_listener.hpp"
 #include "hal/fake/clock.hpp"
@@ -12,6 +15,7 @@
 #include "hal/fake/sensor.hpp"
 #include "hal/fake/watchdog.hpp"
 #include "hal/hold.hpp"
+#include "lifemodel/extension/life.hpp"
 
 namespace host_sim {
 namespace {
@@ -23,6 +27,61 @@ constexpr hal::Time kPollPeriod = hal::milliseconds(1);
 constexpr hal::Time kReading = hal::milliseconds(101);
 /// By then they have been told, unless the bus budget is a long way behind.
 constexpr hal::Time kTelling = hal::seconds(2);
+
+}  // namespace
+
+namespace {
+
+/// The sensor of a nominal model.
+template <class SampleT>
+class Plain {
+ public:
+  using Sample = SampleT;
+  using Sensor = fake::Sensor<Sample>;
+
+  Plain(const fake::Clock& clock, const lifemodel::ExtendedParameters&) : sensor_(clock) {}
+  fake::Sensor<Sample>& given() { return sensor_; }
+  Sensor& seen() { return sensor_; }
+  void start_at(std::uint32_t) {}
+
+ private:
+  fake::Sensor<Sample> sensor_;
+};
+
+/// The sensor of an extended one.
+template <class SampleT>
+class Extending {
+ public:
+  using Sample = SampleT;
+  using Sensor = app::ExtendedSensor<fake::Sensor<Sample>, 1>;
+
+  Extending(const fake::Clock& clock, const lifemodel::ExtendedParameters& parameters)
+      : models_{parameters}, given_(clock), seen_(given_, models_) {}
+  Extending(const Extending&) = delete;
+  Extending& operator=(const Extending&) = delete;
+  fake::Sensor<Sample>& given() { return given_; }
+  Sensor& seen() { return seen_; }
+  void start_at(std::uint32_t cycle) { seen_.start_at(0, cycle); }
+
+ private:
+  typename Sensor::Models models_;
+  fake::Sensor<Sample> given_;
+  Sensor seen_;
+};
+
+using Nominal = lifemodel::DefaultLayout;
+using Extended = lifemodel::extension::ExtendedLife<Nominal>;
+
+template <class Layout>
+auto models_of(const lifemodel::ExtendedParameters& parameters) {
+  using Model = typename lifemodel::ParametersOf<Layout>::Type;
+  if constexpr (std::is_same_v<Model, lifemodel::Parameters>) {
+    return std::array{parameters.nominal};
+  } else {
+    return std::array{
+        lifemodel::extension::life_parameters(parameters.nominal, parameters.extension)};
+  }
+}
 
 }  // namespace
 
@@ -38,15 +97,18 @@ class VirtualBoard::Firmware {
   virtual lifemodel::Damage finish() = 0;
 };
 
-template <class Sample>
+template <class Sensing, class Layout>
 class VirtualBoard::FirmwareFor final : public VirtualBoard::Firmware {
  public:
-  FirmwareFor(const lifemodel::Parameters& parameters, protocol::Node node, Listener listener)
+  FirmwareFor(const lifemodel::ExtendedParameters& parameters, std::uint32_t start_cycle,
+              protocol::Node node, Listener listener)
       : tap_{std::move(listener), protocol::id_of<protocol::LifeStatus>(node)},
-        app_({can_, sensor_, clock_, store_, drive_enable_, brake_, status_light_, emergency_stop_,
-              watchdog_, entropy_, hold_},
-             {.node = node}, {parameters}) {
+        sensing_(clock_, parameters),
+        app_({can_, sensing_.seen(), clock_, store_, drive_enable_, brake_, status_light_,
+              emergency_stop_, watchdog_, entropy_, hold_},
+             {.node = node}, {parameters.nominal}, models_of<Layout>(parameters)) {
     app_.start();
+    sensing_.start_at(start_cycle);
   }
 
   void take(hal::Time time, std::uint32_t missing, const BoardSample& sample,
@@ -57,7 +119,7 @@ class VirtualBoard::FirmwareFor final : public VirtualBoard::Firmware {
     }
     lifemodel::Flags& raised = app_.input_flags(0);
     raised = raised | flags;
-    sensor_.give(0, std::get<Sample>(sample));
+    sensing_.given().give(0, std::get<typename Sensing::Sample>(sample));
     app_.isr_sample();
     while (app_.settle()) {
     }
@@ -90,7 +152,7 @@ class VirtualBoard::FirmwareFor final : public VirtualBoard::Firmware {
   };
 
   using Can = fake::CanListener<Tap>;
-  using Sensor = fake::Sensor<Sample>;
+  using Sensor = typename Sensing::Sensor;
   using Store = storage::FlashStore<fake::Flash<>, 1>;
   using Devices =
       app::Devices<Can, Sensor, fake::Clock, Store, fake::DigitalOut, fake::DigitalOut,
@@ -113,7 +175,7 @@ class VirtualBoard::FirmwareFor final : public VirtualBoard::Firmware {
   Tap tap_;
   fake::Clock clock_;
   Can can_{clock_, tap_};
-  Sensor sensor_{clock_};
+  Sensing sensing_;
   fake::Flash<> flash_;
   Store store_{flash_};
   fake::DigitalOut drive_enable_{clock_};
@@ -123,24 +185,29 @@ class VirtualBoard::FirmwareFor final : public VirtualBoard::Firmware {
   fake::Watchdog watchdog_{clock_, hal::milliseconds(500)};
   fake::Entropy entropy_{clock_, 1};
   hal::NoHold hold_;
-  app::App<1, Devices> app_;
+  app::App<1, Devices, Layout> app_;
   hal::Time next_poll_{};
 };
 
-VirtualBoard::VirtualBoard(InputKind kind, const lifemodel::Parameters& parameters,
-                           protocol::Node node, Listener listener) {
+VirtualBoard::VirtualBoard(InputKind kind, const lifemodel::ExtendedParameters& parameters,
+                           std::uint32_t start_cycle, protocol::Node node, Listener listener) {
+  const auto run = [&]<class Sensing, class Layout>() {
+    firmware_ = std::make_unique<FirmwareFor<Sensing, Layout>>(parameters, start_cycle, node,
+                                                               std::move(listener));
+  };
+  const bool extended = parameters.extension.effects != 0;
   switch (kind) {
     case InputKind::kInputTension:
-      firmware_ =
-          std::make_unique<FirmwareFor<lifemodel::Tension>>(parameters, node, std::move(listener));
+      extended ? run.template operator()<Plain<lifemodel::Tension>, Extended>()
+               : run.template operator()<Plain<lifemodel::Tension>, Nominal>();
       return;
     case InputKind::kMotorCurrent:
-      firmware_ = std::make_unique<FirmwareFor<lifemodel::MotorCurrent>>(parameters, node,
-                                                                         std::move(listener));
+      extended ? run.template operator()<Extending<lifemodel::extension::DriveSample>, Extended>()
+               : run.template operator()<Plain<lifemodel::MotorCurrent>, Nominal>();
       return;
     case InputKind::kOutputTension:
-      firmware_ =
-          std::make_unique<FirmwareFor<app::OutputTension>>(parameters, node, std::move(listener));
+      extended ? run.template operator()<Extending<lifemodel::extension::SheathSample>, Extended>()
+               : run.template operator()<Plain<app::OutputTension>, Nominal>();
       return;
   }
 }

@@ -10,15 +10,19 @@
 #include "hal/can_frame.hpp"
 #include "hal/clock.hpp"
 #include "host_sim/io/profile.hpp"
-#include "lifemodel/block/parameters.hpp"
+#include "lifemodel/block/extended_block.hpp"
 #include "lifemodel/damage/damage.hpp"
+#include "lifemodel/extension/sample.hpp"
 #include "lifemodel/quantity/units.hpp"
 #include "lifemodel/state/flags.hpp"
 
 namespace host_sim {
 
-/// What the sensor of a board gives for one tendon; the kind follows InputKind.
-using BoardSample = std::variant<lifemodel::Tension, lifemodel::MotorCurrent, app::OutputTension>;
+/// What the sensor of a board gives for one tendon; the kind follows InputKind and
+/// whether the model is extended.
+using BoardSample =
+    std::variant<lifemodel::Tension, lifemodel::MotorCurrent, app::OutputTension,
+                 lifemodel::extension::DriveSample, lifemodel::extension::SheathSample>;
 
 /// The firmware for one tendon on a board of fakes: virtual time from 0, blank storage, a bus on
 /// which nobody else talks. The same input gives the same frames.
@@ -27,8 +31,9 @@ class VirtualBoard {
   /// Hears of each frame as it leaves.
   using Listener = std::function<void(hal::Time, const hal::CanFrame&)>;
 
-  VirtualBoard(InputKind kind, const lifemodel::Parameters& parameters, protocol::Node node,
-               Listener listener);
+  /// @param start_cycle that the sheath has seen before
+  VirtualBoard(InputKind kind, const lifemodel::ExtendedParameters& parameters,
+               std::uint32_t start_cycle, protocol::Node node, Listener listener);
   VirtualBoard(VirtualBoard&&) noexcept;
   VirtualBoard& operator=(VirtualBoard&&) noexcept;
   ~VirtualBoard();
@@ -46,7 +51,7 @@ class VirtualBoard {
 
  private:
   class Firmware;
-  template <class Sample>
+  template <class Sensing, class Layout>
   class FirmwareFor;
   std::unique_ptr<Firmware> firmware_;
 };

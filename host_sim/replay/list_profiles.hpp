@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace host_sim {
+
+/// A profile among several, and the model beside it.
+struct ListedProfile {
+  std::filesystem::path path;
+  std::string name;             ///< in tables
+  std::filesystem::path model;  ///< nearest_model(); empty where there is none
+  std::string model_name;       ///< in tables
+};
+
+/// The profiles that `arguments` name: files as they are given, folders with all that
+/// find_profiles() finds in them. The names are relative to the folder where it is the only
+/// argument.
+/// @throws InputError for a folder that cannot be listed or holds no profile, and for a profile
+/// that is named twice
+std::vector<ListedProfile> list_profiles(std::span<const std::string> arguments);
+
+}  // namespace host_sim
