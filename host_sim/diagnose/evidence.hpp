@@ -18,14 +18,20 @@ struct ScatterPoint {
 /// @pre noise.sample_sd above 0
 ScatterPoint scatter_point(const Grams& grams, const NoiseModel& noise);
 
+/// The values of scatter_grid(), with a sample_sd that is not set.
+std::vector<NoiseModel> scatter_values();
+
 /// Scatter that is not known is averaged over: a grid in the logarithm of both standard deviations.
 std::vector<ScatterPoint> scatter_grid(const Grams& grams, double sample_sd);
 
-/// Columns that are in the model together, as indices into the layout, and the standard deviations
-/// of the priors of their coefficients.
+/// Columns that are in the model together, as indices into the layout, with the normal priors of
+/// their coefficients.
 struct Terms {
   std::vector<Eigen::Index> columns;
+  std::vector<double> prior_mean;
   std::vector<double> prior_sd;
+
+  void append(const Terms& other);
 };
 
 /// The terms of one block of an effect.

@@ -40,6 +40,16 @@ void fill_block(Eigen::MatrixXd& columns, const GramLayout::Block& block,
   }
 }
 
+void fill_probe(Eigen::MatrixXd& columns, const GramLayout::ProbeBlock& block,
+                const recording::Covariates& covariates) {
+  columns.middleCols(static_cast<Index>(block.first), static_cast<Index>(block.probe.columns()))
+      .setZero();
+  const std::vector<std::size_t> places = block.probe.column_of(covariates);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    columns(static_cast<Index>(i), static_cast<Index>(block.first + places[i])) = 1;
+  }
+}
+
 void whiten(Eigen::MatrixXd& columns, double autocorrelation) {
   if (autocorrelation == 0 || columns.rows() == 0) {
     return;
@@ -48,15 +58,6 @@ void whiten(Eigen::MatrixXd& columns, double autocorrelation) {
     columns.row(row) -= autocorrelation * columns.row(row - 1);
   }
   columns.row(0) *= std::sqrt(1 - autocorrelation * autocorrelation);
-}
-
-void weigh(Eigen::MatrixXd& columns, const std::vector<double>& weights) {
-  if (static_cast<Index>(weights.size()) != columns.rows()) {
-    throw std::logic_error("weights have another number of samples than their session");
-  }
-  for (Index row = 0; row < columns.rows(); ++row) {
-    columns.row(row) *= std::sqrt(weights[static_cast<std::size_t>(row)]);
-  }
 }
 
 double mean_bend_angle(const recording::Covariates& covariates) {
@@ -71,20 +72,42 @@ SessionGram session_gram(const Session& session, const GramLayout& layout,
                          const effects::Baseline& baseline, double autocorrelation,
                          const std::vector<double>* weights) {
   Eigen::MatrixXd columns = columns_of(session, layout, baseline);
-  whiten(columns, autocorrelation);
+  double log_weights = 0;
   if (weights != nullptr) {
     weigh(columns, *weights);
+    for (const double weight : *weights) {
+      log_weights += std::log(weight);
+    }
   }
+  whiten(columns, autocorrelation);
   SessionGram result{.session = session.name,
                      .gram = Eigen::MatrixXd::Zero(columns.cols(), columns.cols()),
                      .samples = session.covariates.samples(),
-                     .bend_angle_rad = mean_bend_angle(session.covariates)};
+                     .bend_angle_rad = mean_bend_angle(session.covariates),
+                     .log_weights = log_weights};
   result.gram.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
   result.gram.triangularView<Eigen::StrictlyUpper>() = result.gram.transpose();
   return result;
 }
 
 }  // namespace
+
+void weigh(Eigen::MatrixXd& columns, const std::vector<double>& weights) {
+  if (static_cast<Index>(weights.size()) != columns.rows()) {
+    throw std::logic_error("weights have another number of samples than their session");
+  }
+  for (Index row = 0; row < columns.rows(); ++row) {
+    columns.row(row) *= std::sqrt(weights[static_cast<std::size_t>(row)]);
+  }
+}
+
+double Grams::samples() const {
+  double sum = 0;
+  for (const SessionGram& session : sessions) {
+    sum += static_cast<double>(session.samples);
+  }
+  return sum;
+}
 
 Eigen::MatrixXd columns_of(const Session& session, const GramLayout& layout,
                            const effects::Baseline& baseline) {
@@ -97,6 +120,9 @@ Eigen::MatrixXd columns_of(const Session& session, const GramLayout& layout,
                  entry.effect->signature(session.covariates, baseline, block.shape));
     }
   }
+  for (const GramLayout::ProbeBlock& block : layout.probes) {
+    fill_probe(columns, block, session.covariates);
+  }
   return columns;
 }
 
@@ -108,7 +134,7 @@ Grams gram_of(std::span<const Session> sessions, const GramOptions& options) {
   if (grams.baseline.poses_rad.empty()) {
     grams.baseline.poses_rad = poses_of(sessions);
   }
-  grams.layout = layout_of(sessions, grams.baseline);
+  grams.layout = layout_of(sessions, grams.baseline, options.wanted, options.probes);
   grams.sessions.resize(sessions.size());
   statistics::parallel_for(
       sessions.size(),

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host_sim/diagnose/probe.hpp"
 #include "host_sim/effects/tension_effect.hpp"
 #include "host_sim/recording/covariates.hpp"
 
@@ -24,20 +25,30 @@ struct GramColumn {
     intercept,  ///< 1: the gain of a session
     friction,   ///< -phi s: the friction coefficient of a session
     signature,
+    probe,     ///< a bin of a Probe
     residual,  ///< r = ln T_out - ln T_in + mu phi s, always last
   };
   Kind kind = Kind::signature;
-  std::size_t effect = 0;  ///< index in GramLayout::effects; of a signature alone
-  std::size_t shape = 0;   ///< index in TensionEffect::shapes()
-  std::size_t column = 0;  ///< index in Signature::columns
+  std::size_t effect = 0;  ///< index in GramLayout::effects, or of a probe in GramLayout::probes
+  std::size_t shape = 0;   ///< index in GramLayout::Effect::blocks
+  std::size_t column = 0;  ///< index in Signature::columns, or the bin of a probe
 };
 
-/// Which column stands where: 1, -phi s, the signatures by effect, shape and column, r. The same
-/// for all sessions of a campaign.
+/// An effect with the shapes that it is looked at in.
+struct Wanted {
+  const effects::TensionEffect* effect = nullptr;
+  std::vector<std::vector<double>> shapes;  ///< as TensionEffect::shapes()
+};
+
+/// All effects of the catalogue with all their shapes, but those whose ids are `without`.
+std::vector<Wanted> whole_catalogue(std::span<const std::string> without = {});
+
+/// Which column stands where: 1, -phi s, the signatures by effect, shape and column, the probes, r.
+/// The same for all sessions of a campaign.
 struct GramLayout {
   /// The columns of one shape of an effect: `count` of them from `first` on.
   struct Block {
-    std::vector<double> shape;  ///< of TensionEffect::shapes()
+    std::vector<double> shape;  ///< of Wanted::shapes
     std::size_t first = 0;
     std::size_t count = 0;
   };
@@ -48,18 +59,24 @@ struct GramLayout {
     std::vector<Block> blocks;  ///< one for each shape
   };
 
+  struct ProbeBlock {
+    Probe probe;
+    std::size_t first = 0;
+  };
+
   static constexpr std::size_t kIntercept = 0;
   static constexpr std::size_t kFriction = 1;
   static constexpr std::size_t kFirstSignature = 2;
 
   std::vector<GramColumn> columns;
-  std::vector<Effect> effects;  ///< in order of tension_effects()
+  std::vector<Effect> effects;  ///< in the order wanted
+  std::vector<ProbeBlock> probes;
 
   [[nodiscard]] std::size_t residual() const { return columns.size() - 1; }
   [[nodiscard]] std::size_t size() const { return columns.size(); }
   /// @throws std::out_of_range where there is no such effect
   [[nodiscard]] const Effect& of(std::string_view id) const;
-  /// "friction_wear[3].0", "intercept", "friction" or "residual".
+  /// "friction_wear[3].0", "speed[2]", "intercept", "friction" or "residual".
   [[nodiscard]] std::string label(std::size_t column) const;
 };
 
@@ -69,14 +86,18 @@ struct SessionGram {
   Eigen::MatrixXd gram;       ///< size() x size(), symmetric, both halves filled
   std::size_t samples = 0;    ///< that were summed
   double bend_angle_rad = 0;  ///< mean over the samples: the pose
+  double log_weights = 0;     ///< sum of ln of the weights
 };
 
 struct GramOptions {
+  std::vector<Wanted> wanted = whole_catalogue();
+  std::vector<Probe> probes;
   effects::Baseline baseline;  ///< poses_of() the sessions where it has none
-  /// First-order autocorrelation of the noise, below 1 in magnitude: each column c becomes
-  /// c(t) - rho c(t-1), the first sample sqrt(1 - rho^2) c, which whitens AR(1) noise.
+  /// First-order autocorrelation of the noise, below 1 in magnitude: each column c, once weighed,
+  /// becomes c(t) - rho c(t-1), the first sample sqrt(1 - rho^2) c, which whitens AR(1) noise.
   double autocorrelation = 0;
-  /// Weights of the samples, one vector a session, each as long as its samples; none means 1.
+  /// Weights of the samples, one over their variance, one vector a session, each as long as its
+  /// samples; none means 1.
   std::span<const std::vector<double>> weights = {};
   unsigned threads = 0;  ///< 0: all cores
 };
@@ -85,6 +106,11 @@ struct Grams {
   effects::Baseline baseline;  ///< with the poses that the columns are for
   GramLayout layout;
   std::vector<SessionGram> sessions;  ///< in the order given
+
+  [[nodiscard]] Eigen::Index response() const {
+    return static_cast<Eigen::Index>(layout.residual());
+  }
+  [[nodiscard]] double samples() const;  ///< of all sessions
 };
 
 /// The poses of a campaign: the mean bend angles of its sessions, rising, those within a degree of
@@ -92,12 +118,18 @@ struct Grams {
 std::vector<double> poses_of(std::span<const Session> sessions);
 
 /// The layout for these sessions: an effect that one of them cannot give has no columns.
-GramLayout layout_of(std::span<const Session> sessions, const effects::Baseline& baseline);
+GramLayout layout_of(std::span<const Session> sessions, const effects::Baseline& baseline,
+                     const std::vector<Wanted>& wanted = whole_catalogue(),
+                     const std::vector<Probe>& probes = {});
 
 /// The columns of one session, samples() x layout.size(), in order of the layout.
 /// @throws std::logic_error where an effect gives other columns than its layout says
 Eigen::MatrixXd columns_of(const Session& session, const GramLayout& layout,
                            const effects::Baseline& baseline);
+
+/// Weighs the rows of columns_of(): each times the root of its weight.
+/// @throws std::logic_error where there is not one weight for each row
+void weigh(Eigen::MatrixXd& columns, const std::vector<double>& weights);
 
 /// Layout and Gram matrices of all sessions, in one pass over the samples of each: never a matrix
 /// of all sessions. The same for any number of threads.

@@ -26,10 +26,10 @@ std::string missing_in(std::span<const Session> sessions, const effects::Tension
 }
 
 void add_blocks(GramLayout& layout, std::span<const Session> sessions,
-                const effects::Baseline& baseline) {
+                const effects::Baseline& baseline, const std::vector<std::vector<double>>& shapes) {
   GramLayout::Effect& entry = layout.effects.back();
   const std::size_t effect = layout.effects.size() - 1;
-  for (std::vector<double>& shape : entry.effect->shapes()) {
+  for (const std::vector<double>& shape : shapes) {
     const std::size_t count =
         entry.effect->signature(sessions.front().covariates, baseline, shape).columns.size();
     const std::size_t index = entry.blocks.size();
@@ -39,12 +39,29 @@ void add_blocks(GramLayout& layout, std::span<const Session> sessions,
                                 .shape = index,
                                 .column = column});
     }
-    entry.blocks.push_back(
-        {.shape = std::move(shape), .first = layout.size() - count, .count = count});
+    entry.blocks.push_back({.shape = shape, .first = layout.size() - count, .count = count});
+  }
+}
+
+void add_probe(GramLayout& layout, const Probe& probe) {
+  const std::size_t index = layout.probes.size();
+  layout.probes.push_back({.probe = probe, .first = layout.size()});
+  for (std::size_t column = 0; column < probe.columns(); ++column) {
+    layout.columns.push_back({.kind = GramColumn::Kind::probe, .effect = index, .column = column});
   }
 }
 
 }  // namespace
+
+std::vector<Wanted> whole_catalogue(std::span<const std::string> without) {
+  std::vector<Wanted> wanted;
+  for (const auto& effect : effects::tension_effects()) {
+    if (std::ranges::find(without, effect->id()) == without.end()) {
+      wanted.push_back({.effect = effect.get(), .shapes = effect->shapes()});
+    }
+  }
+  return wanted;
+}
 
 const GramLayout::Effect& GramLayout::of(std::string_view id) const {
   for (const Effect& entry : effects) {
@@ -64,6 +81,9 @@ std::string GramLayout::label(std::size_t column) const {
       return "friction";
     case GramColumn::Kind::residual:
       return "residual";
+    case GramColumn::Kind::probe:
+      return std::string(name_of(probes[what.effect].probe.of)) + '[' +
+             std::to_string(what.column) + ']';
     case GramColumn::Kind::signature:
       break;
   }
@@ -94,16 +114,20 @@ std::vector<double> poses_of(std::span<const Session> sessions) {
   return poses;
 }
 
-GramLayout layout_of(std::span<const Session> sessions, const effects::Baseline& baseline) {
+GramLayout layout_of(std::span<const Session> sessions, const effects::Baseline& baseline,
+                     const std::vector<Wanted>& wanted, const std::vector<Probe>& probes) {
   GramLayout layout;
   layout.columns.push_back({.kind = GramColumn::Kind::intercept});
   layout.columns.push_back({.kind = GramColumn::Kind::friction});
-  for (const auto& effect : effects::tension_effects()) {
+  for (const auto& [effect, shapes] : wanted) {
     layout.effects.push_back(
-        {.effect = effect.get(), .missing = missing_in(sessions, *effect), .blocks = {}});
+        {.effect = effect, .missing = missing_in(sessions, *effect), .blocks = {}});
     if (layout.effects.back().missing.empty()) {
-      add_blocks(layout, sessions, baseline);
+      add_blocks(layout, sessions, baseline, shapes);
     }
+  }
+  for (const Probe& probe : probes) {
+    add_probe(layout, probe);
   }
   layout.columns.push_back({.kind = GramColumn::Kind::residual});
   return layout;

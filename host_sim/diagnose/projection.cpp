@@ -62,22 +62,46 @@ Eigen::MatrixXd session_information(const SessionGram& session, const NoiseModel
          (noise.sample_sd * noise.sample_sd);
 }
 
-Projection project(const Grams& grams, const NoiseModel& noise) {
+GramSums::GramSums(const Grams& grams) {
   const auto size = static_cast<Eigen::Index>(grams.layout.size());
-  Eigen::MatrixXd plain = Eigen::MatrixXd::Zero(size, size);
-  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(size, size);
+  total = Eigen::MatrixXd::Zero(size, size);
+  common = Eigen::MatrixXd(size, 2 * std::ssize(grams.sessions));
+  Eigen::Index place = 0;
   for (const SessionGram& session : grams.sessions) {
-    plain += session.gram / (noise.sample_sd * noise.sample_sd);
-    information += session_information(session, noise);
+    total += session.gram;
+    common.middleCols<2>(place) = session.gram.leftCols<2>();
+    place += 2;
   }
-  const Eigen::Matrix2d common = information.topLeftCorner<2, 2>();
-  const Eigen::Vector2d scale = (noise.free_sessions ? plain : information).diagonal().head<2>();
+}
+
+Projection project(const GramSums& sums, const NoiseModel& noise) {
+  const double variance = noise.sample_sd * noise.sample_sd;
+  Eigen::MatrixXd shrunk(sums.common.rows(), sums.common.cols());
+  for (Eigen::Index place = 0; place < sums.common.cols(); place += 2) {
+    const Eigen::Matrix2d common = sums.common.block<2, 2>(0, place);
+    shrunk.middleCols<2>(place) = sums.common.middleCols<2>(place) * shrinkage(common, noise);
+  }
+  Eigen::MatrixXd information = sums.total / variance;
+  const Eigen::VectorXd plain = information.diagonal();
   Projection projection;
-  projection.rounding = kRounding * plain.diagonal();
+  projection.rounding = kRounding * plain;
+  if (noise.free_sessions) {
+    projection.before = information;
+  }
+  information.noalias() -= shrunk * sums.common.transpose() / variance;
+  const Eigen::Matrix2d common = information.topLeftCorner<2, 2>();
+  const Eigen::Vector2d scale =
+      noise.free_sessions ? plain.head<2>() : Eigen::Vector2d(information.diagonal().head<2>());
   projection.left =
       without_common(information, inverse_of(common, scale, projection.rounding.head<2>()));
-  projection.before = noise.free_sessions ? std::move(plain) : std::move(information);
+  if (!noise.free_sessions) {
+    projection.before = std::move(information);
+  }
   return projection;
+}
+
+Projection project(const Grams& grams, const NoiseModel& noise) {
+  return project(GramSums(grams), noise);
 }
 
 }  // namespace host_sim::diagnose

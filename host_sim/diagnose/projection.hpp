@@ -30,8 +30,17 @@ struct Projection {
 /// c' V^-1 d of one session; size() x size() of the layout. @pre sample_sd above 0
 Eigen::MatrixXd session_information(const SessionGram& session, const NoiseModel& noise);
 
+/// What every value of the noise needs of all sessions: once for many projections.
+struct GramSums {
+  explicit GramSums(const Grams& grams);
+
+  Eigen::MatrixXd total;   ///< of the Gram matrices; size() x size() of the layout
+  Eigen::MatrixXd common;  ///< their first two columns, session after session; size() x 2 sessions
+};
+
 /// Sums over sessions in their order, then takes the common gain and friction off. Directions of
 /// these that the sessions do not show, to rounding, are left alone.
+Projection project(const GramSums& sums, const NoiseModel& noise);
 Projection project(const Grams& grams, const NoiseModel& noise);
 
 }  // namespace host_sim::diagnose

@@ -7,11 +7,6 @@
 
 namespace host_sim::calibrate {
 
-/// Checks, before the long work, that the campaign's nominal model has what a model needs besides
-/// its [life].
-/// @throws InputError naming campaign.toml and what to add to it
-void require_nominal_model(const Campaign& campaign);
-
 /// The text of `model.toml`: the campaign's nominal model with the fitted law as its [life], in
 /// numbers that read back exactly.
 /// @pre require_nominal_model(campaign) holds

@@ -5,10 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <vector>
 
 #include "host_sim/calibrate/output/findings.hpp"
-#include "host_sim/io/printable.hpp"
+#include "host_sim/io/csv_row.hpp"
 
 namespace host_sim::calibrate {
 namespace {
@@ -40,59 +39,33 @@ constexpr std::array<std::string_view, 23> kColumns{"campaign",
                                                     "warnings",
                                                     "error"};
 
-/// A field in quotes where RFC 4180 wants them.
-std::string field(std::string_view text) {
-  std::string safe = printable(text);
-  if (safe.find_first_of(",\"") == std::string::npos) {
-    return safe;
-  }
-  for (std::size_t at = safe.find('"'); at != std::string::npos; at = safe.find('"', at + 2)) {
-    safe.insert(at, 1, '"');
-  }
-  return '"' + safe + '"';
+void add(CsvRow& row, double value, const Interval& interval) {
+  row.add(value);
+  row.add(interval.low);
+  row.add(interval.high);
 }
 
-class Row {
- public:
-  explicit Row(std::string_view name) { cells_.push_back(field(name)); }
-
-  void add(std::string_view text) { cells_.push_back(field(text)); }
-  void add(std::size_t count) { cells_.push_back(std::to_string(count)); }
-  void add(double value) { cells_.push_back(std::isnan(value) ? "" : fmt::format("{}", value)); }
-  void add(double value, const Interval& interval) {
-    add(value);
-    add(interval.low);
-    add(interval.high);
-  }
-  void skip_to_last() { cells_.resize(kColumns.size() - 1); }
-
-  [[nodiscard]] std::string line() const { return fmt::format("{}\n", fmt::join(cells_, ",")); }
-
- private:
-  std::vector<std::string> cells_;
-};
-
-void add_common_shape(Row& row, const CalibrateResult& result) {
+void add_common_shape(CsvRow& row, const CalibrateResult& result) {
   if (result.common_shape) {
-    row.add(result.common_shape->value, result.common_shape->ci95);
+    add(row, result.common_shape->value, result.common_shape->ci95);
     row.add(p_of(result.common_shape->homogeneity));
   } else {
-    row.add(kNone, kNoInterval);
+    add(row, kNone, kNoInterval);
     row.add(kNone);
   }
 }
 
-void add_law(Row& row, const CalibrateResult& result) {
+void add_law(CsvRow& row, const CalibrateResult& result) {
   if (result.stress_life) {
     const StressLife& life = *result.stress_life;
-    row.add(life.law.scale, life.scale_ci95);
-    row.add(life.law.exponent, life.exponent_ci95);
-    row.add(life.law.shape, life.shape_ci95);
+    add(row, life.law.scale, life.scale_ci95);
+    add(row, life.law.exponent, life.exponent_ci95);
+    add(row, life.law.shape, life.shape_ci95);
     row.add(life.log_likelihood);
   } else {
-    row.add(kNone, kNoInterval);
-    row.add(kNone, kNoInterval);
-    row.add(kNone, kNoInterval);
+    add(row, kNone, kNoInterval);
+    add(row, kNone, kNoInterval);
+    add(row, kNone, kNoInterval);
     row.add(kNone);
   }
 }
@@ -116,11 +89,12 @@ std::size_t levels_left_out(const CalibrateResult& result) {
 }  // namespace
 
 std::string table_head() {
-  return fmt::format("{}\n", fmt::join(kColumns, ","));
+  return csv_head(kColumns);
 }
 
 std::string table_row(std::string_view name, const CalibrateResult& result) {
-  Row row(name);
+  CsvRow row;
+  row.add(name);
   row.add(result.specimens);
   row.add(result.failed);
   row.add(result.suspended);
@@ -135,8 +109,9 @@ std::string table_row(std::string_view name, const CalibrateResult& result) {
 }
 
 std::string refused_row(std::string_view name, std::string_view error) {
-  Row row(name);
-  row.skip_to_last();
+  CsvRow row;
+  row.add(name);
+  row.fill_to(kColumns.size() - 1);
   row.add(error);
   return row.line();
 }

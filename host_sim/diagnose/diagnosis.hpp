@@ -1,0 +1,176 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "host_sim/campaign/campaign.hpp"
+#include "host_sim/extension/extension.hpp"
+
+namespace host_sim::diagnose {
+
+enum class Verdict {
+  none,       ///< nothing is wrong that this campaign could show
+  named,      ///< each effect at kNamed or more
+  ambiguous,  ///< something is wrong, and more than one cause explains it
+  unknown,    ///< structure is left that nothing in the catalogue explains
+};
+
+/// "none", "named", "ambiguous" or "unknown".
+std::string_view word_of(Verdict verdict);
+
+inline constexpr double kNamed = 0.95;
+
+/// A parameter with its 95 % interval.
+struct Estimate {
+  std::string name;  ///< with its unit as suffix
+  std::string unit;
+  double value = 0, low = 0, high = 0;
+};
+
+struct FoundEffect {
+  std::string id;
+  std::string term, equation, life_consequence;  ///< as the catalogue has them
+  double probability = 0;
+  std::vector<Estimate> parameters;
+};
+
+/// A cause and its probability; the ids "none" and "unknown" stand for themselves, two effects at
+/// once are "one+other" in order of their ids. All probabilities of a list sum to 1.
+struct Candidate {
+  std::string id;
+  double probability = 0;
+};
+
+struct Invisible {
+  std::string id;
+  std::string why;  ///< and what would show it
+};
+
+/// The residual against one covariate, of the maximum over directions: does it hold more than noise
+/// and the scatter of sessions?
+struct Discrepancy {
+  std::string covariate;
+  double statistic = 0;
+  double p = 0;        ///< under the nominal model, its parameters refitted
+  double p_after = 0;  ///< under the extended one
+};
+
+/// On data that the fit never saw.
+struct Metric {
+  std::string name;  ///< "rmse_N", "log_predictive_density", "damage_error_percent", "b10_coverage"
+  double before = 0, after = 0;
+};
+
+struct Gain {
+  std::string held_out_by;  ///< "session", "pose", "level"; empty where nothing was extended
+  std::vector<Metric> metrics;
+};
+
+/// One effect of the catalogue more in the model, beside those of the steps before it.
+struct Step {
+  FoundEffect effect;  ///< with its probability should the catalogue hold all that there is, and
+                       ///< its parameters beside those before; of the nominal model without an id
+  double output_rmse_N = 0;           ///< of T_out from T_in, on sessions that the fit never saw
+  double input_rmse_N = 0;            ///< of T_in from T_out, on the same
+  double log_predictive_density = 0;  ///< of a sample
+  int sessions_better = 0;            ///< whose error of T_out is less than in the step before
+  int sessions = 0;                   ///< of all
+};
+
+/// What is found in the recordings of a campaign, or in its lives.
+struct Findings {
+  Verdict verdict = Verdict::none;
+  std::vector<FoundEffect> effects;  ///< named ones, or the most probable where ambiguous
+  std::vector<Candidate> candidates;
+  std::vector<std::string> credible_set;  ///< ids of candidates that hold 95 % together
+  std::vector<std::vector<std::string>> equivalent_sets;
+  std::vector<Invisible> invisible;
+  std::string next_experiment;  ///< empty where none is needed
+  Gain gain;
+  /// How far the catalogue goes where that is not all the way, of recordings that are unknown: the
+  /// nominal model, then effect by effect, each the one of most evidence. Else empty.
+  std::vector<Step> steps;
+  std::vector<Discrepancy> discrepancies;
+  std::vector<Estimate> refitted;     ///< parameters that are not effects
+  std::vector<Extension> extensions;  ///< to be written into the model; empty unless named
+  std::string words;                  ///< the verdict in a few sentences
+};
+
+/// Output tension of one session over time, and the loop T_in to T_out, thinned for a picture.
+struct TracePicture {
+  std::string session;
+  std::vector<double> time_s, input_N, measured_N, before_N, after_N;
+};
+
+/// Mean residual ln T_out - ln T_in + mu phi s in bins of one covariate, for one direction. The
+/// envelope holds 95 % of what the nominal model gives by noise and scatter of sessions alone.
+struct ResidualPicture {
+  std::string covariate, unit;
+  int direction = 1;  ///< 1 while pulling, -1 while letting go
+  std::vector<double> centre, before, after, envelope_low, envelope_high;
+};
+
+/// One specimen's life over the predicted one.
+struct LifePoint {
+  std::string specimen, lot;
+  double effective_N = 0;
+  double ratio_before = 0, ratio_after = 0;  ///< N over alpha of the model
+  bool failed = true;
+};
+
+struct LifePicture {
+  std::vector<LifePoint> points;
+  double shape_before = 0, shape_after = 0;  ///< Weibull shape of the ratios
+};
+
+struct TensionDiagnosis {
+  Findings findings;
+  std::vector<TracePicture> traces;
+  std::vector<ResidualPicture> residuals;
+  /// Damage of a recording as the nominal model books it over that of the extended one, geometric
+  /// mean of the recordings; 1 where nothing was extended.
+  double damage_ratio = 1;
+  double friction_coefficient = 0;  ///< refitted, for the written model
+  double log_gain = 0;              ///< refitted, of T_out over T_in
+};
+
+struct LifeDiagnosis {
+  Findings findings;
+  LifePicture picture;
+  double b10_ratio = 1;  ///< B10 of the nominal model over that of the extended one, lowest level
+  double ipl_scale = 0, ipl_exponent = 0, weibull_shape = 0;  ///< refitted, for the written model
+};
+
+/// A campaign holds recordings, lives or both.
+struct Diagnosis {
+  std::optional<TensionDiagnosis> tension;
+  std::optional<LifeDiagnosis> lives;
+  std::vector<std::string> warnings;  ///< faults of the data, in words
+
+  /// Of both parts: unknown before ambiguous before named before none.
+  [[nodiscard]] Verdict verdict() const;
+};
+
+struct DiagnoseOptions {
+  std::uint64_t seed = 1;
+  unsigned threads = 0;              ///< 0: all cores; the answer does not depend on it
+  std::vector<std::string> without;  ///< effects that are taken out of the catalogue
+  bool steps = true;                 ///< Findings::steps, which take a while
+  std::function<void(double share)> progress = nullptr;
+};
+
+/// @throws InputError where the campaign cannot be diagnosed, with what is missing
+Diagnosis diagnose(const Campaign& campaign, const DiagnoseOptions& options);
+
+/// Of the recordings alone.
+TensionDiagnosis diagnose_tension(const Campaign& campaign, const DiagnoseOptions& options);
+
+/// Of the lives alone.
+LifeDiagnosis diagnose_lives(const Campaign& campaign, const DiagnoseOptions& options);
+
+}  // namespace host_sim::diagnose

@@ -1,0 +1,242 @@
+#include <algorithm>
+#include <cmath>
+
+#include "host_sim/diagnose/diagnosis.hpp"
+#include "host_sim/diagnose/lives/audit.hpp"
+#include "host_sim/diagnose/lives/decision.hpp"
+#include "host_sim/diagnose/lives/discrepancy.hpp"
+#include "host_sim/diagnose/lives/estimates.hpp"
+#include "host_sim/diagnose/lives/gain.hpp"
+#include "host_sim/diagnose/lives/life_quantile.hpp"
+#include "host_sim/diagnose/lives/likelihood.hpp"
+#include "host_sim/diagnose/lives/picture.hpp"
+#include "host_sim/diagnose/lives/shape_words.hpp"
+#include "host_sim/diagnose/lives/undiagnosed.hpp"
+#include "host_sim/diagnose/lives/validation.hpp"
+#include "host_sim/diagnose/lives/words.hpp"
+
+namespace host_sim::diagnose {
+namespace lives {
+namespace {
+
+/// Structure that is left with less than this by chance is not explained.
+constexpr double kLeft_p = 0.003;
+
+class Diagnostician {
+ public:
+  Diagnostician(const Campaign& campaign, const DiagnoseOptions& options, LifeSample sample)
+      : campaign_(campaign),
+        options_(options),
+        sample_(std::move(sample)),
+        prior_(common_prior(sample_)) {}
+
+  LifeDiagnosis run(const NominalFit& nominal) {
+    const std::vector<std::string> visible = audit(nominal);
+    report(0.1);
+    before_ = look_at(sample_, omnibus_options());
+    report(0.2);
+    hypotheses_ = weigh(sample_, visible, calibration(), options_.threads);
+    nominal_ = fit_model(ModelView(sample_, prior_, {}));
+    decision_ = decide(hypotheses_, before_.p);
+    report(0.7);
+    check_what_is_left();
+    write_findings();
+    write_model();
+    return std::move(diagnosis_);
+  }
+
+ private:
+  void report(double share) const {
+    if (options_.progress) {
+      options_.progress(share);
+    }
+  }
+
+  [[nodiscard]] OmnibusOptions omnibus_options() const {
+    return {.seed = options_.seed, .threads = options_.threads};
+  }
+
+  std::vector<std::string> audit(const NominalFit& nominal) {
+    std::vector<Campaign::Specimen> fitted;
+    std::ranges::copy_if(
+        campaign_.specimens, std::back_inserter(fitted),
+        [](const Campaign::Specimen& specimen) { return specimen.role == Campaign::Role::fit; });
+    const LifeAudit audit = audit_lives(sample_, fitted, nominal, options_.without);
+    for (const LifeEffectAudit& effect : audit.effects) {
+      if (!effect.visible()) {
+        diagnosis_.findings.invisible.push_back({std::string(effect.effect->id()), effect.why});
+      }
+    }
+    diagnosis_.findings.equivalent_sets = audit.equivalent;
+    return audit.visible();
+  }
+
+  [[nodiscard]] const Hypothesis::Form& extended() const { return decision_.best->best(); }
+
+  /// Named effects must leave nothing; nothing wrong must look like it.
+  void check_what_is_left() {
+    double doubt = 1;
+    if (decision_.verdict == Verdict::named && decision_.best != nullptr) {
+      const ModelView view(sample_, prior_, extended().model);
+      std::vector<double> cox_snell;
+      for (const Residual& residual : residuals_of(sample_, view.settings(extended().fit.at))) {
+        cox_snell.push_back(residual.cox_snell);
+      }
+      after_ = look_at(without_effects(sample_, cox_snell), omnibus_options());
+      doubt = after_.p < kLeft_p ? 0.04 : 1;
+    } else if (decision_.verdict == Verdict::none) {
+      doubt = before_.p < kLeft_p ? 0.4 : 1;
+    }
+    if (doubt < 1) {
+      raise_unknown(doubt);
+    }
+  }
+
+  /// What is not unknown keeps this share of its probability.
+  void raise_unknown(double kept) {
+    for (Candidate& candidate : decision_.candidates) {
+      candidate.probability *= kept;
+      if (candidate.id == "unknown") {
+        candidate.probability += 1 - kept;
+      }
+    }
+    std::ranges::stable_sort(decision_.candidates, [](const Candidate& one, const auto& other) {
+      return one.probability > other.probability;
+    });
+    decision_.credible_set = credible_set_of(decision_.candidates);
+    decision_.verdict = Verdict::unknown;
+    decision_.effects.clear();
+    decision_.probabilities.clear();
+  }
+
+  void write_findings() {
+    Findings& findings = diagnosis_.findings;
+    findings.verdict = decision_.verdict;
+    findings.candidates = decision_.candidates;
+    findings.credible_set = decision_.credible_set;
+    write_discrepancies();
+    if (!decision_.effects.empty()) {
+      write_effects();
+    }
+    if (findings.verdict == Verdict::named) {
+      findings.gain = gain_of(sample_, extended().model, extended().fit, options_.threads);
+    }
+    report(0.9);
+    if (findings.verdict == Verdict::ambiguous) {
+      findings.next_experiment = experiment_for(findings.credible_set);
+    }
+    findings.words = verdict_words(findings, before_, after_);
+    const std::string validation =
+        validation_words(campaign_, ModelView(sample_, prior_, {}), nominal_);
+    findings.words += validation.empty() ? "" : " " + validation;
+    const std::string shape = shape_words(campaign_, {options_.seed, options_.threads});
+    findings.words += shape.empty() ? "" : " " + shape;
+  }
+
+  void write_discrepancies() {
+    for (std::size_t i = 0; i < before_.looks.size(); ++i) {
+      const Look& look = before_.looks[i];
+      const auto same = std::ranges::find(after_.looks, look.covariate, &Look::covariate);
+      diagnosis_.findings.discrepancies.push_back(
+          {.covariate = look.covariate,
+           .statistic = look.statistic,
+           .p = look.p,
+           .p_after = same == after_.looks.end() ? look.p : same->p});
+    }
+  }
+
+  void write_effects() {
+    const ModelView view(sample_, prior_, extended().model);
+    const ModelEstimates estimates = estimates_of(view, extended().fit, options_.threads);
+    for (std::size_t i = 0; i < decision_.effects.size(); ++i) {
+      const effects::LifeEffect& effect = life_effect(decision_.effects[i]);
+      diagnosis_.findings.effects.push_back(
+          {.id = decision_.effects[i],
+           .term = std::string(effect.term()),
+           .equation = std::string(effect.equation()),
+           .life_consequence = std::string(effect.life_consequence()),
+           .probability = decision_.probabilities[i],
+           .parameters = estimates.terms[i]});
+    }
+    diagnosis_.findings.refitted = estimates.refitted;
+    if (decision_.verdict == Verdict::named) {
+      write_extensions(view);
+    }
+  }
+
+  void write_extensions(const ModelView& view) {
+    const LifeSettings settings = view.settings(extended().fit.at);
+    for (std::size_t i = 0; i < extended().model.size(); ++i) {
+      const Term& term = extended().model[i];
+      const std::vector<double> fitted = view.values(extended().fit.at, i);
+      const std::vector<double> values =
+          term.of_catalogue ? term.of_catalogue(fitted, settings) : fitted;
+      Extension extension{.id = term.id, .values = {}};
+      const auto parameters = life_effect(term.id).parameters();
+      for (std::size_t k = 0; k < parameters.size(); ++k) {
+        extension.values.push_back({std::string(parameters[k].name), {values[k]}});
+      }
+      std::ranges::copy(term.companions, std::back_inserter(extension.values));
+      diagnosis_.findings.extensions.push_back(std::move(extension));
+    }
+  }
+
+  [[nodiscard]] LifeSettings settings_after() const {
+    if (diagnosis_.findings.verdict != Verdict::named) {
+      return ModelView(sample_, prior_, {}).settings(nominal_.at);
+    }
+    return ModelView(sample_, prior_, extended().model).settings(extended().fit.at);
+  }
+
+  void write_model() {
+    const ModelView nominal(sample_, prior_, {});
+    const LifeSettings before = nominal.settings(nominal_.at);
+    const LifeSettings after = settings_after();
+    diagnosis_.picture = picture_of(sample_, before, after);
+    if (diagnosis_.findings.refitted.empty()) {
+      diagnosis_.findings.refitted = estimates_of(nominal, nominal_, options_.threads).refitted;
+    }
+    diagnosis_.ipl_scale = diagnosis_.findings.refitted[0].value;
+    diagnosis_.ipl_exponent = after.exponent;
+    diagnosis_.weibull_shape = after.shape;
+    constexpr double kB10 = 0.1;
+    const auto lowest =
+        std::ranges::min_element(sample_.specimens, [](const auto& one, const auto& other) {
+          return one.last().effective_N < other.last().effective_N;
+        });
+    LifeSample::Specimen specimen = *lowest;
+    specimen.blocks = {specimen.last()};
+    specimen.order = LifeSample::Order::constant;
+    diagnosis_.b10_ratio = quantile_cycles(sample_, specimen, before, kB10) /
+                           quantile_cycles(sample_, specimen, after, kB10);
+    report(1);
+  }
+
+  const Campaign& campaign_;
+  const DiagnoseOptions& options_;
+  LifeSample sample_;
+  CommonPrior prior_;
+  Omnibus before_, after_;
+  std::vector<Hypothesis> hypotheses_;
+  ModelFit nominal_;
+  Decision decision_;
+  LifeDiagnosis diagnosis_;
+};
+
+}  // namespace
+}  // namespace lives
+
+LifeDiagnosis diagnose_lives(const Campaign& campaign, const DiagnoseOptions& options) {
+  lives::LifeSample sample = lives::sample_of(campaign, Campaign::Role::fit);
+  lives::NominalFit nominal;
+  if (sample.failures() > 0) {
+    nominal = lives::fit_nominal(sample);
+  }
+  const std::string why = lives::hindrance(sample, nominal);
+  if (!why.empty()) {
+    return lives::undiagnosed(campaign, why);
+  }
+  return lives::Diagnostician(campaign, options, std::move(sample)).run(nominal);
+}
+
+}  // namespace host_sim::diagnose

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host_sim/diagnose/lives/life_sample.hpp"
+
+namespace host_sim::diagnose::lives {
+
+/// One look at the residual lives, with how seldom the nominal law shows as much.
+struct Look {
+  std::string covariate;
+  double statistic = 0;
+  double p = 1;
+};
+
+struct Omnibus {
+  std::vector<Look> looks;
+  double p = 1;  ///< of the largest of all looks, each in units of its own replicates
+};
+
+struct OmnibusOptions {
+  std::uint64_t seed = 1;
+  unsigned threads = 0;
+  std::size_t replicates = 1000;
+};
+
+/// Looks at the Cox-Snell residuals of the nominal law, refitted, against each covariate: rest of
+/// the scatter between loads, lots and groups, curvature, shape by level, days, ratio of wire to
+/// bend, mean tension, order of blocks, and the distribution of the residuals. p by the parametric
+/// bootstrap: lives drawn from the fit under the campaign's own plan of suspension, refitted.
+Omnibus look_at(const LifeSample& sample, const OmnibusOptions& options);
+
+/// The lives as they would be without what a model adds to the nominal law, for another look: each
+/// at one load, with damage cox_snell^(1/shape) by the nominal law.
+LifeSample without_effects(const LifeSample& sample, const std::vector<double>& cox_snell);
+
+}  // namespace host_sim::diagnose::lives

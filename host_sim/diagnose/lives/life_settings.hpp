@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace host_sim::diagnose::lives {
+
+/// All that a model of lives says: the nominal law, and each departure from it at its neutral value
+/// unless a term sets it. ln alpha of a block is
+///   ln_life_at_centre - exponent (ln(T - S) - ln(T_c - S)) + what shifts it,
+/// with T the tension of the law of mean stress, S the endurance limit, T_c the centre.
+struct LifeSettings {
+  double ln_life_at_centre = 0;  ///< in cycles
+  double exponent = 1;           ///< gamma
+  double shape = 1;              ///< beta
+
+  std::optional<double> walker_exponent;  ///< in place of Gerber; 0 is Goodman
+  double bending_N = 0;                   ///< times the ratio of wire to bend joins T_a
+  bool bending_from_zero = false;         ///< and T_m: the bending goes from 0 and back
+  double limit_N = 0;                     ///< S, the median over specimens
+  double limit_log_sd = 0;
+  double sequence_exponent = 0;  ///< of Manson and Halford; 0 is Miner
+  double ageing_1_day = 0;
+  double lot_log_sd = 0;
+
+  /// A second Weibull that competes with the first: ln alpha_2 = ln alpha + log_life_shift
+  /// + steepness |ln T - ln T_end| from the end of the levels that it reaches from.
+  struct SecondMode {
+    double log_life_shift = 0;
+    double shape = 1;
+    double steepness = 0;  ///< 0 or above: how fast it fades away from that end
+    std::size_t first_level = 0, last_level = 0;
+    double end_N = 1;
+  };
+  std::optional<SecondMode> second_mode;
+
+  // What no effect of the catalogue says.
+  double group_log_sd = 0;
+  double weak_share = 0;  ///< of specimens that live only a part of their life
+  double weak_life_left = 1;
+  std::vector<double> load_shift;              ///< of ln alpha; empty or one for each load
+  std::vector<double> level_log_shape;         ///< of ln beta; empty or one for each level
+  double day_shift = 0;                        ///< of ln alpha for each day
+  double falling_shift = 0, rising_shift = 0;  ///< of ln alpha in blocks, by how the load went
+};
+
+}  // namespace host_sim::diagnose::lives

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "host_sim/diagnose/lives/life_sample.hpp"
+#include "host_sim/diagnose/lives/life_settings.hpp"
+
+namespace host_sim::diagnose::lives {
+
+/// Log likelihood of lives, suspended ones included; densities per cycle. A draw that a lot or a
+/// group shares is integrated over by Gauss and Hermite about its mode.
+/// @pre lots and groups do not scatter both
+double log_likelihood(const LifeSample& sample, const LifeSettings& settings);
+
+/// What a fitted model leaves of each specimen.
+struct Residual {
+  double cox_snell = 0;  ///< -ln of the probability to survive its cycles: standard exponential
+  double shared = 0;     ///< the most probable draw of its lot or group, in ln N
+};
+std::vector<Residual> residuals_of(const LifeSample& sample, const LifeSettings& settings);
+
+}  // namespace host_sim::diagnose::lives

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <vector>
+
+#include "host_sim/diagnose/lives/damage.hpp"
+#include "host_sim/diagnose/lives/life_sample.hpp"
+#include "host_sim/diagnose/lives/life_settings.hpp"
+
+namespace host_sim::diagnose::lives {
+
+/// What a model says alike for all specimens.
+struct LifeFrame {
+  struct Limit {
+    double limit_N = 0;
+    double ln_weight = 0;
+  };
+  double ln_centre_N = 0;     ///< centre_ln_N()
+  double ln_scale = 0;        ///< ln A: ln alpha is ln_scale - gamma ln(T - limit)
+  std::vector<Limit> limits;  ///< that a specimen may have
+};
+LifeFrame frame_of(const LifeSample& sample, const LifeSettings& settings);
+
+/// What is known of the life of one specimen, before the draw that its lot shares.
+class SpecimenLife {
+ public:
+  SpecimenLife(const LifeSample& sample, const LifeSample::Specimen& specimen,
+               const LifeSettings& settings, const LifeFrame& frame);
+
+  /// ln of the probability to survive its cycles, where its life is longer by exp(shift).
+  [[nodiscard]] double log_survival(double shift) const;
+  /// ln of its part of the likelihood: density of a failure per cycle, or survival.
+  [[nodiscard]] double log_likelihood(double shift) const;
+
+  /// beta of this specimen, and ln D at the median of what is random.
+  [[nodiscard]] double shape() const { return shape_; }
+  [[nodiscard]] double ln_damage() const;
+  [[nodiscard]] bool failed() const { return failed_; }
+
+ private:
+  struct Case {
+    Damage damage;
+    double ln_weight = 0;
+  };
+  void add_cases(const LifeSample& sample, const LifeSample::Specimen& specimen,
+                 const LifeSettings& settings, const LifeFrame& frame);
+  [[nodiscard]] double log_of(const Damage& damage, double shift, bool density) const;
+  [[nodiscard]] double log_mean(double shift, bool density) const;
+
+  std::vector<Case> cases_;  ///< one, or one for each node of the limit
+  Damage second_;
+  bool has_second_ = false;
+  double shape_ = 1, ln_shape_ = 0;
+  double second_shape_ = 1, ln_second_shape_ = 0;
+  double ln_strong_ = 0, ln_weak_ = 0, weak_shift_ = 0;
+  bool has_weak_ = false;
+  bool failed_ = true;
+};
+
+/// ln(exp(one) + exp(other)).
+double log_sum(double one, double other);
+
+}  // namespace host_sim::diagnose::lives

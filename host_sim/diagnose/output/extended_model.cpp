@@ -1,0 +1,92 @@
+#include "host_sim/diagnose/output/extended_model.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "host_sim/campaign/nominal_model.hpp"
+#include "host_sim/diagnose/output/parts.hpp"
+#include "host_sim/extension/write.hpp"
+#include "host_sim/io/printable.hpp"
+#include "host_sim/recording/recording.hpp"
+
+namespace host_sim::diagnose {
+namespace {
+
+constexpr double kMostEfficient = 1;
+
+/// Tension is torque constant times efficiency times what stays as it is.
+void apply_gain(Model::Drive& drive, double gain) {
+  const double wanted = drive.gear_efficiency * gain;
+  drive.gear_efficiency = std::min(wanted, kMostEfficient);
+  drive.torque_constant_Nm_per_A *= wanted / drive.gear_efficiency;
+}
+
+Model refitted_model(const Campaign& campaign, const Diagnosis& diagnosis, InputFrom input) {
+  const Campaign::Nominal& nominal = campaign.nominal;
+  Model model{*nominal.cable, *nominal.sheath, nominal.drive, *nominal.counting, {}, {}};
+  if (nominal.life) {
+    model.life = *nominal.life;
+  }
+  if (diagnosis.tension) {
+    model.sheath.friction_coefficient = diagnosis.tension->friction_coefficient;
+    if (model.drive && input == InputFrom::current) {
+      apply_gain(*model.drive, std::exp(diagnosis.tension->log_gain));
+    }
+  }
+  if (diagnosis.lives) {
+    const LifeDiagnosis& lives = *diagnosis.lives;
+    model.life = {Model::MeanStress::kGerber, lives.ipl_scale, lives.ipl_exponent,
+                  lives.weibull_shape};
+  }
+  return model;
+}
+
+std::string head(const Campaign& campaign, const Diagnosis& diagnosis, InputFrom input,
+                 std::string_view program_version) {
+  std::string text = fmt::format("# Written by host_sim diagnose {} from the campaign {}.\n",
+                                 program_version, printable(campaign.name));
+  if (diagnosis.tension) {
+    const bool drive = campaign.nominal.drive && input == InputFrom::current;
+    text += fmt::format("# [sheath] friction_coefficient{} refitted from the recordings.\n",
+                        drive ? " and the gain of [drive]" : "");
+  }
+  if (diagnosis.lives) {
+    text += "# [life] refitted from the lives.\n";
+  }
+  for (const Part& part : parts_of(diagnosis)) {
+    text += fmt::format("# Verdict on the {}: {}.\n", part.name, word_of(part.findings->verdict));
+    for (const Extension& extension : part.findings->extensions) {
+      text += fmt::format("# Extended by {}.\n", printable(extension.id));
+    }
+  }
+  return text + "schema = 1\n";
+}
+
+}  // namespace
+
+void require_extensible_model(const Campaign& campaign) {
+  require_nominal_model(campaign);
+  if (campaign.specimens.empty()) {
+    require_nominal_life(campaign);
+  }
+}
+
+InputFrom input_of(const Campaign& campaign) {
+  const auto recordings = recording::read_recordings(campaign.folder);
+  const bool current =
+      std::any_of(recordings.begin(), recordings.end(),
+                  [](const recording::Recording& one) { return !one.has(kInputTensionColumn); });
+  return current ? InputFrom::current : InputFrom::load_cell;
+}
+
+std::string extended_model_text(const Campaign& campaign, const Diagnosis& diagnosis,
+                                InputFrom input, std::string_view program_version) {
+  std::string text = head(campaign, diagnosis, input, program_version) +
+                     model_tables(campaign, refitted_model(campaign, diagnosis, input), "refitted");
+  const std::vector<Extension> extensions = merged(diagnosis).extensions;
+  return extensions.empty() ? text : text + "\n" + toml_text(extensions);
+}
+
+}  // namespace host_sim::diagnose

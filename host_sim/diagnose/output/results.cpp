@@ -1,0 +1,160 @@
+#include "host_sim/diagnose/output/results.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "host_sim/diagnose/output/parts.hpp"
+
+namespace host_sim::diagnose {
+namespace {
+
+using nlohmann::ordered_json;
+
+ordered_json number(double value) {
+  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
+}
+
+ordered_json text_or_null(const std::string& text) {
+  return text.empty() ? ordered_json(nullptr) : ordered_json(text);
+}
+
+template <class T, class ToJson>
+ordered_json list(const std::vector<T>& items, ToJson to_json) {
+  ordered_json json = ordered_json::array();
+  for (const T& item : items) {
+    json.push_back(to_json(item));
+  }
+  return json;
+}
+
+/// A name that is there already gets a number, so that no value is lost.
+std::string free_name(const ordered_json& json, const std::string& name) {
+  std::string free = name;
+  for (int i = 2; json.contains(free); ++i) {
+    free = name + "_" + std::to_string(i);
+  }
+  return free;
+}
+
+ordered_json estimates_json(const std::vector<Estimate>& estimates) {
+  ordered_json json = ordered_json::object();
+  for (const Estimate& estimate : estimates) {
+    json[free_name(json, estimate.name)] = {
+        {"value", number(estimate.value)},
+        {"ci95", ordered_json::array({number(estimate.low), number(estimate.high)})},
+        {"unit", estimate.unit}};
+  }
+  return json;
+}
+
+ordered_json effect_json(const FoundEffect& effect) {
+  return {{"id", effect.id},
+          {"probability", number(effect.probability)},
+          {"parameters", estimates_json(effect.parameters)},
+          {"term", effect.term},
+          {"equation", effect.equation},
+          {"life_consequence", effect.life_consequence}};
+}
+
+ordered_json candidate_json(const Candidate& candidate) {
+  return {{"id", candidate.id}, {"probability", number(candidate.probability)}};
+}
+
+ordered_json discrepancy_json(const Discrepancy& discrepancy) {
+  return {{"covariate", discrepancy.covariate},
+          {"statistic", number(discrepancy.statistic)},
+          {"p", number(discrepancy.p)},
+          {"p_after", number(discrepancy.p_after)}};
+}
+
+ordered_json gain_json(const Gain& gain) {
+  ordered_json json{{"held_out_by", text_or_null(gain.held_out_by)}};
+  for (const Metric& metric : gain.metrics) {
+    json[free_name(json, metric.name)] = {{"before", number(metric.before)},
+                                          {"after", number(metric.after)}};
+  }
+  return json;
+}
+
+ordered_json step_json(const Step& step) {
+  return {{"effect", step.effect.id.empty() ? ordered_json(nullptr) : effect_json(step.effect)},
+          {"output_rmse_N", number(step.output_rmse_N)},
+          {"input_rmse_N", number(step.input_rmse_N)},
+          {"log_predictive_density", number(step.log_predictive_density)},
+          {"sessions_better", step.sessions_better},
+          {"sessions", step.sessions}};
+}
+
+ordered_json extensions_json(const std::vector<Extension>& extensions) {
+  ordered_json json = ordered_json::object();
+  for (const Extension& extension : extensions) {
+    ordered_json& table = json[free_name(json, extension.id)];
+    table = ordered_json::object();
+    for (const Extension::Value& value : extension.values) {
+      const ordered_json values = list(value.values, number);
+      table[value.name] = values.size() == 1 ? values.front() : values;
+    }
+  }
+  return json;
+}
+
+ordered_json findings_json(const Findings& findings) {
+  return {{"verdict", word_of(findings.verdict)},
+          {"words", findings.words},
+          {"effects", list(findings.effects, effect_json)},
+          {"candidates", list(findings.candidates, candidate_json)},
+          {"credible_set", findings.credible_set},
+          {"equivalent_sets", findings.equivalent_sets},
+          {"invisible", list(findings.invisible, [](const Invisible& one) { return one.id; })},
+          {"invisible_because", list(findings.invisible,
+                                     [](const Invisible& one) {
+                                       return ordered_json{{"id", one.id}, {"why", one.why}};
+                                     })},
+          {"next_experiment", findings.next_experiment},
+          {"gain", gain_json(findings.gain)},
+          {"steps", list(findings.steps, step_json)},
+          {"discrepancy", list(findings.discrepancies, discrepancy_json)},
+          {"refitted", estimates_json(findings.refitted)},
+          {"extensions", extensions_json(findings.extensions)}};
+}
+
+ordered_json tension_json(const std::optional<TensionDiagnosis>& tension) {
+  if (!tension) {
+    return nullptr;
+  }
+  ordered_json json = findings_json(tension->findings);
+  json["damage_ratio"] = number(tension->damage_ratio);
+  json["friction_coefficient"] = number(tension->friction_coefficient);
+  json["log_gain"] = number(tension->log_gain);
+  return json;
+}
+
+ordered_json lives_json(const std::optional<LifeDiagnosis>& lives) {
+  if (!lives) {
+    return nullptr;
+  }
+  ordered_json json = findings_json(lives->findings);
+  json["b10_ratio"] = number(lives->b10_ratio);
+  json["ipl_scale"] = number(lives->ipl_scale);
+  json["ipl_exponent"] = number(lives->ipl_exponent);
+  json["weibull_shape"] = number(lives->weibull_shape);
+  json["residual_shape"] = {{"before", number(lives->picture.shape_before)},
+                            {"after", number(lives->picture.shape_after)}};
+  return json;
+}
+
+}  // namespace
+
+std::string diagnosis_json(const Diagnosis& diagnosis, const ResultsContext& context, int indent) {
+  ordered_json json{{"campaign", context.campaign}};
+  json.update(findings_json(merged(diagnosis)));
+  json["extended_model"] = text_or_null(context.extended_model);
+  json["tension"] = tension_json(diagnosis.tension);
+  json["lives"] = lives_json(diagnosis.lives);
+  json["warnings"] = diagnosis.warnings;
+  json["seed"] = context.seed;
+  return json.dump(indent, ' ', false, ordered_json::error_handler_t::replace) + "\n";
+}
+
+}  // namespace host_sim::diagnose

@@ -1,0 +1,139 @@
+#include "host_sim/diagnose/output/summary.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ostream.h>
+
+#include <cmath>
+#include <string>
+
+#include "host_sim/diagnose/output/parts.hpp"
+#include "host_sim/diagnose/output/words.hpp"
+#include "host_sim/io/printable.hpp"
+
+namespace host_sim::diagnose {
+namespace {
+
+/// Below it a candidate is not told.
+constexpr double kLeastTold = 0.005;
+
+std::string figure(double value) {
+  return std::isfinite(value) ? fmt::format("{:.4g}", value) : "-";
+}
+
+std::string with_unit(const std::string& text, const std::string& unit) {
+  return unit.empty() || unit == "1" ? text : text + " " + unit;
+}
+
+/// Without an interval where it has none.
+void write_estimate(std::ostream& out, const Estimate& estimate, std::string_view indent) {
+  fmt::print(out, "{}{:<26}{}", indent, printable(estimate.name),
+             printable(with_unit(figure(estimate.value), estimate.unit)));
+  if (estimate.low != estimate.high) {
+    fmt::print(out, "  (95 %: {} .. {})", figure(estimate.low), figure(estimate.high));
+  }
+  out << '\n';
+}
+
+void write_effects(std::ostream& out, const Findings& findings) {
+  for (const FoundEffect& effect : findings.effects) {
+    fmt::print(out, "  {:<22}probability {:.3f}  {}\n", printable(effect.id), effect.probability,
+               printable(effect.term));
+    for (const Estimate& estimate : effect.parameters) {
+      write_estimate(out, estimate, "    ");
+    }
+  }
+}
+
+/// What it may be, where it is not one thing alone.
+void write_candidates(std::ostream& out, const Findings& findings) {
+  if (findings.verdict != Verdict::ambiguous && findings.verdict != Verdict::unknown) {
+    return;
+  }
+  for (const Candidate& candidate : findings.candidates) {
+    if (candidate.probability >= kLeastTold) {
+      fmt::print(out, "  may be {:.3f}  {}\n", candidate.probability,
+                 printable(candidate_words(candidate.id)));
+    }
+  }
+}
+
+void write_gain(std::ostream& out, const Gain& gain) {
+  if (gain.metrics.empty()) {
+    return;
+  }
+  fmt::print(out, "  gain on data that the fit never saw{}\n",
+             gain.held_out_by.empty() ? "" : ", held out by " + printable(gain.held_out_by));
+  for (const Metric& metric : gain.metrics) {
+    const MetricWords words = words_of(metric.name);
+    fmt::print(out, "    {:<36}{} -> {}{}\n", printable(words.name), figure(metric.before),
+               with_unit(figure(metric.after), words.unit),
+               improved(metric) ? "" : "  (not better)");
+  }
+}
+
+void write_steps(std::ostream& out, const std::vector<Step>& steps) {
+  if (!steps.empty()) {
+    out << "  as far as the catalogue goes, error on sessions that the fit never saw\n";
+  }
+  for (const Step& step : steps) {
+    fmt::print(
+        out, "    {:<36}output {} N, input {} N\n",
+        step.effect.id.empty() ? "nominal model (Capstan alone)" : "+ " + printable(step.effect.id),
+        figure(step.output_rmse_N), figure(step.input_rmse_N));
+  }
+}
+
+void write_invisible(std::ostream& out, const Findings& findings) {
+  for (const Invisible& one : findings.invisible) {
+    fmt::print(out, "  cannot be seen here: {}: {}\n", printable(one.id), printable(one.why));
+  }
+}
+
+void write_same(std::ostream& out, const Findings& findings) {
+  for (const auto& set : findings.equivalent_sets) {
+    std::string ids;
+    for (const std::string& id : set) {
+      ids += (ids.empty() ? "" : ", ") + printable(id);
+    }
+    const std::string experiments = experiments_for(set);
+    fmt::print(out, "  cannot be told apart here: {}{}{}\n", ids, experiments.empty() ? "" : ": ",
+               experiments);
+  }
+}
+
+void write_part(std::ostream& out, const Part& part, const std::string& cost) {
+  const Findings& findings = *part.findings;
+  fmt::print(out, "{}: {}\n", part.name, word_of(findings.verdict));
+  if (!findings.words.empty()) {
+    fmt::print(out, "  {}\n", printable(findings.words));
+  }
+  write_effects(out, findings);
+  write_candidates(out, findings);
+  for (const Estimate& estimate : findings.refitted) {
+    write_estimate(out, estimate, "  refitted ");
+  }
+  write_gain(out, findings.gain);
+  write_steps(out, findings.steps);
+  fmt::print(out, "  cost in life: {}\n", cost);
+  write_same(out, findings);
+  write_invisible(out, findings);
+  if (!findings.next_experiment.empty()) {
+    fmt::print(out, "  next experiment: {}\n", printable(findings.next_experiment));
+  }
+}
+
+}  // namespace
+
+void write_summary(std::ostream& out, std::string_view campaign, const Diagnosis& diagnosis) {
+  fmt::print(out, "{}: {}\n", printable(campaign), word_of(diagnosis.verdict()));
+  for (const Part& part : parts_of(diagnosis)) {
+    write_part(
+        out, part,
+        part.name == "lives" ? cost_words(*diagnosis.lives) : cost_words(*diagnosis.tension));
+  }
+  for (const std::string& warning : diagnosis.warnings) {
+    fmt::print(out, "warning: {}\n", printable(warning));
+  }
+}
+
+}  // namespace host_sim::diagnose

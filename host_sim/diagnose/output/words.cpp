@@ -1,0 +1,153 @@
+#include "host_sim/diagnose/output/words.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "host_sim/effects/life_effect.hpp"
+#include "host_sim/effects/tension_effect.hpp"
+
+namespace host_sim::diagnose {
+namespace {
+
+using Good = MetricWords::Good;
+
+const std::pair<std::string_view, MetricWords> kMetrics[] = {
+    {"rmse_N", {"error of the output tension (RMSE)", "N", Good::low}},
+    {"log_predictive_density", {"log predictive density", "", Good::high}},
+    {"damage_error_percent", {"error of the damage", "%", Good::low}},
+    {"b10_coverage", {"specimens broken before their B10", "", Good::goal, 0.1}},
+};
+
+/// Below it a ratio is told as none.
+constexpr double kSmallestChange = 0.005;
+
+/// "1.16 times", "0.84 times".
+std::string times(double ratio) {
+  return fmt::format("{:.3g} times", ratio);
+}
+
+bool of_no_account(double ratio) {
+  return !std::isfinite(ratio) || ratio <= 0 || std::abs(std::log(ratio)) < kSmallestChange;
+}
+
+/// What `told_by` says of the effect of this id in either catalogue; empty where none has it.
+template <class ToldBy>
+auto of_catalogue(std::string_view id, ToldBy told_by) {
+  decltype(told_by(*effects::tension_effects().front())) told;
+  for (const auto& effect : effects::tension_effects()) {
+    if (effect->id() == id) {
+      told = told_by(*effect);
+    }
+  }
+  for (const auto& effect : effects::life_effects()) {
+    if (effect->id() == id) {
+      told = told_by(*effect);
+    }
+  }
+  return told;
+}
+
+std::string experiment_between(std::string_view one, std::string_view other) {
+  const auto separations =
+      of_catalogue(one, [](const auto& effect) { return effect.separations(); });
+  for (const effects::Separation& separation : separations) {
+    if (separation.other == other) {
+      return std::string(separation.experiment);
+    }
+  }
+  return {};
+}
+
+/// Adds what is neither empty nor there already.
+void add_new(std::vector<std::string>& texts, const std::string& text) {
+  if (!text.empty() && std::find(texts.begin(), texts.end(), text) == texts.end()) {
+    texts.push_back(text);
+  }
+}
+
+}  // namespace
+
+MetricWords words_of(std::string_view metric) {
+  const auto* const known = std::find_if(std::begin(kMetrics), std::end(kMetrics),
+                                         [metric](const auto& one) { return one.first == metric; });
+  return known == std::end(kMetrics) ? MetricWords{std::string(metric), "", Good::low}
+                                     : known->second;
+}
+
+bool improved(const Metric& metric) {
+  const MetricWords words = words_of(metric.name);
+  switch (words.good) {
+    case Good::low:
+      return std::abs(metric.after) < std::abs(metric.before);
+    case Good::high:
+      return metric.after > metric.before;
+    case Good::goal:
+      return std::abs(metric.after - words.goal) < std::abs(metric.before - words.goal);
+  }
+  return false;
+}
+
+std::string cost_words(const TensionDiagnosis& tension) {
+  if (tension.findings.extensions.empty()) {
+    return "Nothing was extended, so that the damage of the recordings stays as it was booked.";
+  }
+  const double ratio = tension.damage_ratio;
+  if (of_no_account(ratio)) {
+    return "The extension does not change the damage of the recordings.";
+  }
+  return fmt::format(
+      "Of the damage of a recording, in the geometric mean, the nominal model books {} what the "
+      "extended one does: it promises {} the life.",
+      times(ratio), times(1 / ratio));
+}
+
+std::string cost_words(const LifeDiagnosis& lives) {
+  if (lives.findings.extensions.empty()) {
+    return "Nothing was extended, so that B10 stays as it was.";
+  }
+  if (of_no_account(lives.b10_ratio)) {
+    return "The extension does not change B10 at the lowest level.";
+  }
+  return fmt::format(
+      "At the lowest level the nominal model promises {} the B10 of the extended one.",
+      times(lives.b10_ratio));
+}
+
+std::string candidate_words(std::string_view id) {
+  std::string words(id);
+  if (const std::size_t plus = words.find('+'); plus != std::string::npos) {
+    words.replace(plus, 1, " and ");
+  }
+  return words;
+}
+
+std::string term_of(std::string_view id) {
+  if (id == "none") {
+    return "nothing is wrong";
+  }
+  if (id == "unknown") {
+    return "something that is not in the catalogue";
+  }
+  if (const std::size_t plus = id.find('+'); plus != std::string_view::npos) {
+    return term_of(id.substr(0, plus)) + " and " + term_of(id.substr(plus + 1));
+  }
+  const std::string_view term = of_catalogue(id, [](const auto& effect) { return effect.term(); });
+  return std::string(term.empty() ? id : term);
+}
+
+std::string experiments_for(const std::vector<std::string>& ids) {
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < ids.size(); ++i) {
+    for (std::size_t j = i + 1; j < ids.size(); ++j) {
+      const std::string text = experiment_between(ids[i], ids[j]);
+      add_new(texts, text.empty() ? experiment_between(ids[j], ids[i]) : text);
+    }
+  }
+  return fmt::format("{}", fmt::join(texts, "; "));
+}
+
+}  // namespace host_sim::diagnose

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host_sim/diagnose/diagnosis.hpp"
+
+/// Sentences on a diagnosis, in ASCII, for the summary and the report alike.
+namespace host_sim::diagnose {
+
+/// A metric of the gain for people.
+struct MetricWords {
+  std::string name;  ///< "error of the output tension (RMSE)"
+  std::string unit;  ///< "N", "%" or none
+  /// What a good value is: the lower the better, the higher, or near to a goal.
+  enum class Good { low, high, goal } good = Good::low;
+  double goal = 0;
+};
+
+/// A name that is not known stands for itself.
+MetricWords words_of(std::string_view metric);
+
+/// Whether the extended model is better in this metric.
+bool improved(const Metric& metric);
+
+/// What the error of the nominal model costs: what it says of the damage of the recordings.
+std::string cost_words(const TensionDiagnosis& tension);
+
+/// What it says of B10.
+std::string cost_words(const LifeDiagnosis& lives);
+
+/// "friction_wear and slack" of the id of a candidate.
+std::string candidate_words(std::string_view id);
+
+/// The field's words for the id of a candidate, from the catalogue: "backlash or dead zone"; what
+/// "none" and "unknown" mean. An id that is not known stands for itself.
+std::string term_of(std::string_view id);
+
+/// What tells the effects of a set apart, pair by pair, as the catalogue has it from either side;
+/// "; " between them. Empty where it has nothing.
+std::string experiments_for(const std::vector<std::string>& ids);
+
+}  // namespace host_sim::diagnose
