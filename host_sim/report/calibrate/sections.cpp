@@ -15,14 +15,6 @@ namespace {
 
 using elements::tile;
 
-std::string list_items(const std::vector<std::string>& sentences) {
-  std::string html;
-  for (const std::string& sentence : sentences) {
-    html += fmt::format("<li>{}</li>\n", html_escape(sentence));
-  }
-  return html;
-}
-
 std::string probability_caption(const calibrate::LevelResult& level) {
   if (!has_fit(level)) {
     return fmt::format("No Weibull line: {}.", problem_text(level.weibull().problem));
@@ -43,16 +35,6 @@ std::string law_tiles(const calibrate::StressLife& law) {
 
 }  // namespace
 
-std::string warnings(const std::vector<std::string>& warnings) {
-  if (warnings.empty()) {
-    return {};
-  }
-  return fmt::format(
-      "<section class=\"warnings\" aria-labelledby=\"warnings-heading\">\n"
-      "<h2 id=\"warnings-heading\">{}</h2>\n<ul>\n{}</ul>\n</section>\n",
-      counted_text(warnings.size(), "warning"), list_items(warnings));
-}
-
 std::string tiles(const calibrate::CalibrateResult& result) {
   std::string html = result.stress_life
                          ? law_tiles(*result.stress_life)
@@ -71,19 +53,6 @@ std::string tiles(const calibrate::CalibrateResult& result) {
   return html;
 }
 
-std::string words(const std::vector<std::string>& sentences) {
-  return sentences.empty() ? std::string()
-                           : fmt::format("<ul class=\"words\">\n{}</ul>\n", list_items(sentences));
-}
-
-std::string chart(const Chart& chart, std::string_view caption, std::string_view why_empty) {
-  if (chart.layers.empty()) {
-    return elements::empty(why_empty);
-  }
-  return fmt::format("<h3>{}</h3>\n<p class=\"caption\">{}</p>\n{}", html_escape(chart.name),
-                     html_escape(caption), elements::chart_place(chart.id, chart.name, caption));
-}
-
 std::string probability_plots(const calibrate::CalibrateResult& result) {
   std::string html;
   for (std::size_t i = 0; i < result.levels.size(); ++i) {
@@ -95,10 +64,6 @@ std::string probability_plots(const calibrate::CalibrateResult& result) {
                         level.band.p.empty() ? "" : tables::band(level));
   }
   return html;
-}
-
-std::string table_or(bool has_rows, const std::string& table, std::string_view why_empty) {
-  return has_rows ? table : elements::empty(why_empty);
 }
 
 }  // namespace host_sim::calibrate_page::sections

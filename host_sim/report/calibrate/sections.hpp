@@ -1,32 +1,21 @@
 #pragma once
 
 #include <string>
-#include <string_view>
-#include <vector>
 
 #include "host_sim/calibrate/result.hpp"
-#include "host_sim/report/page/chart.hpp"
+#include "host_sim/report/page/sections.hpp"
 
 /// Parts of the page as HTML with all texts escaped.
 namespace host_sim::calibrate_page::sections {
 
-/// The warnings as a section of their own; empty without any.
-[[nodiscard]] std::string warnings(const std::vector<std::string>& warnings);
+using elements::chart;
+using elements::table_or;
+using elements::warnings;
+using elements::words;
 
 [[nodiscard]] std::string tiles(const calibrate::CalibrateResult& result);
 
-/// Sentences as a list.
-[[nodiscard]] std::string words(const std::vector<std::string>& sentences);
-
-/// What to see in a chart, and its place; or why there is nothing to see.
-[[nodiscard]] std::string chart(const Chart& chart, std::string_view caption,
-                                std::string_view why_empty);
-
 /// A probability plot with its tables for each level.
 [[nodiscard]] std::string probability_plots(const calibrate::CalibrateResult& result);
-
-/// The table where there are rows for it, else why there are none.
-[[nodiscard]] std::string table_or(bool has_rows, const std::string& table,
-                                   std::string_view why_empty);
 
 }  // namespace host_sim::calibrate_page::sections

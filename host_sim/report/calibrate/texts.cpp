@@ -15,14 +15,6 @@ std::string interval_text(statistics::Interval interval, int significant) {
   return fmt::format("{} to {}", end(interval.low), end(interval.high));
 }
 
-std::string p_text(double p) {
-  constexpr double kSmallest = 0.001;
-  if (std::isnan(p)) {
-    return "not computed";
-  }
-  return p < kSmallest ? "below 0.001" : number_text(p, 2);
-}
-
 double p_of(const statistics::Test& test) {
   return std::isnan(test.p_simulated) ? test.p_chi_square : test.p_simulated;
 }

@@ -10,9 +10,6 @@ namespace host_sim::calibrate_page {
 /// "830 to 920"; an end that does not exist is "no limit".
 [[nodiscard]] std::string interval_text(statistics::Interval interval, int significant = 4);
 
-/// "0.12", "below 0.001", "not computed".
-[[nodiscard]] std::string p_text(double p);
-
 /// The simulated p-value where there is one, else that of the chi-square distribution.
 [[nodiscard]] double p_of(const statistics::Test& test);
 

@@ -130,4 +130,12 @@ std::string duration_text(double duration_s) {
   return quantity_text(duration_s, "s");
 }
 
+std::string p_text(double p) {
+  constexpr double kSmallest = 0.001;
+  if (std::isnan(p)) {
+    return "not computed";
+  }
+  return p < kSmallest ? "below 0.001" : number_text(p, 2);
+}
+
 }  // namespace host_sim

@@ -25,4 +25,7 @@ namespace host_sim {
 /// A span of time in the largest fitting unit from seconds to years (of 365.25 days).
 [[nodiscard]] std::string duration_text(double duration_s);
 
+/// A p-value: "0.12", "below 0.001", "not computed".
+[[nodiscard]] std::string p_text(double p);
+
 }  // namespace host_sim

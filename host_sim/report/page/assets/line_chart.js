@@ -81,9 +81,12 @@ function legendMarkers(series) {
   };
 }
 
-/** Draws a line chart into its holder and returns a function that tells whether it was drawn. */
-function lineChart(holder, { data, series, bands, xAxis, yAxis, yRange, onDraw }) {
-  let drawn = 0;
+/**
+ * Draws a line chart into its holder. `x` and `y` add to the scales, `xTicks` to the axis of x.
+ */
+function makeLineChart(holder, {
+  data, series, bands, xAxis, yAxis, yRange, onDraw, onSeries, x, y, xTicks,
+}) {
   const width = holder.clientWidth;
   const chart = new uPlot(
     {
@@ -93,15 +96,15 @@ function lineChart(holder, { data, series, bands, xAxis, yAxis, yRange, onDraw }
       series: inked(series),
       bands,
       scales: {
-        x: { time: false },
-        y: yRange ? { range: yRange } : {},
+        x: { time: false, ...x },
+        y: { ...(yRange && { range: yRange }), ...y },
       },
-      axes: [axis(xAxis, { size: 34 }), axis(yAxis, { size: 58 })],
+      axes: [axis(xAxis, { size: 34, ...xTicks }), axis(yAxis, { size: 58 })],
       padding: [12, 14, 0, 0],
       cursor: { y: false, hover: { skip: [null, undefined] } },
       legend: { show: true, markers: legendMarkers(series) },
       hooks: {
-        drawSeries: [() => { drawn += 1; }],
+        drawSeries: onSeries ? [onSeries] : [],
         draw: onDraw ? [onDraw] : [],
       },
     },
@@ -111,11 +114,21 @@ function lineChart(holder, { data, series, bands, xAxis, yAxis, yRange, onDraw }
   const canvas = holder.querySelector('canvas');
   canvas.setAttribute('role', 'img');
   canvas.setAttribute('aria-label', holder.dataset.summary);
-  holder.querySelector('.u-legend').setAttribute('aria-live', 'polite');
+  const legend = holder.querySelector('.u-legend');
+  legend.setAttribute('aria-live', 'polite');
+  legend.setAttribute('aria-label', 'Values at the cursor');
   addKeys(holder, chart);
-  keepDrawn(holder, (newWidth) => {
+  const end = keepDrawn(holder, (newWidth) => {
     chart.setSize({ width: newWidth, height: chartHeight(newWidth) });
     chart.redraw(true, true);
   });
+  chart.hooks.destroy = [end];
+  return chart;
+}
+
+/** Draws a line chart into its holder and returns a function that tells whether it was drawn. */
+function lineChart(holder, spec) {
+  let drawn = 0;
+  const chart = makeLineChart(holder, { ...spec, onSeries: () => { drawn += 1; } });
   return () => drawn > 0 && chart.bbox.width > 0;
 }

@@ -20,24 +20,31 @@ function between(stops, position) {
 
 /**
  * Calls `redraw(width)` when the holder changes its width, the colours change or the page is
- * printed. On paper the width is that of an A4 page within its margins.
+ * printed. On paper the width is that of an A4 page within its margins. Returns what ends that.
  */
 function keepDrawn(holder, redraw) {
   const printWidth = 680;
   const root = document.documentElement;
   const again = () => redraw(root.classList.contains('printing') ? printWidth : holder.clientWidth);
   let width = holder.clientWidth;
-  new ResizeObserver(() => {
+  const observer = new ResizeObserver(() => {
     if (holder.clientWidth !== width && !root.classList.contains('printing')) {
       width = holder.clientWidth;
-      again();
+      requestAnimationFrame(again);
     }
-  }).observe(holder);
-  window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', again);
+  });
+  observer.observe(holder);
+  const ending = new AbortController();
+  const { signal } = ending;
+  window.matchMedia('(prefers-color-scheme: dark)').addEventListener('change', again, { signal });
   const setPrinting = (printing) => () => {
     root.classList.toggle('printing', printing);
     again();
   };
-  window.addEventListener('beforeprint', setPrinting(true));
-  window.addEventListener('afterprint', setPrinting(false));
+  window.addEventListener('beforeprint', setPrinting(true), { signal });
+  window.addEventListener('afterprint', setPrinting(false), { signal });
+  return () => {
+    observer.disconnect();
+    ending.abort();
+  };
 }

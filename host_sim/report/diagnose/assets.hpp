@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string_view>
+
+/// Files of the page of a diagnosis, embedded when the program is built.
+namespace host_sim::diagnose_assets {
+
+// NOLINTBEGIN(readability-identifier-naming): named after the files
+extern const std::string_view body_html;
+extern const std::string_view part_html;
+extern const std::string_view recordings_html;
+extern const std::string_view lives_html;
+extern const std::string_view draw_js;
+// NOLINTEND(readability-identifier-naming)
+
+}  // namespace host_sim::diagnose_assets

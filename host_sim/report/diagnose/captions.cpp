@@ -1,0 +1,126 @@
+#include "host_sim/report/diagnose/captions.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "host_sim/report/diagnose/charts.hpp"
+#include "host_sim/report/page/number_text.hpp"
+
+namespace host_sim::diagnose_page::captions {
+namespace {
+
+using diagnose::ResidualPicture;
+
+std::size_t outside(const ResidualPicture& residual, const std::vector<double>& means) {
+  std::size_t count = 0;
+  const std::size_t bins =
+      std::min({means.size(), residual.envelope_low.size(), residual.envelope_high.size()});
+  for (std::size_t i = 0; i < bins; ++i) {
+    count += means[i] < residual.envelope_low[i] || means[i] > residual.envelope_high[i] ? 1U : 0U;
+  }
+  return count;
+}
+
+}  // namespace
+
+std::string traces(const diagnose::TensionDiagnosis& tension) {
+  const std::size_t shown = worst_traces(tension, kMostTraces).size();
+  return shown < tension.traces.size()
+             ? fmt::format(
+                   "The {} of {} sessions that the nominal model misses most, worst first. "
+                   "The nominal model has its parameters refitted.",
+                   shown, tension.traces.size())
+             : "The nominal model has its parameters refitted. The session that it misses most "
+               "comes first.";
+}
+
+std::string trace(const diagnose::TensionDiagnosis& tension, std::size_t index) {
+  const diagnose::TracePicture& trace = tension.traces.at(index);
+  std::string text = fmt::format("The error of the nominal model is {} (RMSE)",
+                                 quantity_text(rmse_N(trace.measured_N, trace.before_N), "N"));
+  if (!tension.findings.extensions.empty()) {
+    text += fmt::format(", that of the extended one {}",
+                        quantity_text(rmse_N(trace.measured_N, trace.after_N), "N"));
+  }
+  return text + ".";
+}
+
+std::string loop() {
+  return "The width of the loop is the friction. Where the loops differ, and whether at reversals, "
+         "at high or at low tension, tells the cause.";
+}
+
+std::string residuals(const diagnose::TensionDiagnosis& tension) {
+  const std::string after =
+      tension.findings.extensions.empty() ? "" : " The extended model should bring them inside.";
+  return "Means of the residual ln T_out \u2212 ln T_in + \u03bc\u03c6s over each covariate, "
+         "pulling and letting go apart. Means outside the grey envelope are more than noise and "
+         "the "
+         "scatter of sessions give." +
+         after;
+}
+
+std::string residual(const diagnose::TensionDiagnosis& tension, std::size_t index) {
+  const ResidualPicture& residual = tension.residuals.at(index);
+  std::string text = fmt::format("{} of {} means lie outside the envelope",
+                                 outside(residual, residual.before), residual.centre.size());
+  if (!tension.findings.extensions.empty()) {
+    text += fmt::format(", {} after the extension", outside(residual, residual.after));
+  }
+  return text + ".";
+}
+
+std::string weibull(const diagnose::LifeDiagnosis& lives) {
+  std::string text = fmt::format(
+      "Each failure at its life over what the model predicts and at its median rank. A model that "
+      "holds has its points along its line. Shape of the residual lives: {} with the nominal model",
+      number_text(lives.picture.shape_before));
+  if (!lives.findings.extensions.empty()) {
+    text += fmt::format(", {} with the extended one", number_text(lives.picture.shape_after));
+  }
+  return text + ".";
+}
+
+std::string ratio_before() {
+  return "Lives that drift with the tension, or lots that stand apart, speak against the model.";
+}
+
+std::string ratio_after() {
+  return "What the drift and the lots are once the model is extended.";
+}
+
+std::string ranking(const diagnose::Findings& findings) {
+  const std::size_t credible = findings.credible_set.size();
+  if (credible == 0) {
+    return "All probabilities sum to 1.";
+  }
+  const std::string_view words = credible == 1
+                                     ? "The candidate in full colour holds 95\u00a0% alone"
+                                     : "Those in full colour hold 95\u00a0% together";
+  return fmt::format(
+      "All probabilities sum to 1. {}. The probability of an effect is the sum over all candidates "
+      "that hold it; it is named from {} on.",
+      words, percent_text(diagnose::kNamed));
+}
+
+std::string discrepancies() {
+  return "The largest deviation over each covariate against what noise and the scatter of sessions "
+         "or specimens give. A small p says that something is wrong; after the extension it should "
+         "be large.";
+}
+
+std::string steps() {
+  return "As far as the catalogue goes: the nominal model, then one effect more in each row, each "
+         "the one that the recordings speak for most. The errors are of sessions that the fit "
+         "never saw, of each tension from the other. The probabilities are those that the effects "
+         "would have if the catalogue held all that there is, which it does not: nothing is named.";
+}
+
+std::string gain(const diagnose::Gain& gain) {
+  return gain.held_out_by.empty()
+             ? std::string("On data that the fit never saw.")
+             : fmt::format("On data that the fit never saw, held out by {}.", gain.held_out_by);
+}
+
+}  // namespace host_sim::diagnose_page::captions

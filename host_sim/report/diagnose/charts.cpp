@@ -1,0 +1,25 @@
+#include "host_sim/report/diagnose/charts.hpp"
+
+namespace host_sim::diagnose_page {
+
+std::vector<Chart> charts(const diagnose::Diagnosis& diagnosis) {
+  std::vector<Chart> all;
+  if (diagnosis.tension) {
+    for (const std::size_t trace : worst_traces(*diagnosis.tension, kMostTraces)) {
+      all.push_back(trace_chart(*diagnosis.tension, trace));
+      all.push_back(loop_chart(*diagnosis.tension, trace));
+    }
+    for (const std::size_t i : residual_order(*diagnosis.tension)) {
+      all.push_back(residual_chart(*diagnosis.tension, i));
+    }
+  }
+  if (diagnosis.lives) {
+    all.push_back(weibull_chart(*diagnosis.lives));
+    all.push_back(ratio_chart(*diagnosis.lives, Model::nominal));
+    all.push_back(ratio_chart(*diagnosis.lives, Model::extended));
+  }
+  std::erase_if(all, [](const Chart& chart) { return chart.layers.empty(); });
+  return all;
+}
+
+}  // namespace host_sim::diagnose_page

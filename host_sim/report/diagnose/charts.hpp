@@ -1,0 +1,54 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "host_sim/diagnose/diagnosis.hpp"
+#include "host_sim/report/page/chart.hpp"
+
+/// The plots of the page of a diagnosis. What the nominal model says and what the extended one says
+/// have the same colours everywhere. A chart without anything to show has no layers.
+namespace host_sim::diagnose_page {
+
+/// How the nominal and the extended model look.
+inline constexpr std::string_view kBeforeColour = "mark";
+inline constexpr std::string_view kAfterColour = "line";
+
+/// The sessions whose output tension the nominal model misses most, as indices into the traces, the
+/// largest error first; at most `most`.
+[[nodiscard]] std::vector<std::size_t> worst_traces(const diagnose::TensionDiagnosis& tension,
+                                                    std::size_t most);
+
+/// Root of the mean square of the difference, in N; NaN where there is nothing to compare.
+[[nodiscard]] double rmse_N(const std::vector<double>& measured_N,
+                            const std::vector<double>& simulated_N);
+
+/// Output tension of one session over time, measured and simulated.
+[[nodiscard]] Chart trace_chart(const diagnose::TensionDiagnosis& tension, std::size_t trace);
+
+/// Its loop: output tension over input tension.
+[[nodiscard]] Chart loop_chart(const diagnose::TensionDiagnosis& tension, std::size_t trace);
+
+/// The residuals in the order of the page, as indices: the covariate whose means leave their
+/// envelope farthest with the nominal model first, the directions of one covariate together.
+[[nodiscard]] std::vector<std::size_t> residual_order(const diagnose::TensionDiagnosis& tension);
+
+/// What is left of ln(T_out / T_in) over one covariate, in one direction, with the null envelope.
+[[nodiscard]] Chart residual_chart(const diagnose::TensionDiagnosis& tension, std::size_t residual);
+
+/// Weibull plot of the lives over the predicted ones; the lines are what the models say.
+[[nodiscard]] Chart weibull_chart(const diagnose::LifeDiagnosis& lives);
+
+enum class Model { nominal, extended };
+
+/// The lives over the predicted ones by effective tension, lot by lot where they are few. Of the
+/// extended model there is nothing to show where nothing was extended.
+[[nodiscard]] Chart ratio_chart(const diagnose::LifeDiagnosis& lives, Model model);
+
+/// How many sessions are drawn.
+inline constexpr std::size_t kMostTraces = 4;
+
+/// All of the above that the page shows and that have something to show, in its order.
+[[nodiscard]] std::vector<Chart> charts(const diagnose::Diagnosis& diagnosis);
+
+}  // namespace host_sim::diagnose_page
