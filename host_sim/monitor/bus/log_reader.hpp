@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "host_sim/monitor/bus/seen_frame.hpp"
+
+namespace host_sim::monitor {
+
+/// The frames of a log, from the first to the last, in constant memory.
+class LogReader {
+ public:
+  LogReader() = default;
+  LogReader(const LogReader&) = delete;
+  LogReader& operator=(const LogReader&) = delete;
+  virtual ~LogReader() = default;
+
+  /// The next frame, or none at the end. Times are as the log has them: those of several interfaces
+  /// are not strictly in order.
+  /// @throws InputError, and is then of no further use
+  virtual std::optional<SeenFrame> next() = 0;
+};
+
+/// Opens a log of candump -L, a Vector ASC file, or PCAP or PCAPNG of SocketCAN, and tells by its
+/// first bytes which of them it is. `-` is a log of candump -L on standard input.
+/// @throws InputError
+std::unique_ptr<LogReader> open_log(const std::filesystem::path& path);
+
+}  // namespace host_sim::monitor

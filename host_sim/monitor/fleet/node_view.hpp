@@ -1,0 +1,113 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "firmware/protocol/messages.hpp"
+
+namespace host_sim::monitor {
+
+/// A value with the time of the frame that brought it. Only frames that passed the integrity check
+/// bring values.
+template <class Value>
+struct Timed {
+  Value value{};
+  std::int64_t time_ns = 0;
+  bool stale = false;  ///< older than three of its frame's cycle times, or its node is gone
+};
+
+/// What became of the frames of one node and kind.
+struct StreamView {
+  std::string frame;  ///< name of the schema: "LifeStatus"
+  std::uint64_t good = 0;
+  std::uint64_t lost = 0;
+  std::uint64_t repeated = 0;
+  std::uint64_t wrong_sequence = 0;
+  std::uint64_t damaged = 0;    ///< wrong CRC or length
+  std::uint64_t malformed = 0;  ///< right CRC, and a value that the schema does not have
+  /// How often it was silent for longer than its counter can tell, and was begun anew. What was
+  /// lost then is in no other count.
+  std::uint64_t silences = 0;
+  /// Times between two frames of the stream, counted in classes of interval_class_ms from 0 on, the
+  /// last one open above. A class is a twentieth of the cycle, or 5 ms where there is none.
+  static constexpr std::size_t kIntervalClasses = 40;
+  std::uint32_t interval_class_ms = 5;
+  std::array<std::uint64_t, kIntervalClasses> intervals{};
+};
+
+/// One thing that happened to a node, for the timeline.
+struct Event {
+  enum class Kind : std::uint8_t { state, emergency, boot, vanished, back, epoch, integrity };
+  Kind kind = Kind::state;
+  std::int64_t time_ns = 0;
+  std::string words;  ///< "inspect", "overload", "epoch opened: damage fell from 12.1 to 0 %"
+  protocol::LifeState state = protocol::LifeState::unknown;  ///< after it
+};
+
+/// A point of the damage curve.
+struct DamagePoint {
+  std::int64_t time_ns = 0;
+  std::uint32_t damage_ppb = 0;
+  std::optional<std::uint32_t> rate_ppb_per_h;
+};
+
+/// All that is known of one node. Bounded: histories are thinned, never longer than their limits.
+/// A node is known from its second heartbeat, or the first frame that passes the integrity check,
+/// on: one damaged identifier makes no node.
+struct NodeView {
+  protocol::Node node = 0;
+  bool vanished = false;  ///< nothing at all for three heartbeats
+  std::int64_t last_seen_ns = 0;
+
+  std::optional<Timed<protocol::NmtState>> heartbeat;
+  std::optional<Timed<protocol::LifeStatus>> status;
+  /// Highest damage of this epoch that any genuine frame told: what is shown never falls but by a
+  /// new epoch. A new epoch is three statuses in a row that lie below it by more than a power cut
+  /// can have lost, after what the node told of that.
+  std::uint32_t highest_damage_ppb = 0;
+  std::optional<Timed<protocol::detail::Identity>> identity;
+  std::optional<Timed<protocol::detail::Cycles>> cycles;
+  std::optional<Timed<protocol::detail::DamageRate>> rate;
+  std::map<std::uint8_t, Timed<protocol::detail::TendonDamage>> tendons;  ///< by tendon
+  /// Cycles by tendon, range class and mean class: index 64 tendon + 8 range + mean.
+  std::map<std::uint16_t, Timed<protocol::detail::RainflowBin>> bins;
+  std::optional<Timed<protocol::detail::RemainingLife>> remaining;
+  std::optional<Timed<protocol::detail::Storage>> storage;
+  std::optional<Timed<protocol::detail::Timing>> timing;
+  std::optional<Timed<protocol::detail::Bus>> bus;
+  std::optional<Timed<protocol::Emergency>> emergency;  ///< the last; code none: all is over
+
+  std::vector<StreamView> streams;  ///< in order of the schema
+  std::deque<Event> events;         ///< oldest first, at most kMostEvents
+  std::deque<DamagePoint> curve;    ///< oldest first, at most kMostPoints, thinned evenly
+
+  static constexpr std::size_t kMostEvents = 1000;
+  static constexpr std::size_t kMostPoints = 4000;
+
+  [[nodiscard]] std::uint64_t integrity_failures() const;
+};
+
+/// The whole fleet, and the bus that it is on.
+struct FleetView {
+  std::int64_t now_ns = 0;
+  std::string source;  ///< FrameSource::words()
+  bool source_lost = false;
+  bool source_ended = false;
+  double bit_rate_bit_s = 0;
+  bool bus_off = false;
+  std::uint64_t frames = 0;
+  std::uint64_t foreign_frames = 0;  ///< of no kind of the schema, or of no node that is known
+  std::uint64_t error_frames = 0;
+  std::uint64_t receive_overflows = 0;
+  double bus_load_percent = 0;  ///< of the last second, at the bit rate told
+  double frames_per_s = 0;
+  std::map<protocol::Node, NodeView> nodes;
+};
+
+}  // namespace host_sim::monitor

@@ -1,0 +1,170 @@
+#include "host_sim/monitor/fleet/node_watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "firmware/protocol/codec.hpp"
+#include "host_sim/monitor/fleet/ages.hpp"
+#include "host_sim/monitor/fleet/pages.hpp"
+#include "host_sim/monitor/fleet/words.hpp"
+
+namespace host_sim::monitor {
+namespace {
+
+using protocol::schema::kFrames;
+
+/// Failures that follow each other within this are one event.
+constexpr std::int64_t kFailuresApart_ns = 10'000'000'000;
+
+std::uint32_t ppb_of(std::uint32_t damage_ppm) {
+  constexpr std::uint32_t kLargest = std::numeric_limits<std::uint32_t>::max();
+  return damage_ppm > kLargest / 1000 ? kLargest : damage_ppm * 1000;
+}
+
+}  // namespace
+
+NodeWatch::NodeWatch(NodeView& view) : view_(view) {
+  for (const protocol::schema::Frame* frame : kFrames) {
+    streams_.emplace_back(*frame, view.node);
+    view_.streams.push_back(empty_stream_view(*frame));
+  }
+}
+
+void NodeWatch::take(std::size_t kind, const hal::CanFrame& frame, std::int64_t time_ns) {
+  using protocol::e2e::Status;
+  StreamView& stream = view_.streams[kind];
+  const Status status = streams_[kind].take(frame, time_ns, stream);
+  if (status == Status::wrong_crc || status == Status::wrong_length) {
+    was_damaged(time_ns, stream);
+    return;
+  }
+  if (kFrames[kind]->sender != protocol::schema::Sender::node) {
+    return;
+  }
+  if (!protocol::e2e::is_usable(status)) {
+    is_alive(time_ns);
+    return;
+  }
+  known_ = known_ || kFrames[kind]->integrity.has_value();
+  if (kFrames[kind] == &protocol::schema::kHeartbeatFrame) {
+    take_heartbeat(frame, time_ns, stream);
+  } else if (kFrames[kind] == &protocol::schema::kLifeStatusFrame) {
+    take_status(frame, time_ns, stream);
+  } else if (kFrames[kind] == &protocol::schema::kLifeDetailFrame) {
+    take_detail(frame, time_ns, stream);
+  } else {
+    take_emergency(frame, time_ns, stream);
+  }
+}
+
+void NodeWatch::take_heartbeat(const hal::CanFrame& frame, std::int64_t time_ns,
+                               StreamView& stream) {
+  const auto heartbeat = protocol::decode<protocol::Heartbeat>(frame);
+  if (!heartbeat) {
+    ++stream.malformed;
+    return;
+  }
+  is_alive(time_ns);
+  known_ = ++heartbeats_ >= 2 || known_;
+  view_.heartbeat = {heartbeat->state, time_ns};
+  if (heartbeat->state == protocol::NmtState::boot_up) {
+    for (StreamWatch& other : streams_) {
+      other.begin_anew();
+    }
+    note(Event::Kind::boot, time_ns, "started");
+  }
+}
+
+void NodeWatch::take_status(const hal::CanFrame& frame, std::int64_t time_ns, StreamView& stream) {
+  is_alive(time_ns);
+  const auto status = protocol::decode<protocol::LifeStatus>(frame);
+  if (!status) {
+    ++stream.malformed;
+    return;
+  }
+  const bool changed = !view_.status || view_.status->value.state != status->state;
+  view_.status = {*status, time_ns};
+  if (const auto before_ppb = damage_.status(status->damage_ppb)) {
+    note(Event::Kind::epoch, time_ns,
+         fmt::format("epoch opened: damage fell from {} to {} %", percent_of(*before_ppb),
+                     percent_of(damage_.highest_ppb())));
+    view_.tendons.clear();
+  }
+  show_damage(time_ns);
+  if (changed) {
+    note(Event::Kind::state, time_ns, std::string(name_of(status->state)));
+  }
+}
+
+void NodeWatch::take_detail(const hal::CanFrame& frame, std::int64_t time_ns, StreamView& stream) {
+  is_alive(time_ns);
+  if (!take_page(frame, time_ns, view_)) {
+    ++stream.malformed;
+    return;
+  }
+  if (const auto storage = protocol::decode<protocol::detail::Storage>(frame)) {
+    damage_.may_lose(storage->worst_unsaved_ppb);
+  } else if (const auto tendon = protocol::decode<protocol::detail::TendonDamage>(frame)) {
+    damage_.raise(tendon->damage_ppb);
+    view_.highest_damage_ppb = damage_.highest_ppb();
+  }
+}
+
+void NodeWatch::take_emergency(const hal::CanFrame& frame, std::int64_t time_ns,
+                               StreamView& stream) {
+  is_alive(time_ns);
+  const auto emergency = protocol::decode<protocol::Emergency>(frame);
+  if (!emergency) {
+    ++stream.malformed;
+    return;
+  }
+  view_.emergency = {*emergency, time_ns};
+  damage_.raise(ppb_of(emergency->damage_ppm));
+  view_.highest_damage_ppb = damage_.highest_ppb();
+  note(Event::Kind::emergency, time_ns, std::string(name_of(emergency->code)));
+}
+
+void NodeWatch::show_damage(std::int64_t time_ns) {
+  view_.highest_damage_ppb = damage_.highest_ppb();
+  DamagePoint point{.time_ns = time_ns, .damage_ppb = damage_.highest_ppb(), .rate_ppb_per_h = {}};
+  if (view_.rate && !view_.rate->stale) {
+    point.rate_ppb_per_h = view_.rate->value.ppb_per_h;
+  }
+  curve_.add(view_, point);
+}
+
+void NodeWatch::is_alive(std::int64_t time_ns) {
+  view_.last_seen_ns = time_ns;
+  if (std::exchange(view_.vanished, false)) {
+    note(Event::Kind::back, time_ns, "heard again");
+  }
+}
+
+void NodeWatch::was_damaged(std::int64_t time_ns, const StreamView& stream) {
+  if (!last_damaged_ns_ || time_ns - *last_damaged_ns_ > kFailuresApart_ns) {
+    note(Event::Kind::integrity, time_ns, "damaged frames: " + stream.frame);
+  }
+  last_damaged_ns_ = time_ns;
+}
+
+void NodeWatch::note(Event::Kind kind, std::int64_t time_ns, std::string words) {
+  add_event(view_,
+            {.kind = kind,
+             .time_ns = time_ns,
+             .words = std::move(words),
+             .state = view_.status ? view_.status->value.state : protocol::LifeState::unknown});
+}
+
+void NodeWatch::tick(std::int64_t now_ns, bool while_listening, std::int64_t heard_from_ns) {
+  const std::int64_t silent_from_ns = std::max(view_.last_seen_ns, heard_from_ns);
+  if (while_listening && !view_.vanished && now_ns - silent_from_ns > kVanished_ns) {
+    view_.vanished = true;
+    note(Event::Kind::vanished, silent_from_ns + kVanished_ns, "not heard for three heartbeats");
+  }
+  mark_stale(view_, now_ns);
+}
+
+}  // namespace host_sim::monitor

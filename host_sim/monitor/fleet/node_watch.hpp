@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "host_sim/monitor/fleet/damage_watch.hpp"
+#include "host_sim/monitor/fleet/histories.hpp"
+#include "host_sim/monitor/fleet/node_view.hpp"
+#include "host_sim/monitor/fleet/stream_watch.hpp"
+
+namespace host_sim::monitor {
+
+/// Follows one node from its frames, and keeps its view.
+class NodeWatch {
+ public:
+  /// `view` outlives the watch.
+  explicit NodeWatch(NodeView& view);
+
+  /// A frame of the kind with this number in schema::kFrames. Precondition: it is of this node.
+  void take(std::size_t kind, const hal::CanFrame& frame, std::int64_t time_ns);
+  /// Marks what is too old. A node vanishes only `while_listening`: silence of a bus that cannot be
+  /// heard tells nothing of the node. `heard_from_ns`: since when the bus can be heard.
+  void tick(std::int64_t now_ns, bool while_listening, std::int64_t heard_from_ns);
+
+  [[nodiscard]] bool known() const { return known_; }
+
+ private:
+  void take_heartbeat(const hal::CanFrame& frame, std::int64_t time_ns, StreamView& stream);
+  void take_status(const hal::CanFrame& frame, std::int64_t time_ns, StreamView& stream);
+  void take_detail(const hal::CanFrame& frame, std::int64_t time_ns, StreamView& stream);
+  void take_emergency(const hal::CanFrame& frame, std::int64_t time_ns, StreamView& stream);
+  void show_damage(std::int64_t time_ns);
+  void is_alive(std::int64_t time_ns);
+  void was_damaged(std::int64_t time_ns, const StreamView& stream);
+  void note(Event::Kind kind, std::int64_t time_ns, std::string words);
+
+  NodeView& view_;
+  std::vector<StreamWatch> streams_;
+  DamageWatch damage_;
+  DamageCurve curve_;
+  bool known_ = false;
+  int heartbeats_ = 0;
+  std::optional<std::int64_t> last_damaged_ns_;
+};
+
+}  // namespace host_sim::monitor

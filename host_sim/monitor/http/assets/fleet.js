@@ -1,0 +1,89 @@
+import { byId, Keyed, make, setAttribute, setText, Value } from './dom.js';
+import { hashOf } from './place.js';
+import { ageText } from './time.js';
+import { percentText, rateText, remainingText, stateWords, UNKNOWN, wholeText } from './words.js';
+
+const COLUMNS = [
+  'State',
+  'Damage',
+  'Remaining life',
+  'Damage rate',
+  'Heartbeat',
+  'Integrity failures',
+];
+
+function makeRow(number) {
+  const link = make('a', {}, `Node ${number}`);
+  const element = make(
+    'tr',
+    { role: 'row', 'data-node': number },
+    make('th', { role: 'rowheader', scope: 'row' }, link),
+  );
+  const cells = COLUMNS.map((column) => {
+    const cell = make('td', { role: 'cell', 'data-column': column });
+    element.append(cell);
+    return cell;
+  });
+  const holder = make('span', { class: 'states' });
+  cells[0].append(holder);
+  const states = new Keyed(holder, () => ({ element: make('span') }));
+  const stateTag = make('span', { class: 'tag' });
+  cells[0].append(' ', stateTag);
+  return {
+    element,
+    link,
+    cells,
+    states,
+    stateTag,
+    values: cells.slice(1).map((c) => new Value(c)),
+  };
+}
+
+/** States as coloured marks with their words. */
+function showStates(row, node, stale) {
+  const words = stateWords(node);
+  const items = row.states.show(words.map(([, kind], index) => `${index} ${kind}`));
+  words.forEach(([text, kind], index) => {
+    const { element } = items.get(`${index} ${kind}`);
+    setText(element, `${text}${index + 1 < words.length ? ', ' : ''}`);
+    setAttribute(element, 'class', `state ${kind}`);
+  });
+  setText(row.stateTag, stale ? 'STALE' : '');
+  row.cells[0].classList.toggle('stale', stale);
+}
+
+export class FleetTable {
+  constructor() {
+    this.table = byId('fleet');
+    this.rows = new Keyed(this.table.tBodies[0], makeRow);
+  }
+
+  show({ view, isStale, place }) {
+    const numbers = Object.keys(view.nodes);
+    this.table.hidden = numbers.length === 0;
+    byId('no-nodes').hidden = numbers.length > 0;
+    const rows = this.rows.show(numbers);
+    for (const number of numbers) {
+      const row = rows.get(number);
+      const node = view.nodes[number];
+      const selected = number === place.node;
+      setAttribute(row.link, 'href', hashOf({ ...place, node: number }));
+      row.element.classList.toggle('selected', selected);
+      setAttribute(row.link, 'aria-current', String(selected));
+      this.showNode(row, node, view.now_us, isStale);
+    }
+  }
+
+  showNode(row, node, now_us, isStale) {
+    const { status, remaining, rate, heartbeat } = node;
+    showStates(row, node, isStale(status));
+    const [damage, left, wear, beat, integrity] = row.values;
+    damage.show(status ? percentText(node.highest_damage) : UNKNOWN, isStale(status));
+    left.show(remainingText(remaining), isStale(remaining));
+    wear.show(rateText(rate), isStale(rate));
+    beat.show(heartbeat ? ageText(now_us, heartbeat.time_us) : 'none', isStale(heartbeat));
+    const failures = node.integrity_failures;
+    integrity.show(wholeText(failures), isStale({}));
+    integrity.holder.classList.toggle('bad', failures > 0);
+  }
+}

@@ -1,0 +1,106 @@
+import { Bins } from './bins.js';
+import { Curves } from './curves.js';
+import { byId, setAttribute, setText } from './dom.js';
+import { Timeline } from './events.js';
+import { NodeHistory } from './history.js';
+import { hashOf } from './place.js';
+import { Tendons } from './tendons.js';
+import { NodeTiles } from './tiles.js';
+import { momentText } from './time.js';
+import { Trust } from './trust.js';
+
+/** All about one node. Its history comes from the monitor and goes on with the views. */
+export class NodeView {
+  constructor(onHistory) {
+    this.onHistory = onHistory;
+    this.section = byId('node');
+    this.parts = null;
+  }
+
+  /** Fetches the history of the node that is to be shown; again where `anew`. */
+  async load(number, anew = false) {
+    if (number === undefined || (!anew && this.wanted === number)) {
+      return;
+    }
+    this.wanted = number;
+    if (!anew) {
+      this.history = undefined;
+    }
+    const heard = [];
+    this.heard = heard;
+    try {
+      const answer = await fetch(`/api/node/${number}`);
+      const json = answer.ok
+        ? await answer.json()
+        : { node: Number(number), events: [], curve: [] };
+      if (this.wanted === number && this.heard === heard) {
+        this.history = new NodeHistory(json);
+        this.heard = undefined;
+        heard.forEach(([view, events]) => this.add(view, events));
+        this.onHistory();
+      }
+    } catch {
+      if (this.heard === heard) {
+        this.wanted = undefined;
+        this.heard = undefined;
+      }
+    }
+  }
+
+  /** What comes while a history is on its way is added to it afterwards. */
+  hear(view, events) {
+    if (this.heard) {
+      this.heard.push([view, events]);
+    } else if (this.history) {
+      this.add(view, events);
+    }
+  }
+
+  add(view, events) {
+    const { node } = this.history;
+    if (view.nodes[node]) {
+      this.history.add(view.nodes[node], events[node] || []);
+    }
+  }
+
+  leave() {
+    this.wanted = undefined;
+    this.heard = undefined;
+    this.history = undefined;
+    this.section.hidden = true;
+  }
+
+  show(shown) {
+    const { view, place } = shown;
+    const node = view.nodes[place.node];
+    this.section.hidden = false;
+    setText(byId('node-heading'), `Node ${place.node}`);
+    setText(byId('node-note'), this.note(node));
+    setAttribute(byId('export-csv'), 'href', `/export/${place.node}.csv`);
+    setAttribute(byId('export-candump'), 'href', `/export/${place.node}.candump`);
+    setAttribute(byId('close-node'), 'href', hashOf({ ...place, node: undefined }));
+    for (const input of document.querySelectorAll('#axes input')) {
+      input.checked = input.value === place.axes;
+    }
+    if (!node) {
+      return;
+    }
+    this.parts ??= [new NodeTiles(), new Tendons(), new Bins(), new Trust()];
+    const all = { ...shown, node, history: this.history };
+    this.parts.forEach((part) => part.show(all));
+    this.drawn ??= [new Curves(), new Timeline()];
+    const known = this.history && this.history.node === place.node;
+    this.drawn.forEach((part) => (known ? part.show(all) : part.clear()));
+  }
+
+  note(node) {
+    if (!node) {
+      return 'This node has not been heard.';
+    }
+    if (node.partial) {
+      return 'Of this moment, before this page was opened, only damage, rate and state are known.';
+    }
+    const seen = `last frame ${momentText(node.last_seen_us)}`;
+    return node.vanished ? `VANISHED: nothing has come from it since; ${seen}.` : `Heard; ${seen}.`;
+  }
+}

@@ -1,0 +1,107 @@
+import { byId, Keyed, make, makeSvg, setAttribute, setText, Value } from './dom.js';
+import { percentText, UNKNOWN } from './words.js';
+
+/**
+ * The damage at which the life states begin: the controller tells when B10 and B50 are reached at
+ * the present rate, so they lie so far above the present damage. Inspection is due at half of B10.
+ */
+export function thresholdsOf({ status, rate, remaining, highest_damage: damage }) {
+  if (!status || !rate || !remaining) {
+    return null;
+  }
+  const { RemainingB10: b10, RemainingB50: b50 } = remaining;
+  const isKnown = (left) => typeof left === 'number' && left > 0;
+  if (!isKnown(b10) || !isKnown(b50) || !(rate.DamageRate > 0)) {
+    return null;
+  }
+  const replace = damage + b10 * rate.DamageRate;
+  return { inspect: replace / 2, replace, worn: damage + b50 * rate.DamageRate };
+}
+
+function makeRow(number) {
+  const bar = makeSvg('svg', {
+    class: 'bar',
+    viewBox: '0 0 100 10',
+    preserveAspectRatio: 'none',
+    'aria-hidden': 'true',
+  });
+  const damage = make('td', { class: 'number' });
+  const state = make('td');
+  const element = make(
+    'tr',
+    { 'data-tendon': number },
+    make('th', { scope: 'row' }, `Tendon ${number}`),
+    make('td', { class: 'track' }, bar),
+    damage,
+    state,
+  );
+  return { element, bar, damage: new Value(damage), state };
+}
+
+function drawBar(bar, share, thresholds, most) {
+  const key = JSON.stringify([share, thresholds, most]);
+  if (bar.dataset.key === key) {
+    return;
+  }
+  bar.dataset.key = key;
+  const x = (value) => Math.min(100, (100 * value) / most);
+  const marks = Object.entries(thresholds || {}).map(([name, value]) =>
+    makeSvg('path', {
+      class: `threshold life-${name}`,
+      d: `M${x(value)} 0V10`,
+    }),
+  );
+  bar.replaceChildren(
+    makeSvg('rect', { class: 'track', width: 100, height: 10 }),
+    makeSvg('rect', { class: 'strong', y: 2, width: x(share), height: 6 }),
+    ...marks,
+  );
+}
+
+/** The damage of every tendon as bars with the thresholds of the life states. */
+export class Tendons {
+  constructor() {
+    const body = make('tbody');
+    const heads = ['Tendon', 'Thresholds', 'Damage', 'State'].map((name) =>
+      make('th', { scope: 'col' }, name),
+    );
+    byId('tendons').append(
+      make(
+        'table',
+        { 'aria-labelledby': 'tendons-heading' },
+        make('thead', {}, make('tr', {}, ...heads)),
+        body,
+      ),
+    );
+    this.rows = new Keyed(body, makeRow);
+    this.known = new Map();
+  }
+
+  show({ node, isStale }) {
+    const fresh = thresholdsOf(node);
+    if (fresh) {
+      this.known.set(node.node, fresh);
+    }
+    const thresholds = this.known.get(node.node);
+    setText(
+      byId('thresholds'),
+      thresholds
+        ? `At about ${Object.keys(thresholds)
+            .map((name) => `${percentText(thresholds[name], 3)} ${name}`)
+            .join(', ')}: from the remaining life that the controller tells.`
+        : `Thresholds are ${UNKNOWN} yet: the controller tells no remaining life.`,
+    );
+    const numbers = Object.keys(node.tendons);
+    const damages = numbers.map((number) => node.tendons[number].TendonDamage);
+    const most = Math.max(1e-9, ...damages, thresholds ? 1.05 * thresholds.worn : 0);
+    const rows = this.rows.show(numbers);
+    for (const number of numbers) {
+      const tendon = node.tendons[number];
+      const row = rows.get(number);
+      drawBar(row.bar, tendon.TendonDamage, thresholds, most);
+      row.damage.show(percentText(tendon.TendonDamage, 7), isStale(tendon));
+      setText(row.state, tendon.TendonLifeState);
+      setAttribute(row.state, 'class', `state life-${tendon.TendonLifeState}`);
+    }
+  }
+}

@@ -1,0 +1,75 @@
+/** Values in words. Numbers come decoded, with the names of the frame plan. */
+
+export const UNKNOWN = 'not known';
+
+/** A whole number in full. */
+export function wholeText(value) {
+  return value === undefined ? UNKNOWN : String(value).replace(/\B(?=(\d{3})+$)/g, NARROW_SPACE);
+}
+
+export function percentText(share, significant = 5) {
+  return `${numberText(100 * share, significant)} %`;
+}
+
+export function rateText(rate) {
+  return rate ? `${percentText(rate.DamageRate, 4)} per h` : UNKNOWN;
+}
+
+function hours(value) {
+  return value === 'unknown' ? 'unknown' : numberText(value, 5);
+}
+
+/** The band of the remaining life; beyond the range of its field it is unknown. */
+export function remainingText(remaining) {
+  if (!remaining) {
+    return UNKNOWN;
+  }
+  const { RemainingB10: low, RemainingB90: high } = remaining;
+  return low === 'unknown' && high === 'unknown' ? 'unknown' : `${hours(low)} to ${hours(high)} h`;
+}
+
+export function plain(name) {
+  return name.replaceAll('_', ' ');
+}
+
+/** The states of a node that are worth a word: [[words, class], ..]. */
+export function stateWords(node) {
+  const words = [];
+  if (node.vanished) {
+    words.push(['VANISHED', 'gone']);
+  }
+  const state = node.status && node.status.LifeState;
+  words.push([state || UNKNOWN, `life-${state || 'unknown'}`]);
+  if (node.emergency && node.emergency.EmergencyCode !== 'none') {
+    words.push([`EMERGENCY: ${emergencyText(node.emergency)}`, 'emergency']);
+  }
+  if (node.status && node.status.Locked) {
+    words.push(['LOCKED', 'emergency']);
+  }
+  if (node.heartbeat && node.heartbeat.NmtState !== 'operational') {
+    words.push([plain(node.heartbeat.NmtState), 'gone']);
+  }
+  return words;
+}
+
+export function emergencyText({ EmergencyCode: code }) {
+  return typeof code === 'number' ? `code ${code}` : plain(code);
+}
+
+/** What reduces the trust in a reading. */
+export function flagText(status) {
+  const flags = [
+    [!status.StorageOk, 'record cannot be written'],
+    [!status.SensorOk, 'sensor at fault'],
+    [status.Gap, 'samples missing'],
+    [status.Saturated, 'a value at the end of its range'],
+    [status.Overrun, 'cycles counted larger'],
+    [status.Locked, 'held by the emergency stop'],
+  ];
+  return (
+    flags
+      .filter(([on]) => on)
+      .map(([, text]) => text)
+      .join('; ') || 'no flags'
+  );
+}

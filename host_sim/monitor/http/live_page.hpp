@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "host_sim/monitor/fleet/node_view.hpp"
+#include "host_sim/monitor/http/address.hpp"
+#include "host_sim/monitor/http/frame_archive.hpp"
+
+namespace host_sim::monitor {
+
+struct LivePageOptions {
+  Address address;
+  std::optional<std::string> token = {};  ///< asked for, if given; needed off loopback
+  const FrameArchive* archive = nullptr;  ///< where frames are recorded; outlives the page
+};
+
+/// Serves the fleet to browsers, by threads of its own:
+///   /                    the page; its parts under /assets/
+///   /events              server-sent events
+///   /api/fleet           what is known now, as JSON
+///   /api/node/N          the same of a node, with its history
+///   /export/N.csv        its damage curve
+///   /export/N.candump    its recorded frames; /export/all.candump those of all
+///   /healthz             200 while views come, else 503; needs no token
+class LivePage {
+ public:
+  /// @throws InputError where it cannot listen or must not
+  explicit LivePage(const LivePageOptions& options);
+  LivePage(const LivePage&) = delete;
+  LivePage& operator=(const LivePage&) = delete;
+  ~LivePage();
+
+  /// Takes a view where one is due, five times a second at most, and never waits for a reader. To
+  /// be called on, also where nothing has come, for the page takes silence for a stopped monitor.
+  void publish(const FleetView& view);
+
+  /// Where the page is, without the token: "http://127.0.0.1:8080/".
+  [[nodiscard]] std::string url() const;
+  [[nodiscard]] std::uint16_t port() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace host_sim::monitor

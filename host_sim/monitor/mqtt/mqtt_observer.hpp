@@ -1,0 +1,61 @@
+#pragma once
+
+#include <atomic>
+#include <chrono>
+#include <map>
+#include <memory>
+#include <stop_token>
+#include <string>
+#include <thread>
+
+#include "host_sim/monitor/mqtt/address.hpp"
+#include "host_sim/monitor/watch/observer.hpp"
+
+struct mosquitto;
+
+namespace host_sim::monitor {
+
+/// Tells an MQTT broker of every node: status_json() retained under tendonlife/NODE/status, once a
+/// second, and at once where its state changes, it turns stale, vanishes or comes back.
+///
+/// tendonlife/monitor says whether anyone keeps this up: {"online": true}, and false as the last
+/// will and at the end, where every status is told once more as stale. A broker that is lost is
+/// tried again for as long as it takes.
+class MqttObserver final : public Observer {
+ public:
+  /// @throws std::runtime_error where the library cannot be used
+  explicit MqttObserver(const BrokerAddress& broker);
+  ~MqttObserver() override;
+
+  void update(const FleetView& view) override;
+  [[nodiscard]] std::string trouble() const override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  struct Told {
+    protocol::LifeState state = protocol::LifeState::unknown;
+    bool stale = false;
+    bool vanished = false;
+    Clock::time_point at{};
+    std::string json;
+  };
+
+  void stay_connected(const std::stop_token& stop);
+  static void connected(::mosquitto* client, void* self, int result);
+  static void acknowledged(::mosquitto* client, void* self, int message);
+  static void disconnected(::mosquitto* client, void* self, int result);
+  void publish(const std::string& topic, const std::string& payload);
+  void tell(const NodeView& node, Clock::time_point now);
+  void end();
+
+  BrokerAddress broker_;
+  std::map<protocol::Node, Told> told_;
+  std::atomic<bool> connected_ = false;
+  std::atomic<int> unacknowledged_ = 0;
+  std::atomic<bool> tell_all_ = false;  ///< a broker has forgotten what it was told
+  std::unique_ptr<::mosquitto, void (*)(::mosquitto*)> client_;
+  std::jthread thread_;
+};
+
+}  // namespace host_sim::monitor

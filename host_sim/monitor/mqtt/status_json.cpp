@@ -1,0 +1,54 @@
+#include "host_sim/monitor/mqtt/status_json.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "host_sim/monitor/fleet/words.hpp"
+
+namespace host_sim::monitor {
+namespace {
+
+using nlohmann::ordered_json;
+using protocol::detail::RemainingLife;
+
+constexpr double kPercent_ppb = 1e7;
+
+ordered_json hours_of(std::uint16_t tenths) {
+  return tenths == RemainingLife::kUnknown ? ordered_json(nullptr) : ordered_json(tenths / 10.0);
+}
+
+}  // namespace
+
+std::string status_json(const NodeView& node) {
+  if (!node.status) {
+    return {};
+  }
+  const protocol::LifeStatus& status = node.status->value;
+  const std::int64_t time_ms = node.status->time_ns / 1'000'000;
+  ordered_json json = {{"state", name_of(status.state)},
+                       {"damage_ppb", node.highest_damage_ppb},
+                       {"damage_percent", node.highest_damage_ppb / kPercent_ppb},
+                       {"worst_tendon", status.worst_tendon},
+                       {"quality", name_of(status.quality)},
+                       {"storage_ok", status.storage_ok},
+                       {"sensor_ok", status.sensor_ok},
+                       {"gap", status.gap},
+                       {"saturated", status.saturated},
+                       {"overrun", status.overrun},
+                       {"locked", status.locked},
+                       {"time_s", static_cast<double>(time_ms) / 1e3},
+                       {"stale", node.status->stale},
+                       {"vanished", node.vanished},
+                       {"integrity_failures", node.integrity_failures()}};
+  if (node.rate && !node.rate->stale) {
+    json["damage_percent_per_h"] = node.rate->value.ppb_per_h / kPercent_ppb;
+  }
+  if (node.remaining && !node.remaining->stale) {
+    const RemainingLife& remaining = node.remaining->value;
+    json["remaining_h"] = {{"b10", hours_of(remaining.b10_dh)},
+                           {"b50", hours_of(remaining.b50_dh)},
+                           {"b90", hours_of(remaining.b90_dh)}};
+  }
+  return json.dump();
+}
+
+}  // namespace host_sim::monitor

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <utility>
+
+#include "host_sim/monitor/record/recorder.hpp"
+#include "host_sim/monitor/watch/observer.hpp"
+
+namespace host_sim::monitor {
+
+/// Records what is seen.
+class RecordObserver final : public Observer {
+ public:
+  /// @throws OutputError
+  RecordObserver(const std::filesystem::path& folder, const Rotation& rotation,
+                 std::string interface)
+      : recorder_(folder, rotation, std::move(interface)) {}
+
+  void see(const SeenFrame& seen) override { recorder_.see(seen); }
+  [[nodiscard]] std::string trouble() const override { return recorder_.trouble(); }
+  [[nodiscard]] const std::string& repaired() const { return recorder_.repaired(); }
+
+ private:
+  Recorder recorder_;
+};
+
+}  // namespace host_sim::monitor
