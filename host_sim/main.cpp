@@ -24,16 +24,25 @@ int run(int argc, char** argv) {
   app.name("host_sim");
   app.set_version_flag("--version", std::string(host_sim::kProgramVersion));
   app.require_subcommand(1);
+  app.get_formatter()->label("TEXT", "FILE");
   app.footer(
-      "Exit status: 0 done, 1 bad input, 2 wrong usage, 3 a limit or fault was found in the data.");
+      "Exit status: 0 done, 1 bad input, 2 wrong usage, 3 a limit or fault was found in the data.\n"
+      "The examples of each verb are told from the source tree; installed they lie "
+      "in " TENDONLIFE_DOCUMENTS
+      ".\n"
+      "Example: host_sim replay --help");
   int status = 0;
   host_sim::watch_for_interruption();
   host_sim::add_replay(app, status);
   host_sim::add_calibrate(app, status);
+  host_sim::add_diagnose(app, status);
   host_sim::add_import(app, status);
+  host_sim::add_monitor(app, status);
   host_sim::add_pack(app, status);
   host_sim::add_plan(app, status);
   host_sim::add_synth(app, status);
+  host_sim::add_completion(app, status);
+  host_sim::add_manual(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -1,17 +1,17 @@
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "host_sim/calibrate/output/findings.hpp"
+#include "host_sim/command_line/type_names.hpp"
 #include "host_sim/verbs/calibrate_arguments.hpp"
+#include "host_sim/verbs/fail_on.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
 namespace host_sim {
 namespace {
 
-constexpr const char* kAnyFinding = "any";
 constexpr std::size_t kMostBootstraps = 10'000'000;
 constexpr unsigned kMostThreads = 1024;
 
@@ -71,30 +71,19 @@ calibrate::CalibrateOptions CalibrateArguments::options() const {
   return options;
 }
 
-bool CalibrateArguments::fails_on(const std::vector<std::string>& findings) const {
-  const auto asked = [this](const std::string& finding) {
-    return std::find(fail_on.begin(), fail_on.end(), finding) != fail_on.end();
-  };
-  return !findings.empty() &&
-         (asked(kAnyFinding) || std::any_of(findings.begin(), findings.end(), asked));
-}
-
 void add_calibrate(CLI::App& app, int& status) {
   auto arguments = std::make_shared<CalibrateArguments>();
   CLI::App* verb = app.add_subcommand("calibrate", "The life model from specimens run to failure");
   verb->add_option("CAMPAIGN", arguments->folder,
                    "Folder with campaign.toml, specimens.csv and, for loads in blocks, blocks.csv")
-      ->required();
+      ->required()
+      ->type_name(command_line::kFolder);
   add_outputs(*verb, *arguments);
   add_batch(*verb, *arguments);
   add_computation(*verb, *arguments);
-  std::vector<std::string> choices = calibrate::all_findings();
-  choices.emplace_back(kAnyFinding);
-  verb->add_option("--fail-on", arguments->fail_on,
-                   "Exit with status 3 if one of these is found: a level left out, one shape "
-                   "rejected, the law rejected, a validation level that differs")
-      ->delimiter(',')
-      ->check(CLI::IsMember(choices));
+  add_fail_on(*verb, arguments->fail_on, calibrate::all_findings(),
+              "Exit with status 3 if one of these is found: a level left out, one shape rejected, "
+              "the law rejected, a validation level that differs");
   verb->footer(
       "Example: host_sim calibrate host_sim/examples/tendon_alt --out model.toml --report "
       "calibration.html");

@@ -26,8 +26,6 @@ struct CalibrateArguments {
 
   [[nodiscard]] std::array<std::string, 4> outputs() const { return {out, json, report, table}; }
   [[nodiscard]] calibrate::CalibrateOptions options() const;
-  /// Whether one of `findings` is one to fail on.
-  [[nodiscard]] bool fails_on(const std::vector<std::string>& findings) const;
 };
 
 /// One campaign. @return the exit status @throws InputError, OutputError, Interruption

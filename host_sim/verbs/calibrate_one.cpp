@@ -5,11 +5,13 @@
 #include "host_sim/calibrate/output/json.hpp"
 #include "host_sim/calibrate/output/model_text.hpp"
 #include "host_sim/calibrate/output/summary.hpp"
+#include "host_sim/campaign/nominal_model.hpp"
 #include "host_sim/io/interruption.hpp"
 #include "host_sim/io/progress.hpp"
 #include "host_sim/replay/constants.hpp"
 #include "host_sim/report/calibrate/html.hpp"
 #include "host_sim/verbs/calibrate_arguments.hpp"
+#include "host_sim/verbs/fail_on.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
@@ -42,7 +44,7 @@ std::string checked_model(const Campaign& campaign, const calibrate::CalibrateRe
 int calibrate_one(const CalibrateArguments& arguments) {
   const Campaign campaign = read_campaign(arguments.folder);
   if (!arguments.out.empty()) {
-    calibrate::require_nominal_model(campaign);
+    require_nominal_model(campaign);
   }
   auto out = open_if_asked(arguments.out);
   auto json = open_if_asked(arguments.json);
@@ -60,7 +62,7 @@ int calibrate_one(const CalibrateArguments& arguments) {
   }
   commit_all({&out, &json, &page});
   calibrate::write_summary(summary_stream(arguments.outputs()), result);
-  return arguments.fails_on(calibrate::found_in(result)) ? kFoundInData : 0;
+  return fails_on(arguments.fail_on, calibrate::found_in(result)) ? kFoundInData : 0;
 }
 
 }  // namespace host_sim

@@ -2,12 +2,16 @@
 #include <iostream>
 #include <memory>
 
+#include "host_sim/command_line/type_names.hpp"
 #include "host_sim/io/byte_source.hpp"
 #include "host_sim/recording/import/davinci.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
 namespace host_sim {
 namespace {
+
+constexpr const char* kExample =
+    "Example: host_sim import davinci Tool_4_Maryland_L_4.csv --out davinci";
 
 struct Arguments {
   std::string file;
@@ -28,18 +32,21 @@ void run(const Arguments& arguments) {
 void add_import(CLI::App& app, int&) {
   CLI::App* verb = app.add_subcommand("import", "A campaign folder from measurements of others");
   verb->require_subcommand(1);
+  verb->footer(kExample);
   auto arguments = std::make_shared<Arguments>();
   CLI::App* davinci = verb->add_subcommand(
       "davinci", "Torques of a cable transmission, O'Neill et al., RA-L 3(4):3027 (2018)");
   davinci->add_option("FILE", arguments->file, "The measurements, a CSV file; - is standard input")
       ->required();
-  davinci->add_option("--out", arguments->out, "The campaign folder to write")->required();
+  davinci->add_option("--out", arguments->out, "The campaign folder to write")
+      ->required()
+      ->type_name(command_line::kFolder);
   davinci
       ->add_option("--pulley-radius-mm", arguments->options.pulley_radius_mm,
                    "Turns torques into tensions")
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
-  davinci->footer("Example: host_sim import davinci Tool_4_Maryland_L_4.csv --out davinci");
+  davinci->footer(kExample);
   davinci->callback([arguments] { run(*arguments); });
 }
 

@@ -1,14 +1,21 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstddef>
 #include <iostream>
 #include <memory>
+#include <string>
+#include <vector>
 
-#include "host_sim/io/model.hpp"
+#include "host_sim/extension/acting.hpp"
+#include "host_sim/extension/keys.hpp"
+#include "host_sim/extension/read.hpp"
+#include "host_sim/extension/value.hpp"
 #include "host_sim/io/output_file.hpp"
 #include "host_sim/replay/constants.hpp"
 #include "host_sim/verbs/verbs.hpp"
-#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/block/extended_block.hpp"
 
 namespace host_sim {
 namespace {
@@ -17,17 +24,61 @@ struct Arguments {
   std::string model;
   std::string out;
   std::string format = "bin";
+  std::vector<std::string> without;
 };
 
-std::string as_binary(const lifemodel::ParameterBlock& block) {
+using Block = std::vector<std::byte>;
+
+Block block_of(const Model& model, const std::string& name) {
+  Block block(lifemodel::kMostExtendedBytes);
+  block.resize(lifemodel::encode(extended_parameters_of(model, name), block).size());
+  return block;
+}
+
+std::string as_binary(const Block& block) {
   return {reinterpret_cast<const char*>(block.data()), block.size()};
 }
 
-std::string as_c_array(const lifemodel::ParameterBlock& block, const std::string& digest) {
+/// Without the effects that the controller has no inputs for.
+Model without(Model model, const std::vector<std::string>& ids) {
+  std::erase_if(model.extensions, [&](const Extension& extension) {
+    return std::ranges::find(ids, extension.id) != ids.end();
+  });
+  return model;
+}
+
+/// Of each extension, for which input the firmware evaluates it, or why it does not.
+void tell_extensions(const Model& model) {
+  const ProfileChannels all = ProfileChannels{}.set();
+  const Acting current = acting_extensions(model, InputKind::kMotorCurrent, all);
+  const Acting output = acting_extensions(model, InputKind::kOutputTension, all);
+  for (const Extension& extension : current.extensions) {
+    std::cerr << "  " << extension.id
+              << (extension_of(output.extensions, extension.id) == nullptr
+                      ? ": evaluated where motor current is sampled\n"
+                      : ": evaluated for every input\n");
+  }
+  for (const Extension& extension : output.extensions) {
+    if (extension_of(current.extensions, extension.id) != nullptr) {
+      continue;
+    }
+    std::cerr << "  " << extension.id << ": evaluated where output tension is sampled\n";
+  }
+  for (const NotEvaluated& effect : current.others) {
+    if (extension_of(output.extensions, effect.id) == nullptr) {
+      std::cerr << "  " << effect.id << ": not in the block; " << effect.why << '\n';
+    }
+  }
+}
+
+std::string as_c_array(const Block& block, const std::string& digest) {
   std::string text = fmt::format(
-      "/* Parameter block of the model {}, for lm_init() or lifemodel::decode(). */\n"
+      "/* Parameter block of the model {}, for {}. */\n"
       "static const unsigned char tendonlife_parameter_block[{}] = {{",
-      digest, block.size());
+      digest,
+      block.size() == lifemodel::kBlockBytes ? "lm_init() or lifemodel::decode()"
+                                             : "lifemodel::decode_extended()",
+      block.size());
   for (std::size_t i = 0; i < block.size(); ++i) {
     text +=
         fmt::format("{}0x{:02x},", i % 12 == 0 ? "\n    " : " ", static_cast<unsigned>(block[i]));
@@ -35,14 +86,23 @@ std::string as_c_array(const lifemodel::ParameterBlock& block, const std::string
   return text + "\n};\n";
 }
 
+std::vector<std::string> extension_ids() {
+  std::vector<std::string> ids;
+  for (const ExtensionKeys& keys : extension_keys()) {
+    ids.emplace_back(keys.id);
+  }
+  return ids;
+}
+
 void run(const Arguments& arguments) {
-  const Model model = read_model(arguments.model);
-  const lifemodel::ParameterBlock block = lifemodel::encode(parameters_of(model, arguments.model));
+  const Model model = without(read_extended_model(arguments.model), arguments.without);
+  const Block block = block_of(model, arguments.model);
   const std::string digest = model_digest(model);
   OutputFile out(arguments.out);
   out.write(arguments.format == "c" ? as_c_array(block, digest) : as_binary(block));
   out.commit();
   std::cerr << arguments.out << ": " << block.size() << " bytes, model " << digest << '\n';
+  tell_extensions(model);
 }
 
 }  // namespace
@@ -55,6 +115,10 @@ void add_pack(CLI::App& app, int&) {
   verb->add_option("--format", arguments->format, "bin, or c for an array to compile in")
       ->check(CLI::IsMember({"bin", "c"}))
       ->capture_default_str();
+  verb->add_option("--without", arguments->without,
+                   "Extensions to leave out because the controller does not measure what they need")
+      ->delimiter(',')
+      ->check(CLI::IsMember(extension_ids()));
   verb->footer("Example: host_sim pack host_sim/examples/upper_arm.toml --out upper_arm.bin");
   verb->callback([arguments] { run(*arguments); });
 }

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "host_sim/command_line/type_names.hpp"
 #include "host_sim/io/progress.hpp"
 #include "host_sim/synth/campaign/folder.hpp"
 #include "host_sim/synth/campaign/make.hpp"
@@ -94,7 +95,9 @@ void add_synth(CLI::App& app, int& status) {
   CLI::App* verb = app.add_subcommand(
       "synth", "A campaign by simulation, with effects that are hidden in it as its plan says");
   verb->add_option("--plan", arguments->plan, "What to simulate, a TOML file")->required();
-  verb->add_option("--out", arguments->out, "The folder to make")->required();
+  verb->add_option("--out", arguments->out, "The folder to make")
+      ->required()
+      ->type_name(command_line::kFolder);
   verb->add_option("--seed", arguments->seed, "Of the random numbers")->capture_default_str();
   verb->add_option("--truth", arguments->truth,
                    "Write what is hidden as JSON, outside the folder; - is standard output");

@@ -16,7 +16,11 @@ inline constexpr int kFoundInData = 3;
 /// Each adds one verb to the program; running it sets `status`, which becomes the exit status.
 void add_replay(CLI::App& app, int& status);
 void add_calibrate(CLI::App& app, int& status);
+void add_completion(CLI::App& app, int& status);
+void add_diagnose(CLI::App& app, int& status);
 void add_import(CLI::App& app, int& status);
+void add_manual(CLI::App& app, int& status);
+void add_monitor(CLI::App& app, int& status);
 void add_pack(CLI::App& app, int& status);
 void add_plan(CLI::App& app, int& status);
 void add_synth(CLI::App& app, int& status);

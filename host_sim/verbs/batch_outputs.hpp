@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host_sim/batch/run_batch.hpp"
+#include "host_sim/io/output_file.hpp"
+
+namespace host_sim {
+
+/// The outputs of a batch: a table with a row and a JSON file with an object for each piece.
+struct BatchOutputs {
+  std::optional<OutputFile> table;
+  std::optional<OutputFile> json;
+
+  /// Opens those whose path is not empty. @throws OutputError
+  void open(const std::string& table_path, const std::string& json_path);
+
+  /// Writes both and puts them in place.
+  /// @param head header line of the table
+  /// @param key of the array in the JSON file
+  /// @throws OutputError
+  void write(std::string_view head, std::string_view key,
+             const std::vector<batch::Answer>& answers);
+};
+
+/// Tells the errors on standard error, each line once. @return how many answers are errors
+std::size_t tell_errors(const std::vector<batch::Answer>& answers);
+
+/// The exit status: 1 where a piece was refused, else kFoundInData where an answer has found what
+/// `--fail-on` asks for.
+int status_of(const std::vector<batch::Answer>& answers, const std::vector<std::string>& fail_on);
+
+}  // namespace host_sim

@@ -1,0 +1,145 @@
+#include <CLI/CLI.hpp>
+#include <array>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "host_sim/command_line/type_names.hpp"
+#include "host_sim/diagnose/diagnosis.hpp"
+#include "host_sim/diagnose/output/extended_model.hpp"
+#include "host_sim/diagnose/output/results.hpp"
+#include "host_sim/diagnose/output/summary.hpp"
+#include "host_sim/effects/counting_effect.hpp"
+#include "host_sim/effects/life_effect.hpp"
+#include "host_sim/effects/tension_effect.hpp"
+#include "host_sim/extension/read.hpp"
+#include "host_sim/io/interruption.hpp"
+#include "host_sim/io/progress.hpp"
+#include "host_sim/replay/constants.hpp"
+#include "host_sim/report/diagnose/html.hpp"
+#include "host_sim/verbs/outputs.hpp"
+#include "host_sim/verbs/verbs.hpp"
+
+namespace host_sim {
+namespace {
+
+struct Arguments {
+  std::string folder;
+  std::string out;
+  std::string json;
+  std::string report;
+  diagnose::DiagnoseOptions options;
+  bool fail_on_discrepancy = false;
+
+  [[nodiscard]] std::array<std::string, 3> outputs() const { return {out, json, report}; }
+};
+
+constexpr unsigned kMostThreads = 1024;
+
+diagnose::Diagnosis with_progress(const Campaign& campaign, diagnose::DiagnoseOptions options) {
+  Progress progress("diagnose");
+  std::mutex mutex;
+  options.progress = [&](double share) {
+    stop_if_interrupted();
+    const std::lock_guard lock(mutex);
+    progress.update_share(share);
+  };
+  return diagnose::diagnose(campaign, options);
+}
+
+/// A model that replay and the packer read.
+std::string checked_model(const Campaign& campaign, const diagnose::Diagnosis& diagnosis,
+                          diagnose::InputFrom input, const std::string& path) {
+  std::string text = diagnose::extended_model_text(campaign, diagnosis, input, kProgramVersion);
+  parameters_of(parse_extended_model(text, path), path);
+  return text;
+}
+
+int run(const Arguments& arguments) {
+  const Campaign campaign = read_campaign(arguments.folder);
+  auto input = diagnose::InputFrom::load_cell;
+  if (!arguments.out.empty()) {
+    diagnose::require_extensible_model(campaign);
+    input = diagnose::input_of(campaign);
+  }
+  auto out = open_if_asked(arguments.out);
+  auto json = open_if_asked(arguments.json);
+  auto page = open_if_asked(arguments.report);
+
+  const diagnose::Diagnosis diagnosis = with_progress(campaign, arguments.options);
+  if (out) {
+    out->write(checked_model(campaign, diagnosis, input, arguments.out));
+  }
+  if (json) {
+    json->write(diagnose::diagnosis_json(diagnosis,
+                                         {campaign.name, arguments.out, arguments.options.seed}));
+  }
+  if (page) {
+    write_diagnose_report(page->stream(), campaign.name, diagnosis, kProgramVersion);
+  }
+  commit_all({&out, &json, &page});
+  diagnose::write_summary(summary_stream(arguments.outputs()), campaign.name, diagnosis);
+  const bool found = diagnosis.verdict() != diagnose::Verdict::none;
+  return arguments.fail_on_discrepancy && found ? kFoundInData : 0;
+}
+
+std::vector<std::string> catalogue() {
+  std::vector<std::string> ids;
+  for (const auto& effect : effects::tension_effects()) {
+    ids.emplace_back(effect->id());
+  }
+  for (const auto& effect : effects::counting_effects()) {
+    ids.emplace_back(effect->id());
+  }
+  for (const auto& effect : effects::life_effects()) {
+    ids.emplace_back(effect->id());
+  }
+  return ids;
+}
+
+void add_outputs(CLI::App& verb, Arguments& arguments) {
+  verb.add_option("--out", arguments.out,
+                  "Write the nominal model, refitted and with what was named added, which replay "
+                  "and pack read");
+  verb.add_option("--report", arguments.report, "Write a page with plots as HTML");
+  verb.add_option("--json", arguments.json, "Write the result as JSON; - is standard output");
+}
+
+void add_computation(CLI::App& verb, diagnose::DiagnoseOptions& options) {
+  verb.add_option("--seed", options.seed, "Of all random numbers")->capture_default_str();
+  verb.add_option("--threads", options.threads,
+                  "How many threads; all cores without it. The result does not depend on it")
+      ->check(CLI::Range(1U, kMostThreads));
+  verb.add_option("--without", options.without,
+                  "Take this effect out of the catalogue: what it alone explains becomes unknown")
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(catalogue()));
+}
+
+}  // namespace
+
+void add_diagnose(CLI::App& app, int& status) {
+  auto arguments = std::make_shared<Arguments>();
+  CLI::App* verb = app.add_subcommand(
+      "diagnose", "Where simulation and measurement disagree, why, and what mending it gains");
+  verb->add_option("CAMPAIGN", arguments->folder,
+                   "Folder with campaign.toml and recordings (sessions.csv), lives "
+                   "(specimens.csv) or both")
+      ->required()
+      ->type_name(command_line::kFolder);
+  add_outputs(*verb, *arguments);
+  add_computation(*verb, arguments->options);
+  verb->add_flag("--fail-on-discrepancy", arguments->fail_on_discrepancy,
+                 "Exit with status 3 unless the verdict is none");
+  verb->footer(
+      "Example: host_sim synth --plan host_sim/examples/synth/crossed.toml --out crossed\n"
+      "         host_sim diagnose crossed --out extended.toml --report diagnosis.html");
+  verb->callback([arguments, &status] {
+    if (const std::string error = conflict_of(arguments->outputs()); !error.empty()) {
+      throw CLI::ValidationError("diagnose", error);
+    }
+    status = run(*arguments);
+  });
+}
+
+}  // namespace host_sim

@@ -1,0 +1,157 @@
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host_sim/monitor/bus/log_source.hpp"
+#include "host_sim/monitor/bus/socketcan_source.hpp"
+#include "host_sim/monitor/fleet/fleet.hpp"
+#include "host_sim/monitor/http/page_observer.hpp"
+#include "host_sim/monitor/http/recorded_folder.hpp"
+#include "host_sim/monitor/record/record_observer.hpp"
+#include "host_sim/monitor/terminal/table.hpp"
+#include "host_sim/monitor/terminal/terminal.hpp"
+#include "host_sim/monitor/watch/watch.hpp"
+#include "host_sim/verbs/monitor_arguments.hpp"
+#include "host_sim/verbs/verbs.hpp"
+#ifdef TENDONLIFE_MQTT
+#include "host_sim/monitor/mqtt/mqtt_observer.hpp"
+#endif
+
+namespace host_sim {
+namespace {
+
+using monitor::FleetView;
+using monitor::FrameSource;
+using monitor::NodeView;
+using monitor::Observer;
+
+std::unique_ptr<FrameSource> open_source_of(const MonitorArguments& arguments) {
+  if (!arguments.interface.empty()) {
+    return std::make_unique<monitor::SocketCanSource>(arguments.interface);
+  }
+  const double speed = arguments.replay_speed.value_or(arguments.once ? kAsFastAsItGoes : 1.0);
+  return std::make_unique<monitor::LogSource>(monitor::open_log(arguments.log), arguments.log,
+                                              speed);
+}
+
+bool needs_attention(const NodeView& node) {
+  const bool used_up = node.status && (node.status->value.state == protocol::LifeState::replace ||
+                                       node.status->value.state == protocol::LifeState::worn);
+  return used_up || node.vanished || node.integrity_failures() != 0;
+}
+
+void print_table(const FleetView& view) {
+  for (const std::string& line : monitor::table_of(view, {})) {
+    std::cout << line << '\n';
+  }
+}
+
+/// The page, which tells where it is.
+std::unique_ptr<Observer> page_of(const MonitorArguments& arguments,
+                                  const monitor::FrameArchive* archive) {
+  monitor::LivePageOptions options{.address = monitor::parse_address(arguments.http),
+                                   .archive = archive};
+  if (!arguments.http_token.empty()) {
+    options.token = arguments.http_token;
+  }
+  auto page = std::make_unique<monitor::PageObserver>(options);
+  std::cerr << "live page: " << page->page().url() << '\n';
+  return page;
+}
+
+/// What follows the bus beside the fleet, in the order in which it is told of frames.
+std::vector<std::unique_ptr<Observer>> observers_of(const MonitorArguments& arguments,
+                                                    const monitor::FrameArchive* archive) {
+  std::vector<std::unique_ptr<Observer>> observers;
+  if (!arguments.record.empty()) {
+    auto record = std::make_unique<monitor::RecordObserver>(
+        arguments.record, arguments.rotation,
+        arguments.interface.empty() ? "log" : arguments.interface);
+    if (!record->repaired().empty()) {
+      std::cerr << record->repaired() << '\n';
+    }
+    observers.push_back(std::move(record));
+  }
+  if (!arguments.http.empty()) {
+    observers.push_back(page_of(arguments, archive));
+  }
+#ifdef TENDONLIFE_MQTT
+  if (arguments.mqtt) {
+    observers.push_back(std::make_unique<monitor::MqttObserver>(*arguments.mqtt));
+  }
+#endif
+  return observers;
+}
+
+std::vector<std::string> troubles_of(const std::vector<Observer*>& observers) {
+  std::vector<std::string> troubles;
+  for (const Observer* observer : observers) {
+    if (std::string trouble = observer->trouble(); !trouble.empty()) {
+      troubles.push_back(std::move(trouble));
+    }
+  }
+  return troubles;
+}
+
+int run(const MonitorArguments& arguments) {
+  const auto source = open_source_of(arguments);
+  monitor::Fleet fleet(arguments.bit_rate_bit_s);
+  const monitor::RecordedFolder recorded(arguments.record);
+  const auto owned = observers_of(arguments, arguments.record.empty() ? nullptr : &recorded);
+  std::vector<Observer*> observers;
+  observers.reserve(owned.size());
+  for (const auto& observer : owned) {
+    observers.push_back(observer.get());
+  }
+  const bool on_terminal = !arguments.once && monitor::can_draw();
+  {
+    std::optional<monitor::Terminal> terminal;
+    std::vector<Observer*> all = observers;
+    if (on_terminal) {
+      terminal.emplace([&observers] { return troubles_of(observers); });
+      all.push_back(&*terminal);
+    }
+    std::optional<std::chrono::milliseconds> most;
+    if (arguments.once && !arguments.interface.empty()) {
+      most = std::chrono::milliseconds(static_cast<std::int64_t>(arguments.listen_s * 1000));
+    }
+    watch(*source, fleet, all, most);
+  }
+  if (!on_terminal) {
+    print_table(fleet.view());
+  }
+  for (const std::string& trouble : troubles_of(observers)) {
+    std::cerr << trouble << '\n';
+  }
+  const auto& nodes = fleet.view().nodes;
+  const bool found = std::any_of(nodes.begin(), nodes.end(),
+                                 [](const auto& node) { return needs_attention(node.second); });
+  return arguments.once && found ? kFoundInData : 0;
+}
+
+}  // namespace
+
+void add_monitor(CLI::App& app, int& status) {
+  auto arguments = std::make_shared<MonitorArguments>();
+  CLI::App* verb =
+      app.add_subcommand("monitor", "What the nodes of a bus tell of their lives, live");
+  add_monitor_options(*verb, *arguments);
+  verb->footer(
+      "On a terminal q ends it; elsewhere it prints a table when the log or the program ends.\n"
+      "Example: host_sim monitor --interface can0 --record logs\n"
+      "         host_sim monitor --interface can0 --http 127.0.0.1:8080\n"
+      "         host_sim monitor --log run.log --replay-speed 10");
+  verb->callback([arguments, &status] {
+    if (arguments->interface.empty() == arguments->log.empty()) {
+      throw CLI::RequiredError("One of --interface and --log");
+    }
+    status = run(*arguments);
+  });
+}
+
+}  // namespace host_sim

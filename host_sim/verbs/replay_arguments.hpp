@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "firmware/protocol/messages.hpp"
+
+namespace host_sim {
+
+/// The command line of `replay`.
+struct ReplayArguments {
+  std::vector<std::string> profiles;
+  std::string model;
+  std::string input;
+  std::string json;
+  std::string table;
+  unsigned threads = 0;
+  std::string trajectory;
+  double trajectory_step_s = 0.1;
+  std::string report;
+  std::string can;
+  protocol::Node node = 1;
+  std::uint32_t start_cycle = 0;
+  std::vector<std::string> fail_on;
+
+  [[nodiscard]] std::array<std::string, 5> outputs() const {
+    return {json, table, trajectory, report, can};
+  }
+};
+
+/// The only profile. @return the exit status @throws InputError, OutputError, Interruption
+int replay_one(const ReplayArguments& arguments);
+
+/// All profiles, by all ranks. The same.
+int replay_many(const ReplayArguments& arguments);
+
+}  // namespace host_sim

@@ -1,0 +1,64 @@
+#include <filesystem>
+
+#include "host_sim/extension/read.hpp"
+#include "host_sim/io/candump.hpp"
+#include "host_sim/io/interruption.hpp"
+#include "host_sim/io/progress.hpp"
+#include "host_sim/replay/replay.hpp"
+#include "host_sim/replay/results.hpp"
+#include "host_sim/report/replay/html.hpp"
+#include "host_sim/verbs/fail_on.hpp"
+#include "host_sim/verbs/outputs.hpp"
+#include "host_sim/verbs/replay_arguments.hpp"
+#include "host_sim/verbs/verbs.hpp"
+
+namespace host_sim {
+
+int replay_one(const ReplayArguments& arguments) {
+  const std::string& path = arguments.profiles.front();
+  const Model model = read_extended_model(arguments.model);
+  ProfileOptions profile_options;
+  profile_options.input = input_kind_from(arguments.input);
+  ProfileReader profile(path, profile_options);
+  auto json = open_if_asked(arguments.json);
+  auto trajectory = open_if_asked(arguments.trajectory);
+  auto page = open_if_asked(arguments.report);
+  auto can = open_if_asked(arguments.can);
+
+  ReplayReport report;
+  ReplayOptions options;
+  options.trajectory = trajectory ? &trajectory->stream() : nullptr;
+  options.trajectory_step_s = arguments.trajectory_step_s;
+  options.report = page ? &report : nullptr;
+  options.node = arguments.node;
+  options.start_cycle = arguments.start_cycle;
+  if (can) {
+    options.can = [&log = can->stream()](hal::Time time, const hal::CanFrame& frame) {
+      stop_if_interrupted();
+      log << candump_line(time.us, "can0", frame);
+    };
+  }
+  Progress progress("replay", profile.bytes_total());
+  options.progress = [&](std::uint64_t bytes) {
+    stop_if_interrupted();
+    progress.update(bytes);
+  };
+  const ReplayResult result = replay(profile, model, arguments.model, options);
+  progress.finish();
+
+  if (json) {
+    json->write(replay_json(result));
+  }
+  if (page) {
+    report.profile_name = std::filesystem::path(path).filename().string();
+    report.model_name = std::filesystem::path(arguments.model).filename().string();
+    report.program_version = kProgramVersion;
+    fill_report(report, result, model);
+    write_replay_report(page->stream(), report);
+  }
+  commit_all({&json, &trajectory, &page, &can});
+  write_summary(summary_stream(arguments.outputs()), result, path, arguments.model);
+  return fails_on(arguments.fail_on, result.flags) ? kFoundInData : 0;
+}
+
+}  // namespace host_sim
