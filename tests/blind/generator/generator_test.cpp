@@ -1,0 +1,206 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "host_sim/synth/plan/plan.hpp"
+#include "host_sim/synth/plan/settings.hpp"
+#include "tests/blind/generator/choice.hpp"
+#include "tests/blind/generator/scenario.hpp"
+
+namespace blind::test {
+namespace {
+
+using host_sim::synth::parse_synth_plan;
+
+constexpr std::size_t kMany = 4000;
+
+/// Within four binomial standard deviations.
+void expect_share(std::size_t count, std::size_t of, double share) {
+  const double all = static_cast<double>(of);
+  EXPECT_NEAR(static_cast<double>(count), share * all, 4 * std::sqrt(all * share * (1 - share)));
+}
+
+TEST(Generator, AScenarioDependsOnItsSeedAlone) {
+  const Scenario once = draw_recordings(123);
+  static_cast<void>(draw_recordings(124));
+  EXPECT_EQ(once.plan, draw_recordings(123).plan);
+  EXPECT_NE(once.plan, draw_recordings(124).plan);
+  EXPECT_EQ(draw_lives(123, 0).plan, draw_lives(123, 0).plan);
+  EXPECT_NE(draw_lives(123, 0).plan, draw_lives(124, 0).plan);
+}
+
+TEST(Generator, AttemptsHideTheSame) {
+  for (std::uint64_t seed = 1; seed <= 50; ++seed) {
+    const Scenario first = draw_lives(seed, 0);
+    const Scenario second = draw_lives(seed, 1);
+    EXPECT_NE(first.plan, second.plan);
+    EXPECT_EQ(first.specimens, second.specimens);
+    ASSERT_EQ(first.hidden.size(), second.hidden.size());
+    for (std::size_t i = 0; i < first.hidden.size(); ++i) {
+      EXPECT_EQ(first.hidden[i].id, second.hidden[i].id);
+    }
+  }
+}
+
+TEST(Generator, KindsAndDesignsHaveTheirShares) {
+  std::map<Kind, std::size_t> kinds;
+  std::size_t one_pose = 0;
+  for (std::uint64_t seed = 1; seed <= kMany; ++seed) {
+    const Choice choice = choose(seed);
+    ++kinds[choice.kind];
+    one_pose += choice.design == Design::one_pose ? 1 : 0;
+  }
+  expect_share(kinds[Kind::none], kMany, 0.20);
+  expect_share(kinds[Kind::one], kMany, 0.45);
+  expect_share(kinds[Kind::two], kMany, 0.15);
+  expect_share(kinds[Kind::outside], kMany, 0.20);
+  expect_share(one_pose, kMany, 0.15);
+}
+
+TEST(Generator, EachEffectIsAsOftenAloneAsAnyOther) {
+  std::map<std::string_view, std::size_t> alone;
+  std::map<std::string_view, std::size_t> outside;
+  std::size_t ones = 0;
+  std::size_t outsides = 0;
+  for (std::uint64_t seed = 1; seed <= kMany; ++seed) {
+    const Choice choice = choose(seed);
+    if (choice.kind == Kind::one) {
+      ++alone[choice.effects.front().id];
+      ++ones;
+    } else if (choice.kind == Kind::outside) {
+      ++outside[choice.effects.front().id];
+      ++outsides;
+    }
+  }
+  ASSERT_EQ(alone.size(), 15U);
+  for (const auto& [id, count] : alone) {
+    SCOPED_TRACE(id);
+    expect_share(count, ones, 1.0 / 15);
+  }
+  ASSERT_EQ(outside.size(), 7U);
+  for (const auto& [id, count] : outside) {
+    SCOPED_TRACE(id);
+    expect_share(count, outsides, 1.0 / 7);
+  }
+}
+
+TEST(Generator, TwoAreDifferentAndSeenByOneSensor) {
+  for (std::uint64_t seed = 1; seed <= kMany; ++seed) {
+    const Choice choice = choose(seed);
+    if (choice.kind == Kind::two) {
+      ASSERT_EQ(choice.effects.size(), 2U);
+      EXPECT_NE(choice.effects[0].id, choice.effects[1].id);
+    }
+    for (const SizedEffect& effect : choice.effects) {
+      EXPECT_FALSE(effect.needs == Needs::motor_current && choice.input == Input::load_cell);
+      EXPECT_FALSE(effect.needs == Needs::load_cell && choice.input == Input::motor_current);
+    }
+  }
+}
+
+TEST(Generator, WhatHasToDoWithTemperatureIsHiddenWhereItIsRecorded) {
+  for (std::uint64_t seed = 1; seed <= kMany; ++seed) {
+    const Choice choice = choose(seed);
+    for (const SizedEffect& effect : choice.effects) {
+      if (effect.id == "friction_temperature" || effect.id == "torque_gain") {
+        EXPECT_TRUE(choice.temperatures) << seed;
+      }
+    }
+  }
+}
+
+TEST(Generator, PlansAreAcceptedAndHideWhatTheyShould) {
+  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+    const Scenario scenario = draw_recordings(seed);
+    const auto plan = parse_synth_plan(scenario.plan, "plan");
+    std::set<std::string> hidden;
+    for (const auto& one : plan.hidden) {
+      hidden.insert(one.id);
+      EXPECT_EQ(one.outside, scenario.kind == Kind::outside);
+    }
+    std::set<std::string> meant;
+    for (const HiddenEffect& one : scenario.hidden) {
+      meant.insert(one.id);
+    }
+    EXPECT_EQ(hidden, meant) << seed;
+    const std::size_t sessions = settings_of(*plan.recordings, seed).size();
+    EXPECT_GE(sessions, 12U);
+    EXPECT_LE(sessions, 36U);
+    const double samples = plan.recordings->duration_s * plan.recordings->sample_rate_Hz;
+    EXPECT_GE(samples, 8 * 100);
+    EXPECT_LE(samples, 20 * 200);
+  }
+}
+
+TEST(Generator, LivesAreFortyEightOrNinetySix) {
+  std::map<std::size_t, std::size_t> counts;
+  std::set<std::string> seen;
+  for (std::uint64_t seed = 1; seed <= 500; ++seed) {
+    const Scenario scenario = draw_lives(seed, 0);
+    const auto plan = parse_synth_plan(scenario.plan, "plan");
+    EXPECT_EQ(plan.lives->specimens(), scenario.specimens);
+    EXPECT_EQ(plan.hidden.size(), scenario.hidden.size());
+    ++counts[scenario.specimens];
+    for (const HiddenEffect& one : scenario.hidden) {
+      seen.insert(one.id);
+    }
+  }
+  ASSERT_EQ(counts.size(), 2U);
+  expect_share(counts[48], 500, 0.5);
+  expect_share(counts[96], 500, 0.5);
+  EXPECT_EQ(seen.size(), 9U);
+}
+
+struct Range {
+  const char* id;
+  const char* parameter;
+  double low, high;  ///< of the magnitude
+};
+
+const std::vector<HiddenEffect>& all_hidden() {
+  static const std::vector<HiddenEffect> all = [] {
+    std::vector<HiddenEffect> hidden;
+    for (std::uint64_t seed = 1; seed <= kMany; ++seed) {
+      for (const HiddenEffect& one : draw_recordings(seed).hidden) {
+        hidden.push_back(one);
+      }
+    }
+    return hidden;
+  }();
+  return all;
+}
+
+class SizesTest : public testing::TestWithParam<Range> {};
+
+/// The ranges of the catalogue: of literature and textbooks.
+TEST_P(SizesTest, StayWithinPhysics) {
+  const Range range = GetParam();
+  std::size_t found = 0;
+  for (const HiddenEffect& hidden : all_hidden()) {
+    if (hidden.id == range.id) {
+      const double value = std::abs(hidden.numbers.at(range.parameter).front());
+      EXPECT_GE(value, range.low * (1 - 1e-12));
+      EXPECT_LE(value, range.high * (1 + 1e-12));
+      ++found;
+    }
+  }
+  EXPECT_GT(found, 50U);
+}
+
+INSTANTIATE_TEST_SUITE_P(Effects, SizesTest,
+                         testing::Values(Range{"friction_wear", "change", 0.1, 1},
+                                         Range{"friction_temperature", "slope_1_K", 0.001, 0.005},
+                                         Range{"presliding", "length_mm", 0.05, 1},
+                                         Range{"friction_load", "exponent", 0.05, 0.3},
+                                         Range{"friction_preload", "force_N", 0.3, 5},
+                                         Range{"slack", "dead_zone_mm", 0.1, 2},
+                                         Range{"torque_gain", "droop_1_K", 0.0002, 0.002},
+                                         Range{"bend_angle", "error_deg", 0, 30},
+                                         Range{"filter_lag", "time_constant_ms", 1, 20}),
+                         [](const auto& tested) { return std::string(tested.param.id); });
+
+}  // namespace
+}  // namespace blind::test

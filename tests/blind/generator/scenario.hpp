@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace blind {
+
+/// How much is hidden in a campaign.
+enum class Kind { none, one, two, outside };
+
+enum class Design {
+  crossed,   ///< poses, loads, speeds, temperatures and cycles apart from each other
+  one_pose,  ///< a field log: one pose, and temperature rising with the cycles
+};
+
+/// What tells the tension at the drive's end.
+enum class Input { load_cell, motor_current };
+
+enum class Data { recordings, lives };
+
+std::string_view word_of(Kind kind);
+std::string_view word_of(Design design);
+std::string_view word_of(Input input);
+std::string_view word_of(Data data);
+
+/// A departure from the nominal model, with the values of its table in a plan.
+struct HiddenEffect {
+  std::string id;
+  bool outside = false;  ///< not of the catalogue
+  std::map<std::string, std::vector<double>> numbers;
+  std::map<std::string, std::string> words;
+};
+
+/// Factors on parameters that are no effects and that every analysis refits: the value that
+/// campaign.toml gives over the true one.
+struct NominalFactors {
+  double friction_coefficient = 1;
+  double torque_constant = 1;
+  double ipl_scale = 1;
+  double ipl_exponent = 1;
+  double weibull_shape = 1;
+};
+
+/// All that a campaign is made of; a function of its seed alone.
+struct Scenario {
+  std::uint64_t seed = 0;
+  Data data = Data::recordings;
+  Kind kind = Kind::none;
+  Design design = Design::crossed;
+  Input input = Input::load_cell;  ///< of recordings
+  bool temperatures = false;       ///< whether recordings hold them
+  std::size_t specimens = 0;       ///< of lives
+  std::vector<HiddenEffect> hidden;
+  NominalFactors nominal;
+  std::string plan;  ///< TOML text for host_sim::synth::parse_synth_plan()
+};
+
+/// Seeds to tune with and seeds to score with have nothing in common.
+inline constexpr std::uint64_t kFirstTuningSeed = 1, kLastTuningSeed = 9'999;
+inline constexpr std::uint64_t kFirstScoringSeed = 100'000;
+
+/// A campaign of 12 .. 36 recordings.
+Scenario draw_recordings(std::uint64_t seed);
+
+/// A campaign of 48 or 96 lives. Attempts differ in design and sizes, not in what is hidden.
+Scenario draw_lives(std::uint64_t seed, std::uint64_t attempt);
+
+}  // namespace blind

@@ -1,0 +1,166 @@
+#include "tests/blind/programs/suite.hpp"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <exception>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <mutex>
+#include <sstream>
+
+#include "host_sim/io/output_file.hpp"
+#include "host_sim/statistics/parallel.hpp"
+#include "tests/blind/report/markdown.hpp"
+#include "tests/blind/running/records_file.hpp"
+
+namespace blind {
+namespace {
+
+struct Arguments {
+  std::uint64_t first_seed = 0;
+  std::size_t campaigns = 0;
+  bool tuning = false;
+  std::string records, readme, only;
+  std::filesystem::path folder;
+  std::vector<std::string> without;
+  bool keep = false;
+  bool no_oracle = false;
+  unsigned threads = 0;
+};
+
+void add_options(CLI::App& app, Arguments& arguments) {
+  app.add_option("--first-seed", arguments.first_seed,
+                 "From 100000 on to score (the standard), 1..9999 with --tuning");
+  app.add_option("--campaigns", arguments.campaigns, "How many; none scores the records");
+  app.add_flag("--tuning", arguments.tuning, "Seeds to tune with; they are never scored with");
+  app.add_option("--records", arguments.records, "Add to this file, and leave out what it has")
+      ->required();
+  app.add_option("--readme", arguments.readme, "Write the tables between its marks");
+  app.add_option("--only", arguments.only, "Only campaigns that hide this id, or `none`");
+  app.add_option("--folder", arguments.folder, "Where campaigns are made");
+  app.add_option("--without", arguments.without, "Take effects out of the catalogue");
+  app.add_flag("--keep", arguments.keep, "Keep campaigns and truths");
+  app.add_flag("--no-oracle", arguments.no_oracle, "Do not work out how visible effects are");
+  app.add_option("--threads", arguments.threads, "0 is one for each core");
+}
+
+void check_seeds(Arguments& arguments) {
+  if (arguments.first_seed == 0) {
+    arguments.first_seed = arguments.tuning ? kFirstTuningSeed : kFirstScoringSeed;
+  }
+  const std::uint64_t last = arguments.first_seed + arguments.campaigns;
+  if (arguments.tuning ? last > kLastTuningSeed + 1 : arguments.first_seed < kFirstScoringSeed) {
+    throw std::runtime_error("seeds 1..9999 are to tune with, those from 100000 on to score with");
+  }
+}
+
+bool wanted(const Scenario& scenario, const std::string& only) {
+  return only.empty() || (only == "none" && scenario.hidden.empty()) ||
+         std::any_of(scenario.hidden.begin(), scenario.hidden.end(),
+                     [&](const HiddenEffect& effect) { return effect.id == only; });
+}
+
+std::vector<Scenario> scenarios(const Arguments& arguments, Scenario (*draw)(std::uint64_t seed),
+                                const RecordsFile& records) {
+  std::vector<Scenario> todo;
+  for (std::size_t i = 0; i < arguments.campaigns; ++i) {
+    Scenario scenario = draw(arguments.first_seed + i);
+    if (!records.has(scenario.seed) && wanted(scenario, arguments.only)) {
+      todo.push_back(std::move(scenario));
+    }
+  }
+  return todo;
+}
+
+void run_all(const Arguments& arguments, const std::vector<Scenario>& todo,
+             const Analysis& analysis, RecordsFile& records) {
+  std::mutex mutex;
+  RunOptions options;
+  options.folder = arguments.folder.empty()
+                       ? std::filesystem::temp_directory_path() / fmt::format("blind-{}", getpid())
+                       : arguments.folder;
+  options.keep = arguments.keep;
+  options.oracle = !arguments.no_oracle;
+  options.without = arguments.without;
+  options.sealed = [&](std::uint64_t seed, const std::string& sha256) {
+    const std::lock_guard lock(mutex);
+    std::cout << fmt::format("{} sealed {}\n", seed, sha256) << std::flush;
+  };
+  const auto run = [&](std::size_t i) {
+    Record record = run_campaign(todo[i], analysis, options);
+    const std::lock_guard lock(mutex);
+    std::cout << short_line_of(record) << std::endl;
+    records.add(std::move(record));
+  };
+  host_sim::statistics::parallel_for(todo.size(), run, arguments.threads);
+  if (arguments.folder.empty() && !arguments.keep) {
+    std::filesystem::remove_all(options.folder);
+  }
+}
+
+/// Campaigns that are scored together: recordings by design, lives by how many they are.
+std::string group_of(const Record& record) {
+  return record.truth.data == Data::recordings
+             ? std::string(word_of(record.truth.design))
+             : fmt::format("{} specimens each", record.truth.specimens);
+}
+
+std::map<std::string, std::vector<Record>> groups_of(const std::vector<Record>& records) {
+  std::map<std::string, std::vector<Record>> groups;
+  for (const Record& record : records) {
+    groups[group_of(record)].push_back(record);
+  }
+  return groups;
+}
+
+/// In order of their seeds, whatever the order in which they were done.
+std::vector<Record> in_order(std::vector<Record> records) {
+  std::sort(records.begin(), records.end(), [](const Record& one, const Record& other) {
+    return one.truth.seed < other.truth.seed;
+  });
+  return records;
+}
+
+void report(const Arguments& arguments, const std::vector<Record>& records) {
+  std::string tables;
+  for (const auto& [group, some] : groups_of(records)) {
+    const std::string title =
+        fmt::format("{} campaigns of {}, {}", some.size(), word_of(some.front().truth.data), group);
+    const Scores scores = scores_of(some);
+    std::cout << '\n' << title << '\n' << summary_of(scores);
+    tables += markdown_of(scores, title);
+  }
+  if (!arguments.readme.empty() && !records.empty()) {
+    std::ifstream old(arguments.readme);
+    std::stringstream text;
+    text << old.rdbuf();
+    host_sim::OutputFile file(arguments.readme);
+    file.write(with_tables(text.str(), word_of(records.front().truth.data), tables));
+    file.commit();
+  }
+}
+
+}  // namespace
+
+int suite(int argc, char** argv, Scenario (*draw)(std::uint64_t seed), const Analysis& analysis) {
+  Arguments arguments;
+  CLI::App app("Makes campaigns that hide something, has them analysed, and scores the answers.");
+  add_options(app, arguments);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    check_seeds(arguments);
+    RecordsFile records(arguments.records);
+    run_all(arguments, scenarios(arguments, draw, records), analysis, records);
+    report(arguments, in_order(records.records()));
+  } catch (const std::exception& error) {
+    std::cerr << error.what() << '\n';
+    return 1;
+  }
+  return 0;
+}
+
+}  // namespace blind

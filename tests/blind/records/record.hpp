@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host_sim/diagnose/diagnosis.hpp"
+#include "tests/blind/generator/scenario.hpp"
+
+namespace blind {
+
+/// What a campaign hid and what the analysis said about it: all that scores are made of.
+struct Record {
+  Scenario truth;  ///< without its plan
+  std::string truth_sha256;
+  std::vector<double> visibility;  ///< of each hidden effect, by oracle; empty where not asked
+  double rmse_floor_N = 0;         ///< see oracle/floor.hpp; 0 where not asked
+  host_sim::diagnose::Findings findings;
+  std::string error;  ///< the message where the analysis refused the campaign, else empty
+  double seconds = 0;
+};
+
+/// One line of JSON without its end; the answer's words and extensions are left out.
+std::string line_of(const Record& record);
+
+/// @throws nlohmann::json::exception, std::runtime_error
+Record record_of(const std::string& line);
+
+/// What a record says for a reader: seed, truth, verdict, the first three candidates, seconds.
+std::string short_line_of(const Record& record);
+
+/// Ids of what is hidden, in order and joined by "+"; "none" for nothing, "unknown" for what is not
+/// of the catalogue. The answer that a perfect analysis gives.
+std::string answer_of(const Scenario& truth);
+
+}  // namespace blind

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "tests/blind/scoring/scores.hpp"
+
+namespace blind {
+
+/// The scores as tables of Markdown, each with its goal where there is one.
+std::string markdown_of(const Scores& scores, std::string_view title);
+
+/// What a terminal shows at the end of a run.
+std::string summary_of(const Scores& scores);
+
+/// `text` with what stands between the lines `<!-- blind-table-NAME:begin -->` and
+/// `<!-- blind-table-NAME:end -->` replaced. @throws std::runtime_error where they are not there
+std::string with_tables(const std::string& text, std::string_view name, const std::string& tables);
+
+}  // namespace blind

@@ -1,0 +1,101 @@
+#include "tests/blind/scoring/judgement.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/blind/support.hpp"
+
+namespace blind::test {
+namespace {
+
+TEST(Judgement, NothingHiddenWantsNoneFirst) {
+  const Record right = answered(hiding({}), Verdict::none, {{"none", 0.9}, {"slack", 0.1}});
+  EXPECT_TRUE(Judgement(right).right_first());
+  EXPECT_FALSE(Judgement(right).named());
+  const Record wrong = answered(hiding({}), Verdict::named, {{"slack", 0.97}}, {"slack"});
+  EXPECT_FALSE(Judgement(wrong).right_first());
+  EXPECT_TRUE(Judgement(wrong).named());
+  EXPECT_FALSE(Judgement(wrong).named_right());
+}
+
+TEST(Judgement, TheMostProbableCandidateIsTheFirstInAnyOrder) {
+  const Record record =
+      answered(hiding({"slack"}), Verdict::ambiguous, {{"presliding", 0.3}, {"slack", 0.7}});
+  EXPECT_EQ(Judgement(record).first(), "slack");
+  EXPECT_EQ(Judgement(record).first_probability(), 0.7);
+}
+
+TEST(Judgement, NoCandidateIsNeverRight) {
+  const Record record = answered(hiding({"slack"}), Verdict::unknown, {});
+  EXPECT_FALSE(Judgement(record).right_first());
+  EXPECT_EQ(Judgement(record).first_probability(), 0);
+}
+
+TEST(Judgement, AClassHoldsTheTruthOnlyWhereTheAnswerIsAmbiguous) {
+  Record record = answered(hiding({"gear_asymmetry"}), Verdict::ambiguous,
+                           {{"bend_angle", 0.6}, {"gear_asymmetry", 0.4}});
+  EXPECT_FALSE(Judgement(record).right_class());
+  record.findings.equivalent_sets = {{"slack", "presliding"}, {"bend_angle", "gear_asymmetry"}};
+  EXPECT_TRUE(Judgement(record).right_class());
+  EXPECT_FALSE(Judgement(record).right_first());
+  record.findings.verdict = Verdict::named;
+  EXPECT_FALSE(Judgement(record).right_class());
+}
+
+TEST(Judgement, AClassWithoutTheFirstCandidateIsNotRight) {
+  Record record = answered(hiding({"gear_asymmetry"}), Verdict::ambiguous,
+                           {{"slack", 0.6}, {"gear_asymmetry", 0.4}});
+  record.findings.equivalent_sets = {{"bend_angle", "gear_asymmetry"}};
+  EXPECT_FALSE(Judgement(record).right_class());
+}
+
+TEST(Judgement, TwoAreRightTogetherInOrderOfTheirIds) {
+  const Record record = answered(hiding({"slack", "friction_wear"}), Verdict::named,
+                                 {{"friction_wear+slack", 0.96}}, {"slack", "friction_wear"});
+  EXPECT_TRUE(Judgement(record).right_first());
+  EXPECT_TRUE(Judgement(record).named_right());
+  EXPECT_TRUE(Judgement(record).named_all());
+}
+
+TEST(Judgement, OneOfTwoIsARightNameButNotAll) {
+  const Record record =
+      answered(hiding({"slack", "friction_wear"}), Verdict::named, {{"slack", 0.96}}, {"slack"});
+  EXPECT_TRUE(Judgement(record).named_right());
+  EXPECT_FALSE(Judgement(record).named_all());
+  EXPECT_FALSE(Judgement(record).right_first());
+}
+
+TEST(Judgement, ARightAndAWrongNameAreWrong) {
+  const Record record = answered(hiding({"slack"}), Verdict::named, {{"presliding+slack", 0.96}},
+                                 {"presliding", "slack"});
+  EXPECT_FALSE(Judgement(record).named_right());
+}
+
+TEST(Judgement, WhatIsFromOutsideWantsUnknownAndNoName) {
+  const Record right = answered(hiding_outside("stick_slip"), Verdict::unknown, {{"unknown", 0.8}});
+  EXPECT_TRUE(Judgement(right).right_first());
+  EXPECT_TRUE(Judgement(right).unknown());
+  const Record wrong = answered(hiding_outside("stick_slip"), Verdict::named,
+                                {{"stick_slip", 0.99}}, {"stick_slip"});
+  EXPECT_FALSE(Judgement(wrong).named_right());
+  EXPECT_FALSE(Judgement(wrong).right_first());
+}
+
+TEST(Judgement, TheSetCoversTheTruthAlone) {
+  Record record = answered(hiding({"slack"}), Verdict::ambiguous, {{"slack", 0.6}});
+  record.findings.credible_set = {"presliding"};
+  EXPECT_FALSE(Judgement(record).covered());
+  record.findings.credible_set = {"presliding", "slack"};
+  EXPECT_TRUE(Judgement(record).covered());
+  EXPECT_EQ(Judgement(record).set_size(), 2U);
+}
+
+TEST(Judgement, EachHiddenEffectMustBeVisible) {
+  Record record = answered(hiding({"slack", "friction_wear"}), Verdict::none, {});
+  EXPECT_FALSE(Judgement(record).visible_at(0));
+  record.visibility = {9, 4.5};
+  EXPECT_TRUE(Judgement(record).visible_at(4.5));
+  EXPECT_FALSE(Judgement(record).visible_at(5));
+}
+
+}  // namespace
+}  // namespace blind::test

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace blind {
+
+/// How many of some campaigns something holds for.
+struct Proportion {
+  std::size_t holds = 0;
+  std::size_t of = 0;
+
+  void add(bool one) {
+    holds += one ? 1 : 0;
+    ++of;
+  }
+  /// NaN of none.
+  [[nodiscard]] double value() const;
+
+  /// Bounds of 95 % together, by Clopper and Pearson, The use of confidence or fiducial limits
+  /// illustrated in the case of the binomial, Biometrika 26, 1934. 0 and 1 of none.
+  [[nodiscard]] double lower() const;
+  [[nodiscard]] double upper() const;
+};
+
+/// "96.0 % (93.1 .. 97.9, 288 of 300)", or "-" of none.
+std::string text_of(const Proportion& proportion);
+
+}  // namespace blind

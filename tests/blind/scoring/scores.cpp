@@ -1,0 +1,126 @@
+#include "tests/blind/scoring/scores.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "tests/blind/oracle/floor.hpp"
+#include "tests/blind/scoring/judgement.hpp"
+#include "tests/blind/scoring/parameters.hpp"
+
+namespace blind {
+namespace {
+
+constexpr double kBarely = 3;
+constexpr double kPlainly = 5;
+
+void add(const Judgement& judgement, Detection& detection) {
+  detection.first.add(judgement.right_first());
+  detection.of_class.add(judgement.right_class());
+}
+
+void add_one(const Record& record, const Judgement& judgement, Scores& scores) {
+  add(judgement, scores.one);
+  add(judgement, scores.effects[record.truth.hidden.front().id]);
+  if (judgement.visible_at(kBarely)) {
+    add(judgement, scores.one_at_3);
+  }
+  if (judgement.visible_at(kPlainly)) {
+    add(judgement, scores.one_at_5);
+  }
+}
+
+void add_by_kind(const Record& record, const Judgement& judgement, Scores& scores) {
+  switch (record.truth.kind) {
+    case Kind::none:
+      scores.none_named.add(judgement.named());
+      scores.none_alarmed.add(record.findings.verdict != host_sim::diagnose::Verdict::none);
+      break;
+    case Kind::one:
+      add_one(record, judgement, scores);
+      break;
+    case Kind::two:
+      scores.two_first.add(judgement.right_first());
+      scores.two_named.add(judgement.named_all());
+      break;
+    case Kind::outside:
+      scores.outside_unknown.add(judgement.unknown());
+      scores.outside_named.add(judgement.named());
+      scores.outside[record.truth.hidden.front().id].add(judgement.unknown());
+      break;
+  }
+}
+
+void add_parameters(const Record& record, Scores& scores) {
+  for (const HiddenEffect& hidden : record.truth.hidden) {
+    for (const auto& found : record.findings.effects) {
+      if (hidden.outside || found.id != hidden.id || found.parameters.empty()) {
+        continue;
+      }
+      for (const ParameterScore& score : score_parameters(true_parameters(hidden), found)) {
+        scores.parameter_errors.push_back(score.relative_error);
+        scores.parameters_covered.add(score.covered);
+      }
+    }
+  }
+}
+
+/// Only what the true model gains something by tells how good a gain is.
+void add_gain(const Record& record, Scores& scores) {
+  constexpr double kWorthwhile = 0.9;
+  for (const auto& metric : record.findings.gain.metrics) {
+    if (metric.name == "rmse_N" && record.rmse_floor_N > 0 &&
+        record.rmse_floor_N < kWorthwhile * metric.before) {
+      scores.relative_gains.push_back(
+          relative_gain(metric.before, metric.after, record.rmse_floor_N));
+    }
+  }
+}
+
+std::string truth_in_table(const Record& record) {
+  return record.truth.kind == Kind::outside ? "outside: " + record.truth.hidden.front().id
+         : record.truth.kind == Kind::two   ? "two"
+                                            : answer_of(record.truth);
+}
+
+}  // namespace
+
+Scores scores_of(const std::vector<Record>& records) {
+  Scores scores;
+  double sizes = 0;
+  for (const Record& record : records) {
+    if (!record.error.empty()) {
+      ++scores.refused;
+      continue;
+    }
+    const Judgement judgement(record);
+    add_by_kind(record, judgement, scores);
+    if (judgement.named()) {
+      scores.named_right.add(judgement.named_right());
+      add_parameters(record, scores);
+    }
+    if (judgement.named_all()) {
+      add_gain(record, scores);
+    }
+    scores.covered.add(judgement.covered());
+    sizes += static_cast<double>(judgement.set_size());
+    scores.calibration.add(judgement.first_probability(), judgement.right_first());
+    ++scores.confusion[{truth_in_table(record), judgement.first()}];
+  }
+  scores.set_size = sizes / static_cast<double>(scores.covered.of);
+  std::sort(scores.parameter_errors.begin(), scores.parameter_errors.end());
+  std::sort(scores.relative_gains.begin(), scores.relative_gains.end());
+  return scores;
+}
+
+double quantile(const std::vector<double>& sorted, double share) {
+  if (sorted.empty()) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const double place = share * static_cast<double>(sorted.size() - 1);
+  const auto below = static_cast<std::size_t>(std::floor(place));
+  const std::size_t above = std::min(below + 1, sorted.size() - 1);
+  return sorted[below] + (place - static_cast<double>(below)) * (sorted[above] - sorted[below]);
+}
+
+}  // namespace blind
