@@ -1,0 +1,108 @@
+// What the live page keeps stays within its bounds for a day. LIVE_ASSETS: the folder of its scripts.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+
+const assets = process.env.LIVE_ASSETS;
+const { kept, Moments, NodeHistory } = await import(`${assets}/history.js`);
+const { merged } = await import(`${assets}/patch.js`);
+
+const VIEW_US = 200e3;
+const DAY_US = 86400e6;
+
+function fleetOf(nodes, now_us) {
+  return {
+    now_us,
+    nodes: Object.fromEntries(Array.from({ length: nodes }, (_, i) => [i + 1, { bins: {} }])),
+  };
+}
+
+test('moments of a day are bounded, dense of late and reach back to the start', () => {
+  const moments = new Moments();
+  const view = fleetOf(20, 0);
+  for (let now_us = 0; now_us <= DAY_US; now_us += VIEW_US) {
+    moments.add({ ...view, now_us });
+  }
+  const times = moments.views.map(({ now_us }) => now_us);
+  assert.equal(times.length, 400);
+  assert.equal(times[0], 0);
+  assert.equal(times.at(-1), DAY_US);
+  times.slice(1).forEach((time_us, i) => {
+    const gap_us = time_us - times[i];
+    assert.ok(
+      gap_us > 0 && gap_us <= 0.15 * (DAY_US - times[i]) + 3 * VIEW_US,
+      `${gap_us} before ${time_us}`,
+    );
+  });
+});
+
+test('moments of many nodes are fewer', () => {
+  const moments = new Moments();
+  for (let i = 0; i < 1000; i += 1) {
+    moments.add(fleetOf(127, i));
+  }
+  assert.equal(moments.views.length, 100);
+});
+
+test('a clock that stands still keeps one moment, one that is set back begins anew', () => {
+  const moments = new Moments();
+  [1, 2, 2, 2].forEach((now_us) => moments.add(fleetOf(1, now_us)));
+  assert.equal(moments.views.length, 2);
+  moments.add(fleetOf(1, 1));
+  assert.equal(moments.views.length, 1);
+});
+
+test('the moment before a time', () => {
+  const moments = new Moments();
+  [10, 20, 30].forEach((now_us) => moments.add(fleetOf(1, now_us)));
+  assert.deepEqual(
+    [9, 10, 25, 99].map((time_us) => moments.before(time_us)),
+    [-1, 0, 1, 2],
+  );
+});
+
+test('the history of a node is bounded and keeps its ends', () => {
+  const history = new NodeHistory({ node: 3, curve: [], events: [] });
+  const last = 50_000;
+  for (let i = 1; i <= last; i += 1) {
+    history.add({ status: { time_us: i }, highest_damage: i / last }, [
+      { time_us: i, words: String(i), kind: 'state', state: 'normal' },
+    ]);
+    assert.ok(history.curve.length <= 4000 && history.events.length <= 1000);
+  }
+  assert.equal(history.curve[0][0], 1);
+  assert.deepEqual(history.curve.at(-1), [last, 1, undefined]);
+  assert.equal(history.events.at(-1).words, String(last));
+});
+
+test('events that are known are not added twice', () => {
+  const event = { time_us: 5, words: 'inspect', kind: 'state', state: 'inspect' };
+  const history = new NodeHistory({ node: 3, curve: [], events: [event] });
+  history.add({}, [event, { ...event, time_us: 6 }]);
+  assert.equal(history.events.length, 2);
+});
+
+test('bins are packed once for each change', () => {
+  const bins = { 156: { BinTendon: 2, BinRange: 3, BinMean: 4, BinCycles: 77 } };
+  const view = { now_us: 1, nodes: { 5: { bins } } };
+  const one = kept(view).nodes[5].bins;
+  assert.equal(one[2][8 * 3 + 4], 77);
+  assert.equal(kept({ ...view, now_us: 2 }).nodes[5].bins, one);
+});
+
+test('a merge patch changes what it names and shares the rest (examples of RFC 7396, appendix A)', () => {
+  const examples = [
+    [{ a: 'b' }, { a: 'c' }, { a: 'c' }],
+    [{ a: 'b' }, { b: 'c' }, { a: 'b', b: 'c' }],
+    [{ a: 'b' }, { a: null }, {}],
+    [{ a: ['b'] }, { a: 'c' }, { a: 'c' }],
+    [{ a: { b: 'c' } }, { a: { b: 'd', c: null } }, { a: { b: 'd' } }],
+    [{ a: 'foo' }, 'bar', 'bar'],
+    [[1, 2], { a: 'b', c: null }, { a: 'b' }],
+    [{}, { a: { bb: { ccc: null } } }, { a: { bb: {} } }],
+  ];
+  examples.forEach(([target, patch, wanted]) => assert.deepEqual(merged(target, patch), wanted));
+  const before = { a: { x: 1 }, b: { y: 1 } };
+  const after = merged(before, { b: { y: 2 } });
+  assert.equal(after.a, before.a);
+  assert.deepEqual(before.b, { y: 1 });
+});

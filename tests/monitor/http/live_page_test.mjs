@@ -1,0 +1,260 @@
+// live_page_test.mjs LIVE_FEED DECODER FOLDER
+//
+// The live page in headless Chromium, fed by a made log at full speed. Exit status 77 without
+// Chromium. With SHOTS set to a folder, pictures of the page are kept there.
+import { mkdirSync } from 'node:fs';
+import { pathToFileURL } from 'node:url';
+import { Browser, sleep } from '../../support/browser.mjs';
+import { faintTexts, nameless, smallTargets } from './access.mjs';
+import { compareFleet, compareNode, Problems } from './compare.mjs';
+import { decodedLog } from './decoded_log.mjs';
+import { LiveFeed } from './live_feed.mjs';
+import { shownFleet, shownNode, shownPage } from './shown.mjs';
+
+const [, , program, decoderFile, folder] = process.argv;
+const decoder = await import(pathToFileURL(decoderFile));
+mkdirSync(folder, { recursive: true });
+const browser = await Browser.open();
+if (!browser) {
+  console.error('SKIPPED: no Chromium found, the live page was NOT tried in a browser');
+  process.exit(77);
+}
+
+const problems = new Problems();
+const log = `${folder}/feed.log`;
+let feed = await LiveFeed.start(program, log);
+const page = await browser.page(`${feed.address}`);
+
+const settle = (time_us = feed.time_us) =>
+  page.waitFor((wanted) => Number(document.documentElement.dataset.shown) === wanted, time_us);
+const openNode = async (number) => {
+  await page.evaluate((wanted) => {
+    window.location.hash = `#node=${wanted}`;
+  }, number);
+  await page.waitFor(
+    (wanted) =>
+      document.querySelector('#node-heading').innerText === `Node ${wanted}`
+      && document.querySelectorAll('#node canvas').length === 2,
+    number,
+  );
+};
+const decoded = (until_us) => decodedLog(log, decoder, until_us);
+const press = (id) => page.evaluate((wanted) => document.getElementById(wanted).click(), id);
+
+async function everyValueEqualsTheLog() {
+  await feed.say('run 120');
+  await settle();
+  const wanted = decoded();
+  compareFleet(await page.evaluate(shownFleet), wanted, problems);
+  for (const number of Object.keys(wanted.nodes)) {
+    await openNode(number);
+    compareNode(await page.evaluate(shownNode), number, wanted, problems);
+  }
+  const { connection } = await page.evaluate(shownPage);
+  problems.same('connection', connection, 'Live.');
+}
+
+async function troublesAreShown() {
+  await feed.say('corrupt 3 1');
+  await feed.say('silent 5 1');
+  await feed.say('emergency 2 ff20');
+  await feed.say('run 5');
+  await settle();
+  const wanted = decoded();
+  const fleet = await page.evaluate(shownFleet);
+  compareFleet(fleet, wanted, problems);
+  problems.expect('damaged node is stale', fleet[3].Damage.stale && fleet[3].State.stale);
+  problems.expect('its failures are counted', wanted.nodes[3].counts.LifeStatus.damaged === 50);
+  problems.expect(
+    'vanished node',
+    fleet[5].State.text.includes('VANISHED') && fleet[5].Damage.stale && fleet[5].Heartbeat.stale,
+  );
+  problems.expect('emergency', fleet[2].State.text.includes('EMERGENCY: overload'));
+  problems.expect(
+    'others are fresh',
+    !fleet[1].Damage.stale && !fleet[1].State.text.includes('VANISHED'),
+  );
+  await openNode(2);
+  const events = (await page.evaluate(shownNode)).events.join('\n');
+  problems.expect('emergency in the timeline', events.includes('EMERGENCY: overload'));
+  await openNode(5);
+  const gone = await page.evaluate(shownNode);
+  problems.expect('vanished in words', gone.note.startsWith('VANISHED'));
+  problems.expect(
+    'tiles of a vanished node are stale',
+    gone.tiles.Damage.stale && gone.tiles['Bus load'].stale === false,
+  );
+  await feed.say('bus-off 1');
+  await settle();
+  await page.waitFor(() => document.querySelector('#connection').innerText.includes('BUS-OFF'));
+  await feed.say('bus-off 0');
+  await page.waitFor(() => !document.querySelector('#connection').innerText.includes('BUS-OFF'));
+  await feed.say('source lost');
+  await page.waitFor(() =>
+    document.querySelector('#connection').innerText.includes('BUS LOST: can0 is down'),
+  );
+  await feed.say('source running');
+  await feed.say('silent 5 0');
+  await feed.say('corrupt 3 0');
+  await feed.say('emergency 2 0');
+  await feed.say('run 2');
+  await settle();
+  await page.waitFor(() => document.querySelector('#connection').innerText === 'Live.');
+  const back = await page.evaluate(shownFleet);
+  problems.expect(
+    'all are back',
+    !back[5].State.text.includes('VANISHED')
+      && !back[3].Damage.stale
+      && !back[2].State.text.includes('EMERGENCY'),
+  );
+}
+
+async function pauseAndScrub() {
+  await openNode(1);
+  await page.evaluate(() => document.getElementById('pause').focus());
+  await page.press('Enter');
+  await page.waitFor(() => document.querySelector('#moment').innerText.startsWith('PAUSED'));
+  const paused_us = (await page.evaluate(shownPage)).shown_us;
+  const before = JSON.stringify(await page.evaluate(shownNode));
+  for (let i = 0; i < 4; i += 1) {
+    await feed.say('run 3');
+    await sleep(400);
+  }
+  problems.same(
+    'nothing moves while paused',
+    JSON.stringify(await page.evaluate(shownNode)),
+    before,
+  );
+  compareNode(await page.evaluate(shownNode), '1', decoded(paused_us), problems);
+
+  await page.evaluate(() => document.getElementById('scrub').focus());
+  await page.press('End');
+  await page.waitFor(() => !document.querySelector('#moment').innerText.startsWith('PAUSED'));
+  await page.press('ArrowLeft');
+  await page.press('ArrowLeft');
+  await page.waitFor(
+    (last_us) =>
+      document.querySelector('#moment').innerText.startsWith('PAUSED')
+      && Number(document.documentElement.dataset.shown) < last_us,
+    feed.time_us,
+  );
+  const { shown_us } = await page.evaluate(shownPage);
+  problems.expect('scrubbed to a moment between', shown_us > paused_us && shown_us < feed.time_us);
+  await sleep(400);
+  compareNode(await page.evaluate(shownNode), '1', decoded(shown_us), problems);
+  compareFleet(await page.evaluate(shownFleet), decoded(shown_us), problems);
+  return shown_us;
+}
+
+async function reloadKeepsThePlace(shown_us) {
+  await page.evaluate(() => document.querySelector('#axes input[value=log]').click());
+  await page.reload();
+  await sleep(500);
+  await page.waitFor(() => document.querySelectorAll('#node canvas').length === 2);
+  const after = await page.evaluate(shownPage);
+  problems.expect('still paused after a reload', after.moment.startsWith('PAUSED'));
+  problems.same('the same moment', after.shown_us, shown_us);
+  problems.expect(
+    'the same axes',
+    await page.evaluate(() => document.querySelector('#axes input[value=log]').checked),
+  );
+  const { tiles } = await page.evaluate(shownNode);
+  problems.number(
+    'damage of the moment from the history',
+    tiles.Damage.text,
+    100 * decoded(shown_us).nodes[1].damage,
+    7,
+  );
+  await press('pause');
+  await settle();
+  problems.same('live again', (await page.evaluate(shownPage)).connection, 'Live.');
+}
+
+async function exportsWork() {
+  const links = await page.evaluate(async () => {
+    const read = async (id) => (await fetch(document.getElementById(id).href)).text();
+    return {
+      csv: await read('export-csv'),
+      candump: await read('export-candump'),
+      all: await read('export-all'),
+    };
+  });
+  const { lines, nodes } = decoded();
+  const ofNode = lines.filter(
+    (line) => (parseInt(line.split(' ')[2].split('#')[0], 16) & 0x7f) === 1,
+  );
+  problems.expect('candump of a node', links.candump === `${ofNode.join('\n')}\n`);
+  problems.expect('candump of all', links.all === `${lines.join('\n')}\n`);
+  const rows = links.csv.trim().split('\n');
+  problems.same('columns of the CSV', rows[0], 'time_s,damage,damage_rate_per_h');
+  const [time_s, damage] = rows.at(-1).split(',').map(Number);
+  problems.same('last time of the CSV', time_s, nodes[1].messages.LifeStatus.time_us / 1e6);
+  problems.expect('last damage of the CSV', Math.abs(damage - nodes[1].damage) < 1e-12);
+  problems.expect('rows of the CSV', rows.length > 1000);
+}
+
+async function lostServerIsShown() {
+  const { port } = feed;
+  await feed.stop();
+  await page.waitFor(() => document.querySelector('#connection').innerText.startsWith('LOST'));
+  await page.waitFor(() => document.querySelectorAll('#fleet .stale').length > 0);
+  const fleet = await page.evaluate(shownFleet);
+  problems.expect(
+    'all is stale without a server',
+    Object.values(fleet).every((row) => Object.values(row).every(({ stale }) => stale)),
+  );
+  const { tiles } = await page.evaluate(shownNode);
+  problems.expect(
+    'and so is each tile',
+    Object.values(tiles).every(({ stale }) => stale),
+  );
+  feed = await LiveFeed.start(program, log, port);
+  await feed.say('run 30');
+  await settle();
+  const again = decoded();
+  compareFleet(await page.evaluate(shownFleet), again, problems);
+  await page.waitFor(() => document.querySelector('#connection').innerText === 'Live.');
+  problems.expect('live after a restart', !(await page.evaluate(shownFleet))[1].Damage.stale);
+}
+
+async function canBeUsedByAll() {
+  await feed.say('emergency 2 ff20');
+  await feed.say('silent 5 1');
+  await feed.say('corrupt 3 1');
+  await feed.say('run 6');
+  await openNode(2);
+  await settle();
+  const { events } = await page.evaluate(shownNode);
+  problems.expect('what came while the history did', events.join().includes('EMERGENCY: overload'));
+  for (const width of [1280, 360]) {
+    for (const dark of [false, true]) {
+      await page.look({ width, dark });
+      await sleep(1300);
+      const name = `${width}-${dark ? 'dark' : 'light'}`;
+      problems.same(`faint texts, ${name}`, (await page.evaluate(faintTexts)).join(), '');
+      problems.same(`small targets, ${name}`, (await page.evaluate(smallTargets)).join(), '');
+      problems.same(`overhang, ${name}`, (await page.evaluate(shownPage)).overhang, 0);
+      if (process.env.SHOTS) {
+        await page.screenshot(`${process.env.SHOTS}/live-${name}.png`);
+      }
+    }
+  }
+  problems.same('nameless elements', (await nameless(page)).join(), '');
+}
+
+try {
+  await everyValueEqualsTheLog();
+  await troublesAreShown();
+  await reloadKeepsThePlace(await pauseAndScrub());
+  await exportsWork();
+  await lostServerIsShown();
+  await canBeUsedByAll();
+  problems.same('errors of the page', (await page.evaluate(shownPage)).error, undefined);
+} catch (error) {
+  problems.expect(error.stack, false);
+} finally {
+  await feed.stop();
+  await browser.close();
+}
+console.log(`${problems.checks} checks, ${problems.list.length} failed`);
+process.exit(problems.list.length > 0 ? 1 : 0);

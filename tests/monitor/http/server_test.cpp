@@ -1,0 +1,201 @@
+#include <gtest/gtest.h>
+#include <httplib.h>
+
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "host_sim/io/input_error.hpp"
+#include "host_sim/monitor/http/live_page.hpp"
+#include "tests/monitor/http/made_view.hpp"
+
+namespace host_sim::monitor {
+namespace {
+
+using nlohmann::json;
+
+class Log : public FrameArchive {
+ public:
+  void read(std::optional<protocol::Node> node,
+            const std::function<bool(std::string_view)>& take) const override {
+    take(node ? "of a node\n" : "of all\n") && take("second\n");
+  }
+};
+
+/// A page on a free port with a view, and a client.
+class Served {
+ public:
+  explicit Served(std::optional<std::string> token = {}, const FrameArchive* archive = nullptr)
+      : page({{"127.0.0.1", 0}, std::move(token), archive}), client("127.0.0.1", page.port()) {
+    page.publish(test::made_view());
+    while (!token_is_needed() && !client.Get("/api/fleet")->body.size()) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+  [[nodiscard]] bool token_is_needed() { return client.Get("/api/fleet")->status == 401; }
+
+  LivePage page;
+  httplib::Client client;
+};
+
+const std::string kToken = "abcdefgh12345678";
+
+TEST(Server, ServesThePageWithoutOutsideResources) {
+  Served served;
+  const auto page = served.client.Get("/");
+  ASSERT_TRUE(page);
+  EXPECT_EQ(page->status, 200);
+  const std::string policy = page->get_header_value("Content-Security-Policy");
+  EXPECT_TRUE(policy.starts_with("default-src 'none'; script-src 'self';")) << policy;
+  EXPECT_EQ(page->body.find("http://"), std::string::npos);
+  EXPECT_EQ(page->body.find("https://"), std::string::npos);
+  for (std::size_t at = page->body.find("\"/assets/"); at != std::string::npos;
+       at = page->body.find("\"/assets/", at + 1)) {
+    const std::string name = page->body.substr(at + 1, page->body.find('"', at + 1) - at - 1);
+    EXPECT_EQ(served.client.Get(name)->status, 200) << name;
+  }
+  EXPECT_EQ(served.client.Get("/assets/none.js")->status, 404);
+  EXPECT_EQ(served.client.Get("/assets/../live_page.cpp")->status, 404);
+}
+
+TEST(Server, AnswersToLoopbackNamesAlone) {
+  Served served;
+  EXPECT_EQ(served.client.Get("/api/fleet", {{"Host", "evil.org"}})->status, 403);
+  EXPECT_EQ(served.client.Get("/events", {{"Host", "evil.org"}})->status, 403);
+  EXPECT_EQ(served.client.Get("/api/fleet", {{"Host", "localhost:80"}})->status, 200);
+}
+
+TEST(Server, AnswersNoPageOfAnotherSite) {
+  Served served;
+  const auto ask = [&](const char* site, const char* mode) {
+    return served.client.Get("/api/fleet", {{"Sec-Fetch-Site", site}, {"Sec-Fetch-Mode", mode}})
+        ->status;
+  };
+  EXPECT_EQ(ask("cross-site", "cors"), 403);
+  EXPECT_EQ(ask("cross-site", "no-cors"), 403);
+  EXPECT_EQ(ask("cross-site", "navigate"), 200);
+  EXPECT_EQ(ask("same-origin", "cors"), 200);
+  EXPECT_EQ(ask("none", "navigate"), 200);
+}
+
+TEST(Server, TellsTheFleetAndANode) {
+  Served served;
+  EXPECT_EQ(json::parse(served.client.Get("/api/fleet")->body)["nodes"].size(), 1u);
+  const json node = json::parse(served.client.Get("/api/node/5")->body);
+  EXPECT_EQ(node["status"]["Damage"], 0.123456789);
+  EXPECT_EQ(node["curve"].size(), 2u);
+  EXPECT_EQ(served.client.Get("/api/node/6")->status, 404);
+  EXPECT_EQ(served.client.Get("/api/node/261")->status, 404);
+  EXPECT_EQ(served.client.Get("/healthz")->status, 200);
+}
+
+TEST(Server, ExportsWhatWasRecorded) {
+  const Log log;
+  Served served({}, &log);
+  const auto csv = served.client.Get("/export/5.csv");
+  EXPECT_EQ(csv->body.substr(0, 7), "time_s,");
+  EXPECT_EQ(csv->get_header_value("Content-Disposition"), "attachment; filename=\"node-5.csv\"");
+  EXPECT_EQ(served.client.Get("/export/5.candump")->body, "of a node\nsecond\n");
+  EXPECT_EQ(served.client.Get("/export/all.candump")->body, "of all\nsecond\n");
+  EXPECT_EQ(served.client.Get("/export/6.csv")->status, 404);
+  EXPECT_EQ(served.client.Get("/export/6.candump")->status, 404);
+}
+
+TEST(Server, SaysWhereNothingIsRecorded) {
+  Served served;
+  const auto log = served.client.Get("/export/all.candump");
+  EXPECT_EQ(log->status, 404);
+  EXPECT_NE(log->body.find("No frames are recorded"), std::string::npos);
+}
+
+TEST(Server, AsksForItsToken) {
+  Served served(kToken);
+  for (const char* path :
+       {"/", "/events", "/api/fleet", "/export/all.candump", "/assets/main.js"}) {
+    const auto answer = served.client.Get(path);
+    EXPECT_EQ(answer->status, 401) << path;
+    EXPECT_EQ(answer->body.find(kToken), std::string::npos);
+  }
+  EXPECT_NE(served.client.Get("/healthz")->status, 401);
+  served.client.set_bearer_token_auth(kToken);
+  EXPECT_EQ(served.client.Get("/")->status, 200);
+  served.client.set_bearer_token_auth("abcdefgh12345679");
+  EXPECT_EQ(served.client.Get("/")->status, 401);
+}
+
+TEST(Server, TurnsATokenOfTheAddressIntoACookie) {
+  Served served(kToken);
+  const auto first = served.client.Get("/?token=" + kToken);
+  EXPECT_EQ(first->status, 303);
+  EXPECT_EQ(first->get_header_value("Location"), "/");
+  const std::string cookie = first->get_header_value("Set-Cookie");
+  EXPECT_NE(cookie.find("HttpOnly"), std::string::npos);
+  const httplib::Headers back = {{"Cookie", cookie.substr(0, cookie.find(';'))}};
+  EXPECT_EQ(served.client.Get("/", back)->status, 200);
+  EXPECT_EQ(served.client.Get("/?token=" + kToken + "x")->status, 401);
+}
+
+TEST(Server, StreamsAWholeViewFirst) {
+  Served served;
+  std::string text;
+  served.client.Get("/events", [&](const char* data, std::size_t length) {
+    text.append(data, length);
+    return text.find("}\n\n") == std::string::npos;
+  });
+  EXPECT_TRUE(text.starts_with("retry: 1000\n\nevent: whole\ndata: {")) << text;
+  const std::size_t start = text.find('{');
+  EXPECT_EQ(json::parse(text.substr(start, text.find("\n\n", start) - start))["frames"], 42);
+}
+
+TEST(Server, RefusesMoreReadersThanItHasRoomFor) {
+  Served served;
+  std::atomic<int> reading = 0;
+  std::atomic<bool> enough = false;
+  std::vector<std::thread> readers;
+  for (int i = 0; i < 20; ++i) {
+    readers.emplace_back([&] {
+      bool first = true;
+      httplib::Client client("127.0.0.1", served.page.port());
+      client.Get("/events", [&](const char*, std::size_t) {
+        reading += std::exchange(first, false) ? 1 : 0;
+        return !enough;
+      });
+    });
+  }
+  while (reading < 20) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  }
+  const auto refused = served.client.Get("/events");
+  EXPECT_EQ(refused->status, 503);
+  EXPECT_EQ(served.client.Get("/api/fleet")->status, 200);
+  enough = true;
+  for (std::thread& reader : readers) {
+    reader.join();
+  }
+}
+
+TEST(Server, RefusesAPortThatIsTaken) {
+  Served served;
+  EXPECT_THROW(LivePage({{"127.0.0.1", served.page.port()}, {}, nullptr}), InputError);
+}
+
+TEST(Server, RefusesAnOpenAddressWithoutToken) {
+  EXPECT_THROW(LivePage({{"0.0.0.0", 0}, {}, nullptr}), InputError);
+}
+
+TEST(Server, EndsWhileOneReads) {
+  auto served = std::make_unique<Served>();
+  std::atomic<bool> reading = false;
+  const std::uint16_t port = served->page.port();
+  std::thread reader([&] {
+    httplib::Client client("127.0.0.1", port);
+    client.Get("/events", [&](const char*, std::size_t) { return reading = true; });
+  });
+  while (!reading) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  served.reset();
+  reader.join();
+}
+
+}  // namespace
+}  // namespace host_sim::monitor

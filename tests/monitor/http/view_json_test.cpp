@@ -1,0 +1,79 @@
+#include "host_sim/monitor/http/view_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include "host_sim/monitor/http/history_csv.hpp"
+#include "host_sim/monitor/http/json_text.hpp"
+#include "tests/monitor/http/made_view.hpp"
+
+namespace host_sim::monitor {
+namespace {
+
+using nlohmann::json;
+
+TEST(ViewJson, TellsMessagesInTheWordsOfTheFramePlan) {
+  const json node = node_json(test::made_view().nodes.at(5));
+  EXPECT_EQ(node["status"], json::parse(R"({"LifeState": "inspect", "Damage": 0.123456789,
+      "WorstTendon": 2, "Quality": "measured", "StorageOk": true, "SensorOk": false, "Gap": false,
+      "Saturated": false, "Overrun": false, "Locked": false, "time_us": 9000000, "stale": true})"));
+  EXPECT_EQ(node["heartbeat"],
+            json::parse(R"({"NmtState": "operational", "time_us": 9000000, "stale": false})"));
+  EXPECT_EQ(node["identity"]["Configuration"], 0xdeadbeef);
+  EXPECT_EQ(node["remaining"]["RemainingB10"], 1.5);
+  EXPECT_EQ(node["remaining"]["RemainingB50"], 6553.4);
+  EXPECT_EQ(node["remaining"]["RemainingB90"], "unknown");
+  EXPECT_EQ(node["tendons"]["2"]["TendonDamage"], 1e-9);
+  EXPECT_EQ(node["bins"]["156"]["BinCycles"], 77);
+  EXPECT_EQ(node["highest_damage"], 0.123456789);
+  EXPECT_EQ(node["integrity_failures"], 3);
+}
+
+TEST(ViewJson, LeavesOutWhatIsNotKnown) {
+  const json node = node_json(test::made_view().nodes.at(5));
+  for (const char* name : {"cycles", "rate", "storage", "timing", "bus", "emergency"}) {
+    EXPECT_FALSE(node.contains(name)) << name;
+  }
+}
+
+TEST(ViewJson, CountsStreams) {
+  const json stream = node_json(test::made_view().nodes.at(5))["streams"]["LifeStatus"];
+  EXPECT_EQ(stream["good"], 90);
+  EXPECT_EQ(stream["lost"], 2);
+  EXPECT_EQ(stream["damaged"], 3);
+  EXPECT_EQ(stream["intervals"], json::parse(R"({"20": 89})"));
+  EXPECT_EQ(stream["interval_class_ms"], 5);
+}
+
+TEST(ViewJson, HasHistory) {
+  EXPECT_EQ(history_json(test::made_view().nodes.at(5)), json::parse(R"({
+      "events": [{"kind": "state", "time_us": 1000000, "words": "inspect", "state": "inspect"}],
+      "curve": [[1000000, 0.123], [9000000, 0.123456789, 5e-9]]})"));
+}
+
+TEST(ViewJson, TellsTheBus) {
+  const json fleet = fleet_json(test::made_view());
+  EXPECT_EQ(fleet["now_us"], 10'000'000);
+  EXPECT_EQ(fleet["source"], "can0");
+  EXPECT_EQ(fleet["frames"], 42);
+  EXPECT_EQ(fleet["bus_load_percent"], 1.5);
+  EXPECT_EQ(fleet["bus_off"], false);
+  EXPECT_EQ(fleet["nodes"].size(), 1u);
+}
+
+TEST(ViewJson, TextIsOneLineOfUtf8) {
+  FleetView fleet = test::made_view();
+  fleet.source = "run\n\xff.log";
+  const std::string text = json_text(fleet_json(fleet));
+  EXPECT_EQ(text.find('\n'), std::string::npos);
+  EXPECT_EQ(json::parse(text)["source"], "run\n\xef\xbf\xbd.log");
+}
+
+TEST(HistoryCsv, HasALineAPoint) {
+  EXPECT_EQ(history_csv(test::made_view().nodes.at(5)),
+            "time_s,damage,damage_rate_per_h\n"
+            "1.000000,0.123000000,\n"
+            "9.000000,0.123456789,0.000000005\n");
+}
+
+}  // namespace
+}  // namespace host_sim::monitor

@@ -1,0 +1,66 @@
+#include "host_sim/monitor/mqtt/status_json.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "host_sim/monitor/mqtt/address.hpp"
+
+namespace host_sim::monitor {
+namespace {
+
+NodeView told_node() {
+  NodeView node;
+  node.node = 5;
+  node.status = {{.state = protocol::LifeState::inspect,
+                  .damage_ppb = 612'345'678,
+                  .worst_tendon = 2,
+                  .quality = protocol::Quality::gaps,
+                  .storage_ok = true,
+                  .gap = true},
+                 1'600'000'000'123'456'789};
+  node.highest_damage_ppb = 612'345'678;
+  node.rate = {{.ppb_per_h = 5'000'000}, 0};
+  node.remaining = {{.b10_dh = 123, .b50_dh = 200, .b90_dh = 0xffff}, 0};
+  return node;
+}
+
+TEST(StatusJson, HoldsWhatTheNodeTold) {
+  const auto json = nlohmann::json::parse(status_json(told_node()));
+  EXPECT_EQ(json, nlohmann::json::parse(R"({
+    "state": "inspect", "damage_ppb": 612345678, "damage_percent": 61.2345678, "worst_tendon": 2,
+    "quality": "gaps", "storage_ok": true, "sensor_ok": false, "gap": true, "saturated": false,
+    "overrun": false, "locked": false, "time_s": 1600000000.123, "stale": false,
+    "vanished": false, "integrity_failures": 0, "damage_percent_per_h": 0.5,
+    "remaining_h": {"b10": 12.3, "b50": 20.0, "b90": null}})"));
+}
+
+TEST(StatusJson, LeavesOutPagesThatAreStale) {
+  NodeView node = told_node();
+  node.status->stale = true;
+  node.rate->stale = true;
+  node.remaining->stale = true;
+  const auto json = nlohmann::json::parse(status_json(node));
+  EXPECT_TRUE(json.at("stale").get<bool>());
+  EXPECT_FALSE(json.contains("damage_percent_per_h"));
+  EXPECT_FALSE(json.contains("remaining_h"));
+}
+
+TEST(StatusJson, IsEmptyBeforeAStatus) {
+  EXPECT_EQ(status_json(NodeView{}), "");
+}
+
+TEST(BrokerAddress, HasAHostAndAPort) {
+  EXPECT_EQ(broker_address_of("localhost")->port, 1883);
+  EXPECT_EQ(broker_address_of("broker.lan:8883")->host, "broker.lan");
+  EXPECT_EQ(broker_address_of("broker.lan:8883")->port, 8883);
+  EXPECT_EQ(broker_address_of("[::1]:1884")->host, "::1");
+  EXPECT_EQ(broker_address_of("[::1]:1884")->port, 1884);
+  for (const char* wrong : {"", ":1883", "host:", "host:0", "host:65536", "host:12a", "a b:1",
+                            "[::1", "[::1]1884", "mqtt://host"}) {
+    EXPECT_FALSE(broker_address_of(wrong)) << wrong;
+  }
+}
+
+}  // namespace
+}  // namespace host_sim::monitor

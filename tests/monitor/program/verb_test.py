@@ -1,0 +1,115 @@
+"""The verb: what it prints, records and answers.
+
+    verb_test.py HOST_SIM
+"""
+
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from logs import Log, LoggedNode
+
+HOST_SIM = ""
+
+
+def monitor(*arguments, stdin=None):
+    return subprocess.run([HOST_SIM, "monitor", *map(str, arguments)], capture_output=True, text=True, check=False,
+                          input=stdin)
+
+
+class VerbTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="verb-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def log(self, fill, seconds=2.0):
+        log = Log()
+        fill(log, seconds)
+        return log.write(self.folder / "run.log")
+
+    def status_of(self, state="normal", spoil=None, silent_s=0.0):
+        def fill(log, seconds):
+            node = LoggedNode(log, 5, state, 30_000_000)
+            node.speak(0, seconds)
+            if spoil is not None:
+                node.status(seconds, spoil)
+            if silent_s:
+                log.add(seconds + silent_s, 0x7FF, b"")
+
+        return monitor("--log", self.log(fill), "--once")
+
+    def test_a_table_without_colours(self):
+        done = self.status_of()
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("\x1b", done.stdout)
+        self.assertEqual(done.stdout.splitlines()[-1].split(), "5 normal 3 12.3 - 45.6 h 0 0.9 s 0 0".split())
+        self.assertIn("42 frames", done.stdout)
+        self.assertEqual(done.stderr, "")
+
+    def test_what_needs_attention_is_told_by_the_status(self):
+        self.assertEqual(self.status_of("inspect").returncode, 0)
+        self.assertEqual(self.status_of("replace").returncode, 3)
+        self.assertEqual(self.status_of("worn").returncode, 3)
+        damaged = self.status_of(spoil=4)
+        self.assertEqual(damaged.returncode, 3)
+        self.assertEqual(damaged.stdout.splitlines()[-1].split()[:3], ["5", "normal", "3"])
+        vanished = self.status_of(silent_s=3.5)
+        self.assertEqual(vanished.returncode, 3)
+        self.assertIn("normal VANISHED", vanished.stdout)
+
+    def test_standard_input_is_a_log(self):
+        log = self.log(lambda log, seconds: LoggedNode(log, 5).speak(0, seconds))
+        done = monitor("--log", "-", "--once", stdin=log.read_text())
+        self.assertIn("42 frames", done.stdout)
+
+    def test_the_record_is_the_log(self):
+        log = self.log(lambda log, seconds: LoggedNode(log, 5).speak(0, seconds), seconds=60.0)
+        logs = self.folder / "logs"
+        done = monitor("--log", log, "--once", "--record", logs, "--record-rotate", "16K")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        files = sorted(logs.iterdir())
+        self.assertGreater(len(files), 2)
+        self.assertTrue(all(file.stat().st_size <= 16 * 1024 for file in files))
+        text = "".join(file.read_text() for file in files)
+        self.assertEqual(text.replace(" log ", " can0 "), log.read_text())
+
+    def test_a_torn_record_is_gone_on_with(self):
+        log = self.log(lambda log, seconds: LoggedNode(log, 5).speak(0, seconds))
+        logs = self.folder / "logs"
+        monitor("--log", log, "--once", "--record", logs)
+        only = logs / "frames-00000001.log"
+        whole = only.read_text()
+        with only.open("a") as file:
+            file.write("(0000")
+        done = monitor("--log", log, "--once", "--record", logs)
+        self.assertEqual(done.stderr, f"{only}: a torn last line of 5 bytes was cut off\n")
+        self.assertEqual(only.read_text(), 2 * whole)
+
+    def test_wrong_usage(self):
+        for arguments in ([], ["--log", "a", "--interface", "can0"], ["--log", "a", "--replay-speed", "fast"],
+                          ["--interface", "can0", "--replay-speed", "2"], ["--log", "a", "--replay-speed", "-1"],
+                          ["--log", "a", "--listen", "3"], ["--log", "a", "--record-keep", "3"],
+                          ["--interface", "a-name-of-16-char"]):
+            done = monitor(*arguments)
+            self.assertEqual(done.returncode, 2, (arguments, done.stdout))
+            self.assertTrue(done.stderr)
+
+    def test_bad_input(self):
+        missing = monitor("--log", self.folder / "none", "--once")
+        self.assertEqual(missing.returncode, 1)
+        bad = self.folder / "bad.log"
+        bad.write_text("(1600000000.000000) can0 185#0102\n(1600000000.000000) can0 hello\n")
+        done = monitor("--log", bad, "--once")
+        self.assertEqual(done.returncode, 1)
+        self.assertTrue(done.stderr.startswith(f"{bad}:2:"), done.stderr)
+        nothing = monitor("--interface", "no_such_if", "--once")
+        self.assertEqual(nothing.returncode, 1)
+        self.assertIn("accepted: ", nothing.stderr)
+
+
+if __name__ == "__main__":
+    HOST_SIM = sys.argv[1]
+    unittest.main(argv=sys.argv[:1], verbosity=2)

@@ -1,0 +1,125 @@
+#include "host_sim/monitor/terminal/table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+namespace host_sim::monitor {
+namespace {
+
+constexpr std::int64_t kS = 1'000'000'000;
+
+NodeView node_of(protocol::LifeState state, std::uint32_t damage_ppb) {
+  NodeView node;
+  node.node = 5;
+  node.heartbeat = {protocol::NmtState::operational, 9 * kS};
+  node.status = {{.state = state, .damage_ppb = damage_ppb, .storage_ok = true, .sensor_ok = true},
+                 10 * kS};
+  node.highest_damage_ppb = damage_ppb;
+  node.rate = {{.ppb_per_h = 1'234}, 10 * kS};
+  node.remaining = {{.b10_dh = 123, .b50_dh = 200, .b90_dh = 456}, 10 * kS};
+  return node;
+}
+
+FleetView fleet_of(const NodeView& node) {
+  FleetView view;
+  view.now_ns = 10 * kS;
+  view.source = "can0";
+  view.nodes[5] = node;
+  return view;
+}
+
+std::string row_of(const NodeView& node, const TableStyle& style = {}) {
+  return table_of(fleet_of(node), style).back();
+}
+
+TEST(Table, ShowsANodeInARow) {
+  const auto lines = table_of(fleet_of(node_of(protocol::LifeState::inspect, 121'000'000)), {});
+  ASSERT_EQ(lines.size(), 3u);
+  EXPECT_EQ(lines[0], "can0  0 frames  0/s  load 0.0 %  1 node");
+  EXPECT_EQ(lines[1],
+            "NODE  STATE    DAMAGE %  LEFT B10 - B90  RATE %/h   HEARTBEAT  FAILED  LOST  NOTES");
+  EXPECT_EQ(lines[2], "5     inspect  12.1      12.3 - 45.6 h   0.0001234  1.0 s      0       0");
+}
+
+TEST(Table, MarksWhatIsStale) {
+  NodeView node = node_of(protocol::LifeState::inspect, 121'000'000);
+  node.status->stale = true;
+  EXPECT_NE(row_of(node).find("inspect STALE  12.1 STALE  12.3 - 45.6 h"), std::string::npos);
+  node.remaining->stale = true;
+  node.rate->stale = true;
+  node.heartbeat->stale = true;
+  const std::string row = row_of(node, {.width = 0, .colours = true});
+  EXPECT_NE(row.find("\x1b[90minspect STALE\x1b[0m"), std::string::npos);
+  EXPECT_NE(row.find("\x1b[90m12.1 STALE\x1b[0m"), std::string::npos);
+  EXPECT_NE(row.find("\x1b[90m12.3 - 45.6 h STALE\x1b[0m"), std::string::npos);
+  EXPECT_NE(row.find("\x1b[90m0.0001234 STALE\x1b[0m"), std::string::npos);
+  EXPECT_NE(row.find("\x1b[90m1.0 s STALE\x1b[0m"), std::string::npos);
+}
+
+TEST(Table, NeverPartsAValueFromItsMark) {
+  NodeView node = node_of(protocol::LifeState::inspect, 121'000'000);
+  node.status->stale = node.remaining->stale = node.rate->stale = node.heartbeat->stale = true;
+  for (std::size_t width = 1; width < 140; ++width) {
+    const std::string row = row_of(node, {.width = width, .colours = false});
+    EXPECT_EQ(row.find("12.1") == std::string::npos, row.find("12.1 STALE") == std::string::npos)
+        << width;
+    EXPECT_EQ(row.find("45.6") == std::string::npos, row.find("45.6 h STALE") == std::string::npos)
+        << width;
+    EXPECT_LE(row.size(), std::max<std::size_t>(width, 4)) << width;
+  }
+}
+
+TEST(Table, LeavesOutTheLeastImportantColumnsFirst) {
+  const NodeView node = node_of(protocol::LifeState::normal, 1);
+  const auto narrow = table_of(fleet_of(node), {.width = 40, .colours = false});
+  EXPECT_EQ(narrow[1], "NODE  STATE   DAMAGE %   FAILED");
+  EXPECT_EQ(narrow[2], "5     normal  0.0000001  0");
+}
+
+TEST(Table, ColoursTheState) {
+  const TableStyle style{.width = 0, .colours = true};
+  EXPECT_NE(row_of(node_of(protocol::LifeState::normal, 0), style).find("\x1b[32mnormal\x1b[0m"),
+            std::string::npos);
+  EXPECT_NE(row_of(node_of(protocol::LifeState::worn, 0), style).find("\x1b[1;37;41mworn\x1b[0m"),
+            std::string::npos);
+  EXPECT_EQ(row_of(node_of(protocol::LifeState::worn, 0)).find('\x1b'), std::string::npos);
+}
+
+TEST(Table, SaysWhatIsTheMatter) {
+  NodeView node = node_of(protocol::LifeState::normal, 0);
+  node.vanished = true;
+  EXPECT_NE(row_of(node).find("normal VANISHED"), std::string::npos);
+  node = node_of(protocol::LifeState::normal, 0);
+  node.emergency = {{.code = protocol::EmergencyCode::overload}, 0};
+  node.status->value.locked = true;
+  node.status->value.sensor_ok = false;
+  node.streams.push_back({});
+  node.streams[0].damaged = 7;
+  node.streams[0].lost = 3;
+  EXPECT_NE(row_of(node).find("7       3     overload, locked, sensor fault"), std::string::npos);
+  FleetView view = fleet_of(node);
+  view.bus_off = true;
+  view.source_lost = true;
+  view.source = "can0 is down";
+  const auto lines = table_of(view, {});
+  EXPECT_EQ(lines[1], "BUS LOST: can0 is down");
+  EXPECT_EQ(lines[2], "BUS OFF");
+}
+
+TEST(Table, TellsRemainingLifeThatIsNotKnown) {
+  NodeView node = node_of(protocol::LifeState::normal, 0);
+  node.remaining->value = {};
+  EXPECT_NE(row_of(node).find("unknown"), std::string::npos);
+  node.remaining->value = {.b10_dh = 10, .b50_dh = 65'000, .b90_dh = 0xffff};
+  EXPECT_NE(row_of(node).find("1.0 - more than 6553.4 h"), std::string::npos);
+}
+
+TEST(Table, ANodeWithoutAStatusHasNoDamage) {
+  NodeView node;
+  node.node = 5;
+  EXPECT_EQ(row_of(node).substr(0, 20), "5     no status  -  ");
+}
+
+}  // namespace
+}  // namespace host_sim::monitor

@@ -1,0 +1,48 @@
+// make.mjs FOLDER REPORT DIAGNOSIS LIVE_FEED
+//
+// The pictures of the README, into FOLDER: the tops of two report pages, and of the live page of a
+// made bus.
+import { mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join, resolve } from 'node:path';
+import { pathToFileURL } from 'node:url';
+import { LiveFeed } from '../monitor/http/live_feed.mjs';
+import { Browser, sleep } from '../support/browser.mjs';
+
+const SETTLE_MS = 1500;
+const [, , folder, report, diagnosis, program] = process.argv;
+const scratch = mkdtempSync(join(tmpdir(), 'pictures-'));
+const browser = await Browser.open();
+if (!browser) {
+  console.error('no Chromium found');
+  process.exit(1);
+}
+
+async function picture(name, address, { height, until, width = 1000 }) {
+  const page = await browser.page(address, { width, height });
+  if (until) {
+    await page.waitFor(until);
+  }
+  await sleep(SETTLE_MS);
+  await page.screenshot(join(folder, `${name}.png`), height);
+  await page.close();
+}
+
+const fileAddress = (file) => pathToFileURL(resolve(file)).href;
+let feed;
+try {
+  await picture('replay', fileAddress(report), { height: 760 });
+  await picture('diagnosis', fileAddress(diagnosis), { height: 1000 });
+  feed = await LiveFeed.start(program, join(scratch, 'feed.log'));
+  for (const command of ['run 115', 'silent 5 1', 'corrupt 3 1', 'emergency 2 ff20', 'run 5']) {
+    await feed.say(command);
+  }
+  await picture('live_page', `${feed.address}#node=2`, {
+    height: 1000,
+    until: () => document.querySelectorAll('#node canvas').length === 2,
+  });
+} finally {
+  await feed?.stop();
+  await browser.close();
+  rmSync(scratch, { recursive: true, force: true });
+}
