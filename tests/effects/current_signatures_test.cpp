@@ -29,23 +29,35 @@ recording::Covariates one_sample() {
   return c;
 }
 
-TEST(CurrentOffset, IsTheDerivative) {
-  EXPECT_NEAR(columns("current_offset", one_sample())[0][0], -0.5, 1e-14);
+TEST(CurrentOffset, IsTheLogarithmOfTheCurrentThatIsLeft) {
+  recording::Covariates sample = one_sample();
+  sample.output_tension_N = {21 * 1.28 * std::exp(kMu * 2)};  // 0.72 A of 2 A are the offset
+  EXPECT_NEAR(columns("current_offset", sample, {0.72})[0][0], std::log(0.64), 1e-14);
   const recording::Covariates c = trace();
-  const auto model = [&](std::size_t i, double offset_A) {
-    return output(c, i, kNewtonsPerAmpere * (c.current_A[i] - offset_A));
-  };
-  expect_same(columns("current_offset", c)[0], derivative(c, model, 1e-4), kTolerance);
+  for (const double offset_A : {-0.3, 0.01, 0.5}) {
+    const recording::Covariates off = with_output(c, [&](std::size_t i) {
+      return output(c, i, kNewtonsPerAmpere * (c.current_A[i] - offset_A));
+    });
+    expect_same(columns("current_offset", off, {offset_A})[0], residuals(off), 1e-13);
+  }
 }
 
-TEST(TorqueGain, IsTheDerivative) {
-  EXPECT_NEAR(columns("torque_gain", one_sample())[0][0], -40, 1e-12);
+TEST(TorqueGain, IsTheLogarithmOfTheConstantThatIsLeft) {
+  EXPECT_NEAR(columns("torque_gain", one_sample(), {0.004})[0][0], std::log(0.84), 1e-14);
   const recording::Covariates c = trace();
-  const auto model = [&](std::size_t i, double droop_1_K) {
-    const double constant = kNewtonsPerAmpere * (1 - droop_1_K * (c.winding_temperature_C[i] - 25));
-    return output(c, i, constant * c.current_A[i]);
-  };
-  expect_same(columns("torque_gain", c)[0], derivative(c, model, 1e-6), kTolerance);
+  for (const double droop_1_K : {1.5e-4, 2e-3, 5e-3}) {
+    const recording::Covariates warm = with_output(c, [&](std::size_t i) {
+      const double left = 1 - droop_1_K * (c.winding_temperature_C[i] - 25);
+      return output(c, i, kNewtonsPerAmpere * left * c.current_A[i]);
+    });
+    expect_same(columns("torque_gain", warm, {droop_1_K})[0], residuals(warm), 1e-12);
+  }
+}
+
+TEST(TorqueGain, StaysFiniteWhereNothingWouldBeLeft) {
+  recording::Covariates sample = one_sample();
+  sample.winding_temperature_C = {400};
+  EXPECT_TRUE(std::isfinite(columns("torque_gain", sample, {5e-3})[0][0]));
 }
 
 TEST(GearAsymmetry, IsTheDerivative) {
@@ -71,6 +83,25 @@ TEST(TorqueRipple, IsTheDerivativeInSineAndCosine) {
   };
   expect_same(columns("torque_ripple", c, {6})[0], derivative(c, sine, 1e-4), kTolerance);
   expect_same(columns("torque_ripple", c, {6})[1], derivative(c, cosine, 1e-4), kTolerance);
+}
+
+/// ln(1 + q/i) is 2 asinh(q/2m) over the geometric mean m of i and i + q, so that q/m is off by its
+/// cube over 24 alone.
+TEST(TorqueRipple, IsOffByAThirdOrderWhereItIsLarge) {
+  constexpr double kRipple_A = 0.3;
+  const recording::Covariates c = trace();
+  const auto ripple_A = [&](std::size_t i) {
+    return kRipple_A * std::sin(6 * c.motor_angle_rad[i]);
+  };
+  const recording::Covariates rippled = with_output(c, [&](std::size_t i) {
+    return output(c, i, kNewtonsPerAmpere * (c.current_A[i] + ripple_A(i)));
+  });
+  const std::vector<double> found = columns("torque_ripple", rippled, {6})[0];
+  const std::vector<double> exact = residuals(rippled);
+  for (std::size_t i = 0; i < c.samples(); ++i) {
+    const double size = std::abs(ripple_A(i)) / c.current_A[i] * 1.2;
+    EXPECT_NEAR(kRipple_A * found[i], exact[i], size * size * size / 24 + 1e-13) << i;
+  }
 }
 
 }  // namespace

@@ -92,38 +92,52 @@ double along_sheath(double input_N, double bend_angle_rad, double direction, dou
   return std::exp(log_N);
 }
 
-TEST(FrictionLoad, IsTheDerivativeOfTheLawAtEachPlaceOfTheSheath) {
-  // m = ln 100 - 0.128 - ln 50 = ln 2 - 0.128
-  EXPECT_NEAR(columns("friction_load", one_sample())[0][0], 0.128 * 2 * (std::numbers::ln2 - 0.128),
-              1e-12);
-  const recording::Covariates c = trace();
-  const auto output = [&](std::size_t i, double k) {
-    return along_sheath(c.current_tension_N[i], c.bend_angle_rad[i], c.direction[i], k);
-  };
-  expect_same(columns("friction_load", c)[0], derivative(c, output, 1e-3), 1e-5);
+TEST(FrictionLoad, IsTheLawAtEachPlaceOfTheSheathWhateverItsSize) {
+  // With k = 1/2 the roots of the tensions fall evenly: from 10 by mu phi sqrt(50)/2.
+  const double root = 10 - 0.128 * 2 * std::sqrt(50.0) / 2;
+  recording::Covariates sample = one_sample();
+  sample.output_tension_N = {root * root};
+  EXPECT_NEAR(columns("friction_load", sample, {0.5})[0][0],
+              std::log(root * root / 100) + 0.128 * 2, 1e-12);
+  for (const double exponent : {-0.8, -0.2, 0.3, 0.8}) {
+    recording::Covariates c = trace();
+    std::vector<double> exact;
+    for (std::size_t i = 0; i < c.samples(); ++i) {
+      c.output_tension_N[i] =
+          along_sheath(c.current_tension_N[i], c.bend_angle_rad[i], c.direction[i], exponent);
+      exact.push_back(std::log(c.output_tension_N[i] / c.current_tension_N[i]) +
+                      kMu * c.bend_angle_rad[i] * c.direction[i]);
+    }
+    expect_same(columns("friction_load", c, {exponent})[0], exact, 1e-6);
+  }
 }
 
-TEST(FrictionPreload, IsTheDerivativeOfAForceAgainstTheMotion) {
-  EXPECT_NEAR(columns("friction_preload", one_sample())[0][0], -0.01, 1e-14);
+TEST(FrictionPreload, IsAForceAgainstTheMotionWhateverItsSize) {
+  recording::Covariates sample = one_sample();
+  sample.output_tension_N = {64 * std::exp(-kMu * 2)};  // 36 N of 100 are lost
+  EXPECT_NEAR(columns("friction_preload", sample, {36})[0][0], std::log(0.64), 1e-14);
   const recording::Covariates c = trace();
-  const auto output = [&](std::size_t i, double force_N) {
-    return (c.current_tension_N[i] - force_N * c.direction[i]) * std::exp(-kMu * angle(c, i));
-  };
-  expect_same(columns("friction_preload", c)[0], derivative(c, output, 1e-3), kTolerance);
+  for (const double force_N : {0.3, 5.0, 15.0}) {
+    const recording::Covariates held = with_output(c, [&](std::size_t i) {
+      return (c.current_tension_N[i] - force_N * c.direction[i]) * std::exp(-kMu * angle(c, i));
+    });
+    expect_same(columns("friction_preload", held, {force_N})[0], residuals(held), 1e-13);
+  }
 }
 
 TEST(FrictionPosition, IsTheDerivativeInEachHarmonic) {
-  // x = 10 mm of 40 mm: a quarter turn, so sin 1, cos 0; second harmonic 0, -1; third -1, 0
+  // x = 10 mm of 40 mm: a quarter turn, so sin 1, cos 0; then 0, -1; -1, 0; 0, 1; 1, 0; 0, -1
   const auto at_quarter = columns("friction_position", one_sample(), {0.04});
   const double friction = -0.128 * 2;
-  const std::vector<double> expected{friction, 0, 0, -friction, -friction, 0};
+  const std::vector<double> expected{friction, 0, 0, -friction, -friction, 0, 0, friction,
+                                     friction, 0, 0, -friction, friction,  0, 0, -friction};
   ASSERT_EQ(at_quarter.size(), expected.size());
   for (std::size_t j = 0; j < expected.size(); ++j) {
     EXPECT_NEAR(at_quarter[j][0], expected[j], 1e-12) << j;
   }
   const recording::Covariates c = trace();
   const auto found = columns("friction_position", c, {0.02});
-  for (int h = 1; h <= 3; ++h) {
+  for (int h = 1; h <= 6; ++h) {
     const auto turn = [&](std::size_t i) {
       return 2 * std::numbers::pi * h * c.position_m[i] / 0.02;
     };
@@ -134,6 +148,26 @@ TEST(FrictionPosition, IsTheDerivativeInEachHarmonic) {
       return capstan(c, i, kMu * (1 + b * std::cos(turn(i))));
     };
     const auto first = static_cast<std::size_t>(2 * (h - 1));
+    expect_same(found[first], derivative(c, sine, 1e-4), kTolerance);
+    expect_same(found[first + 1], derivative(c, cosine, 1e-4), kTolerance);
+  }
+}
+
+/// mu (1 + h(x) s): more while pulling where h is positive, less while letting go.
+TEST(FrictionPosition, MayDifferByDirection) {
+  const recording::Covariates c = trace();
+  const auto found = columns("friction_position", c, {0.02});
+  ASSERT_EQ(found.size(), 16U);
+  for (int h = 1; h <= 2; ++h) {
+    const auto sine = [&](std::size_t i, double a) {
+      const double turn = 2 * std::numbers::pi * h * c.position_m[i] / 0.02;
+      return capstan(c, i, kMu * (1 + a * std::sin(turn) * c.direction[i]));
+    };
+    const auto cosine = [&](std::size_t i, double b) {
+      const double turn = 2 * std::numbers::pi * h * c.position_m[i] / 0.02;
+      return capstan(c, i, kMu * (1 + b * std::cos(turn) * c.direction[i]));
+    };
+    const auto first = static_cast<std::size_t>(12 + 2 * (h - 1));
     expect_same(found[first], derivative(c, sine, 1e-4), kTolerance);
     expect_same(found[first + 1], derivative(c, cosine, 1e-4), kTolerance);
   }

@@ -38,9 +38,10 @@ TEST(Missing, TheChannelThatASignatureReads) {
       {"friction_position", &recording::Covariates::position_m, "motor_angle_rad"},
       {"presliding", &recording::Covariates::travel_m, "tendon_velocity_m_s"},
       {"slack", &recording::Covariates::travel_m, "tendon_velocity_m_s"},
-      {"compliance", &recording::Covariates::velocity_m_s, "tendon_velocity_m_s"},
-      {"compliance", &recording::Covariates::log_tension_rate_1_s, "time_s"},
-      {"filter_lag", &recording::Covariates::log_tension_rate_1_s, "time_s"},
+      {"compliance", &recording::Covariates::position_m, "tendon_velocity_m_s"},
+      {"compliance", &recording::Covariates::log_output_rate_1_s, "output_tension_N"},
+      {"filter_lag", &recording::Covariates::velocity_m_s, "tendon_velocity_m_s"},
+      {"filter_lag", &recording::Covariates::log_output_rate_1_s, "output_tension_N"},
       {"current_offset", &recording::Covariates::current_A, "motor_current_A"},
       {"gear_asymmetry", &recording::Covariates::current_A, "motor_current_A"},
       {"torque_gain", &recording::Covariates::winding_temperature_C, "winding_temperature_C"},
@@ -55,6 +56,8 @@ TEST(Missing, AnEffectDoesNotAskForMoreThanItReads) {
   EXPECT_EQ(missing_without("friction_wear", &recording::Covariates::sheath_temperature_C), "");
   EXPECT_EQ(missing_without("friction_temperature", &recording::Covariates::motor_angle_rad), "");
   EXPECT_EQ(missing_without("friction_preload", &recording::Covariates::current_A), "");
+  EXPECT_EQ(missing_without("compliance", &recording::Covariates::log_tension_rate_1_s), "");
+  EXPECT_EQ(missing_without("filter_lag", &recording::Covariates::log_tension_rate_1_s), "");
 }
 
 TEST(Missing, WhatTheResidualNeedsIsNeededByAll) {

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "tests/effects/trace.hpp"
 
@@ -24,7 +23,6 @@ recording::Covariates strokes() {
     c.velocity_m_s.push_back(0.01 * c.direction[i]);
     c.input_tension_N.push_back(50 - 2 * static_cast<double>(i));
     c.output_tension_N.push_back(c.input_tension_N[i] * std::exp(-kMu * 2 * c.direction[i]));
-    c.log_tension_rate_1_s.push_back(0);
   }
   return c;
 }
@@ -79,47 +77,6 @@ TEST(Slack, HoldsBothTensionsOrLetsTheDriveRunLoose) {
     EXPECT_NEAR(std::log(4.0) * found[0][i] + 1 * found[1][i], loose, 1e-12) << i;
   }
   EXPECT_EQ(found[0][6], 0);  // 0.4 mm is the end of it
-}
-
-TEST(Compliance, TurnsTheSignWhereTheStretchOutrunsTheMotor) {
-  recording::Covariates c = strokes();
-  // 50 N at 0.3 1/s over 1000 N/m: 15 mm/s against the motor's 10 mm/s
-  c.input_tension_N = std::vector<double>(c.samples(), 50);
-  c.log_tension_rate_1_s = {0, 0.1, 0.3, -0.3, 0.3, -0.1, 0, -0.3, 0.3, 0};
-  std::vector<double> expected;
-  for (std::size_t i = 0; i < c.samples(); ++i) {
-    const double slide_m_s = c.velocity_m_s[i] - 50 * c.log_tension_rate_1_s[i] / 1000;
-    const double sign = slide_m_s > 0 ? 1 : -1;
-    const double output_N = 50 * std::exp(-kMu * 2 * sign);
-    expected.push_back(residual(output_N, 50, 2 * c.direction[i]));
-  }
-  expect_same(columns("compliance", c, {1000})[0], expected, 1e-12);
-  EXPECT_NEAR(expected[2], 2 * 0.128 * 2, 1e-12);
-  EXPECT_EQ(columns("compliance", c, {2000})[0], std::vector<double>(c.samples(), 0.0));
-}
-
-TEST(FilterLag, IsWhatAFirstOrderLagOfTheOutputDoes) {
-  constexpr double kLag_s = 1e-4;
-  constexpr double kStep_s = 1e-6;
-  constexpr double kPeriod_s = 0.1;
-  const auto tension_N = [](double time_s) {
-    return 40 + 10 * std::sin(2 * std::numbers::pi * time_s / kPeriod_s);
-  };
-  recording::Covariates c;
-  std::vector<double> expected;
-  double measured_N = tension_N(0);
-  for (int k = 1; k <= 200000; ++k) {
-    const double time_s = k * kStep_s;
-    measured_N += (tension_N(time_s) - measured_N) * kStep_s / kLag_s;
-    if (k % 10000 == 0) {
-      const double rate_N_s = 10 * 2 * std::numbers::pi / kPeriod_s *
-                              std::cos(2 * std::numbers::pi * time_s / kPeriod_s);
-      c.time_s.push_back(time_s);
-      c.log_tension_rate_1_s.push_back(rate_N_s / tension_N(time_s));
-      expected.push_back((std::log(measured_N) - std::log(tension_N(time_s))) / kLag_s);
-    }
-  }
-  expect_same(columns("filter_lag", c)[0], expected, 0.02);
 }
 
 }  // namespace

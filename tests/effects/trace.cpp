@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace host_sim::effects::testing {
 
@@ -34,6 +35,7 @@ recording::Covariates trace() {
     made.position_m.push_back(position_m);
     made.motor_angle_rad.push_back(720 * position_m);
     made.log_tension_rate_1_s.push_back(9 * std::cos(0.31 * i));
+    made.log_output_rate_1_s.push_back(7 * std::cos(0.23 * i));
     made.sheath_temperature_C.push_back(27 + 0.2 * i);
     made.winding_temperature_C.push_back(41 + 0.5 * i);
   }
@@ -44,6 +46,25 @@ recording::Covariates trace_with_load_cell() {
   recording::Covariates made = trace();
   made.input_tension_N = made.current_tension_N;
   return made;
+}
+
+recording::Covariates with_output(recording::Covariates covariates,
+                                  const std::function<double(std::size_t i)>& output_N) {
+  std::vector<double> outputs_N;
+  for (std::size_t i = 0; i < covariates.samples(); ++i) {
+    outputs_N.push_back(output_N(i));
+  }
+  covariates.output_tension_N = std::move(outputs_N);
+  return covariates;
+}
+
+std::vector<double> residuals(const recording::Covariates& covariates) {
+  std::vector<double> residuals;
+  for (std::size_t i = 0; i < covariates.samples(); ++i) {
+    residuals.push_back(std::log(covariates.output_tension_N[i] / covariates.tension_in_N()[i]) +
+                        kMu * covariates.bend_angle_rad[i] * covariates.direction[i]);
+  }
+  return residuals;
 }
 
 const TensionEffect& effect(std::string_view id) {

@@ -21,6 +21,13 @@ recording::Covariates trace();
 /// The same with a load cell that reads what the current stands for.
 recording::Covariates trace_with_load_cell();
 
+/// The same with the output tension that a model gives.
+recording::Covariates with_output(recording::Covariates covariates,
+                                  const std::function<double(std::size_t i)>& output_N);
+
+/// r = ln T_out - ln T_in + mu phi s of each sample, both tensions as measured.
+std::vector<double> residuals(const recording::Covariates& covariates);
+
 /// The effect of this id. @throws std::out_of_range
 const TensionEffect& effect(std::string_view id);
 

@@ -56,12 +56,19 @@ TEST(Profile, PrefersInputTensionThenCurrentUnlessTold) {
   const std::string text =
       "time_s,output_tension_N,tendon_velocity_m_s,bend_angle_deg,motor_current_A,input_tension_N\n"
       "0,1,2,3,4,5\n";
-  expect_row(rows_of(text).at(0), 0.0, 5.0);
-  expect_row(rows_of(text, {InputKind::kMotorCurrent}).at(0), 0.0, 4.0);
+  expect_row(rows_of(text).at(0), 0.0, 5.0, 2.0);
+  expect_row(rows_of(text, {InputKind::kMotorCurrent}).at(0), 0.0, 4.0, 2.0);
   expect_row(rows_of(text, {InputKind::kOutputTension}).at(0), 0.0, 1.0, 2.0, 3.0);
   expect_row(
       rows_of("time_s,output_tension_N,tendon_velocity_m_s,motor_current_A\n0,1,2,4\n").at(0), 0.0,
-      4.0);
+      4.0, 2.0);
+}
+
+TEST(Profile, TellsWhichColumnsItHolds) {
+  ProfileReader reader(memory_source("time_s,sheath_temperature_C,input_tension_N\n0,20,5\n"),
+                       "p.csv");
+  EXPECT_EQ(reader.channels(),
+            ProfileChannels{}.set(kTime).set(kSheathTemperature).set(kInputTensionColumn));
 }
 
 TEST(Profile, TakesATensionWithoutTheVelocityThatItsKindDoesNotNeed) {
@@ -73,6 +80,9 @@ TEST(Profile, KeepsOtherColumnsOutOfTheWay) {
       "motor_angle_rad,time_s,sheath_temperature_C,input_tension_N,winding_temperature_C\n"
       "9,0,20,1,60\n");
   expect_row(rows.at(0), 0.0, 1.0);
+  EXPECT_EQ(rows.at(0).motor_angle_rad, 9);
+  EXPECT_EQ(rows.at(0).sheath_temperature_C, 20);
+  EXPECT_EQ(rows.at(0).winding_temperature_C, 60);
 }
 
 TEST(Profile, AcceptsQuotesLineEndsCommentsAndByteOrderMark) {

@@ -2,11 +2,13 @@
 
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <random>
 
 #include "lifemodel/numeric/exp2.hpp"
 #include "lifemodel/numeric/log2.hpp"
 #include "lifemodel/numeric/quotient.hpp"
+#include "lifemodel/numeric/sine.hpp"
 
 namespace lifemodel::numeric {
 namespace {
@@ -86,6 +88,26 @@ TEST(Quotient, IsExactAtTheEdges) {
       expect_exact(n, d);
     }
   }
+}
+
+TEST(Sine, IsWithinTheStatedErrorAllTheWayRound) {
+  double worst = 0;
+  constexpr std::uint32_t kStep = 4099;  // a prime
+  for (std::uint64_t phase = 0; phase < std::uint64_t{1} << 32; phase += kStep) {
+    const auto narrow = static_cast<Phase>(phase);
+    const double angle_rad = 2 * std::numbers::pi * std::ldexp(static_cast<double>(phase), -32);
+    worst = std::max(worst, std::fabs(std::ldexp(sine(narrow), -30) - std::sin(angle_rad)));
+    worst = std::max(worst, std::fabs(std::ldexp(cosine(narrow), -30) - std::cos(angle_rad)));
+  }
+  EXPECT_LE(worst, kSineMaxError);
+  EXPECT_GE(worst, kSineMaxError / 4) << "the stated error is not the error";
+}
+
+TEST(Sine, IsExactAtQuarterTurns) {
+  EXPECT_EQ(sine(0), 0);
+  EXPECT_EQ(sine(2 * kQuarterTurn), 0);
+  EXPECT_NEAR(sine(kQuarterTurn), 1 << 30, 64);
+  EXPECT_NEAR(sine(3 * kQuarterTurn), -(1 << 30), 64);
 }
 
 }  // namespace

@@ -43,7 +43,8 @@ TEST_F(PlanProgram, TellsWhatACampaignOfRecordingsCouldShow) {
   ASSERT_EQ(run("plan --json foresight.json --for-diagnosis " + plan), 0) << err_;
   const json written = json::parse(host_sim_test::contents(folder_ / "foresight.json"));
   EXPECT_EQ(written["sessions"], 36);
-  EXPECT_EQ(written["equivalent_sets"], json::array());
+  // A stiff spring is taken up in so short a travel that its end looks like that of presliding.
+  EXPECT_EQ(written["equivalent_sets"], json::parse(R"([["compliance", "presliding"]])"));
   EXPECT_NE(out_.find("friction_wear"), std::string::npos) << out_;
   EXPECT_EQ(err_, "");
 }

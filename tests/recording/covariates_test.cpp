@@ -49,12 +49,20 @@ TEST(Covariates, AreThoseCalculatedByHand) {
   EXPECT_THAT(found.direction, ElementsAre(1, -1, -1, -1, -1, 1, 1, 1));
   EXPECT_THAT(found.cycle, ElementsAre(100, 100.5, 100.5, 100.5, 100.5, 101, 101, 101));
   EXPECT_THAT(found.velocity_m_s, ElementsAre(1, -1, -2, -2, -1, 1, 3, 1));
-  EXPECT_THAT(found.travel_m, ElementsAre(1, 0, 1.5, 3.5, 5, 0, 2, 4));
-  EXPECT_THAT(found.position_m, ElementsAre(1, 1, -0.5, -2.5, -4, -4, -2, 0));
+  EXPECT_THAT(found.travel_m, ElementsAre(1, 0.25, 1.75, 3.75, 5.25, 0.25, 2.25, 4.25));
+  // The integral is 0, 1, 1, -0.5, -2.5, -4, -4, -2, 0, the middle of its range -1.5.
+  EXPECT_THAT(found.position_m, ElementsAre(2.5, 2.5, 1, -1, -2.5, -2.5, -0.5, 1.5));
   EXPECT_THAT(found.input_tension_N, ElementsAre(2, 4, 8, 16, 32, 64, 128, 256));
   EXPECT_THAT(found.output_tension_N, ElementsAre(11, 12, 13, 14, 15, 16, 17, 18));
   EXPECT_THAT(found.bend_angle_rad, testing::Each(testing::DoubleEq(std::numbers::pi)));
   EXPECT_THAT(found.log_tension_rate_1_s, testing::Each(testing::DoubleEq(std::log(2.0))));
+  EXPECT_THAT(
+      found.log_output_rate_1_s,
+      testing::Pointwise(testing::DoubleEq(),
+                         std::vector<double>{std::log(1.3) / 3, std::log(1.4) / 4,
+                                             std::log(15.0 / 11) / 4, std::log(16.0 / 12) / 4,
+                                             std::log(17.0 / 13) / 4, std::log(18.0 / 14) / 4,
+                                             std::log(1.2) / 3, std::log(18.0 / 16) / 2}));
   EXPECT_THAT(found.current_A, IsEmpty());
   EXPECT_THAT(found.motor_angle_rad, IsEmpty());
   EXPECT_EQ(&found.tension_in_N(), &found.input_tension_N);
@@ -91,7 +99,7 @@ TEST(Covariates, TakePositionFromTheMotorAngle) {
   EXPECT_DOUBLE_EQ(found.position_m.back(), 8 * 0.02 / 10);
   Campaign::Nominal no_drive = nominal();
   no_drive.drive.reset();
-  EXPECT_DOUBLE_EQ(covariates_of(recording, {}, no_drive).position_m.back(), 0);
+  EXPECT_DOUBLE_EQ(covariates_of(recording, {}, no_drive).position_m.back(), 1.5);
 }
 
 TEST(Covariates, TakeTheBendAngleOfTheRecordingWhereThereIsOne) {
@@ -154,6 +162,7 @@ TEST(Covariates, LeaveOutTensionsThatAreNotPositive) {
   const Covariates found = covariates_of(recording, {}, nominal());
   EXPECT_EQ(found.samples(), whole - 2);
   EXPECT_TRUE(std::isfinite(found.log_tension_rate_1_s[1990]));
+  EXPECT_TRUE(std::isfinite(found.log_output_rate_1_s[1990]));
 }
 
 TEST(Covariates, TakeUpDirectionAndTravelAnewBehindAGap) {
@@ -207,6 +216,7 @@ RC_GTEST_PROP(Covariates, MoveWithTime, ()) {
   RC_ASSERT(later.position_m == found.position_m);
   RC_ASSERT(later.cycle == found.cycle);
   RC_ASSERT(later.log_tension_rate_1_s == found.log_tension_rate_1_s);
+  RC_ASSERT(later.log_output_rate_1_s == found.log_output_rate_1_s);
 }
 
 RC_GTEST_PROP(Covariates, ScaleWithTensionButTheirLogarithmicRate, ()) {
@@ -222,6 +232,7 @@ RC_GTEST_PROP(Covariates, ScaleWithTensionButTheirLogarithmicRate, ()) {
   RC_ASSERT(larger.input_tension_N.back() == factor * found.input_tension_N.back());
   RC_ASSERT(larger.output_tension_N.front() == factor * found.output_tension_N.front());
   RC_ASSERT(larger.log_tension_rate_1_s == found.log_tension_rate_1_s);
+  RC_ASSERT(larger.log_output_rate_1_s == found.log_output_rate_1_s);
   RC_ASSERT(larger.direction == found.direction);
 }
 
@@ -237,7 +248,8 @@ RC_GTEST_PROP(Covariates, AreFiniteAndOfOneLength, ()) {
   const Covariates found = covariates_of(recording, faults_of({recording}), nominal());
   for (const auto& values :
        {found.cycle, found.direction, found.velocity_m_s, found.output_tension_N, found.travel_m,
-        found.position_m, found.log_tension_rate_1_s, found.tension_in_N()}) {
+        found.position_m, found.log_tension_rate_1_s, found.log_output_rate_1_s,
+        found.tension_in_N()}) {
     RC_ASSERT(values.size() == found.samples());
     for (const double value : values) {
       RC_ASSERT(std::isfinite(value));

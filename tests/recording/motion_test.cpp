@@ -10,19 +10,12 @@
 
 #include "host_sim/recording/noise.hpp"
 #include "host_sim/statistics/random.hpp"
+#include "tests/recording/times.hpp"
 
 namespace host_sim::recording {
 namespace {
 
 using testing::ElementsAre;
-
-std::vector<double> times(std::size_t samples, double step_s = 1) {
-  std::vector<double> time_s(samples);
-  for (std::size_t i = 0; i < samples; ++i) {
-    time_s[i] = step_s * static_cast<double>(i);
-  }
-  return time_s;
-}
 
 Motion motion_in(const std::vector<double>& velocity_m_s, double dead_band_m_s,
                  const std::vector<Stretch>& stretches = {}) {
@@ -43,9 +36,10 @@ TEST(Motion, ThatBeginsByLettingGoIsNoReversal) {
   EXPECT_THAT(motion.reversals, ElementsAre(0, 0, 0, 1));
 }
 
-TEST(Motion, TravelsByTrapezoidsFromZeroAtEachReversal) {
+// From 2 to -2 the velocity is zero in the middle of a step: half a step at half of 2.
+TEST(Motion, TravelsByTrapezoidsFromWhereTheVelocityIsZero) {
   const Motion motion = motion_in({2, 4, 2, -2, -6, 0, 0, 2, 4}, 0);
-  EXPECT_THAT(motion.travel_m, ElementsAre(0, 3, 6, 0, 4, 7, 7, 0, 3));
+  EXPECT_THAT(motion.travel_m, ElementsAre(0, 3, 6, 0.5, 4.5, 7.5, 7.5, 1, 4));
 }
 
 TEST(Motion, IsKnownAfterAReversalOrFiveMillimetres) {
@@ -74,6 +68,12 @@ TEST(Motion, IsNotKnownWithinTheDeadBandAroundAReversal) {
               ElementsAre(false, false, false, false, true, true, true, false, false, true));
 }
 
+TEST(Motion, IsNotKnownWhereTheEndCutsATurnOff) {
+  EXPECT_THAT(motion_in({5, -5, -2, 0, -1, 1, -1}, 3).known,
+              ElementsAre(false, true, true, true, true, false, false));
+  EXPECT_THAT(motion_in({5, -5, -2, 0, 0}, 3).known, ElementsAre(false, true, true, true, true));
+}
+
 TEST(Motion, SlipsFromFiveMillimetresBehindAReversalToTheNext) {
   const double v = 0.002;
   const Motion motion = motion_in({v, v, v, v, v, -v, -v, -v, -v, -v, 0, v}, v / 2);
@@ -84,7 +84,7 @@ TEST(Motion, BeginsAnewBehindAGap) {
   const Motion motion = motion_in({1, 1, -1, 1, -1, -1, 1, -1}, 0, {{0, 4}, {4, 3}, {7, 1}});
   // The tendon turned in the gap before sample 4, and in the one before sample 7.
   EXPECT_THAT(motion.reversals, ElementsAre(0, 0, 1, 2, 3, 3, 4, 5));
-  EXPECT_THAT(motion.travel_m, ElementsAre(0, 1, 0, 0, 0, 1, 0, 0));
+  EXPECT_THAT(motion.travel_m, ElementsAre(0, 1, 0.25, 0.25, 0, 1, 0.25, 0));
   EXPECT_THAT(motion.known, ElementsAre(false, true, true, true, false, true, true, false));
 }
 

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/block/extended_block.hpp"
 
 namespace {
 
@@ -176,6 +176,32 @@ TEST_F(Program, PacksWhatTheFirmwareReads) {
   ASSERT_EQ(run("pack model.toml --out block.h --format c"), 0) << err_;
   EXPECT_NE(contents(folder_ / "block.h").find("tendonlife_parameter_block[84]"),
             std::string::npos);
+}
+
+TEST_F(Program, PacksAndReplaysWhatExtendsTheModel) {
+  write("extended.toml", contents(folder_ / "model.toml") +
+                             "\n[extension.current_offset]\ncurrent_offset_A = 0.05\n"
+                             "[extension.slack]\nslack_log_drop = 0.1\nslack_friction_share = 1\n"
+                             "slack_m = 0.001\n");
+  ASSERT_EQ(run("pack extended.toml --out block.bin"), 0) << err_;
+  EXPECT_NE(err_.find("current_offset: evaluated where motor current is sampled"),
+            std::string::npos);
+  EXPECT_NE(err_.find("slack: not in the block; not evaluated on line"), std::string::npos);
+  const std::string bytes = contents(folder_ / "block.bin");
+  const auto model =
+      lifemodel::decode_extended(std::as_bytes(std::span(bytes.data(), bytes.size())));
+  ASSERT_TRUE(model) << to_string(model.error());
+  EXPECT_EQ(model->extension.current_offset.offset, 838861);  // 0.05 * 2^24
+  EXPECT_EQ(model->extension.effects, 1u << 1);
+
+  ASSERT_EQ(run("pack extended.toml --without current_offset --out plain.bin"), 0) << err_;
+  EXPECT_EQ(contents(folder_ / "plain.bin").size(), lifemodel::kBlockBytes);
+
+  write("current.csv", "time_s,motor_current_A\n0,1\n0.005,3\n0.01,1\n");
+  ASSERT_EQ(run("replay current.csv --model extended.toml --json r.json"), 0) << err_;
+  const auto json = nlohmann::json::parse(contents(folder_ / "r.json"));
+  EXPECT_EQ(json["extensions"], nlohmann::json::array({"current_offset"}));
+  EXPECT_EQ(json["not_evaluated"][0]["id"], "slack");
 }
 
 }  // namespace

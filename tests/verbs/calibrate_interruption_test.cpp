@@ -1,13 +1,9 @@
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
-#include <chrono>
-#include <thread>
+#include <utility>
 #include <vector>
 
+#include "tests/replay/interrupted.hpp"
 #include "tests/verbs/campaign_program.hpp"
 
 namespace {
@@ -18,35 +14,8 @@ namespace fs = std::filesystem;
 
 class InterruptedCalibration : public CampaignProgram {
  protected:
-  /// Starts host_sim in the folder, asks it to stop when it is at work, and gives its status.
-  int interrupted(std::vector<const char*> arguments) {
-    arguments.insert(arguments.begin(), HOST_SIM);
-    arguments.push_back(nullptr);
-    const pid_t process = ::fork();
-    if (process == 0) {
-      const int error = ::open((folder_ / "err.txt").c_str(), O_WRONLY | O_CREAT, 0666);
-      if (::chdir(folder_.c_str()) == 0 && ::dup2(error, STDERR_FILENO) >= 0) {
-        ::execv(HOST_SIM, const_cast<char* const*>(arguments.data()));
-      }
-      ::_exit(99);
-    }
-    wait_for_partial();
-    ::kill(process, SIGINT);
-    int status = 0;
-    ::waitpid(process, &status, 0);
-    return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-  }
-
-  void wait_for_partial() const {
-    for (int i = 0; i < 1000; ++i) {
-      for (const std::string& name : files()) {
-        if (name.find(".partial-") != std::string::npos) {
-          return;
-        }
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    FAIL() << "host_sim did not start to work";
+  [[nodiscard]] int interrupted(std::vector<const char*> arguments) const {
+    return host_sim_test::status_of_interrupted(folder_, std::move(arguments));
   }
 };
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "host_sim/calibrate/output/model_text.hpp"
+#include "host_sim/campaign/nominal_model.hpp"
 #include "host_sim/io/input_error.hpp"
 #include "tests/verbs/hand_made_result.hpp"
 
@@ -8,8 +9,8 @@ namespace {
 
 using host_sim::InputError;
 using host_sim::Model;
+using host_sim::require_nominal_model;
 using host_sim::calibrate::model_text;
-using host_sim::calibrate::require_nominal_model;
 using host_sim_test::campaign_with_model;
 using host_sim_test::hand_made_result;
 

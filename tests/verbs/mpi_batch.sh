@@ -6,27 +6,16 @@
 set -euo pipefail
 
 host_sim="$1"
+source "$(dirname "$0")/../support/ranks.sh"
 scratch="$(mktemp -d)"
 trap 'rm -rf "$scratch"' EXIT
 "$2" "$scratch/all" 24
-
-ranks() {
-  local count="$1"
-  shift
-  timeout 120 mpirun --allow-run-as-root --oversubscribe --mca btl_vader_single_copy_mechanism none \
-    -n "$count" "$host_sim" calibrate "$@"
-}
-
-fail() {
-  echo "$1" >&2
-  exit 1
-}
 
 "$host_sim" calibrate "$scratch/all" --batch --bootstraps 20 --threads 1 \
   --table "$scratch/alone.csv" --json "$scratch/alone.json"
 [ "$(wc -l < "$scratch/alone.csv")" -eq 25 ] || fail "not one row for each campaign"
 for count in 1 2 3; do
-  ranks "$count" "$scratch/all" --batch --bootstraps 20 \
+  ranks "$count" calibrate "$scratch/all" --batch --bootstraps 20 \
     --table "$scratch/$count.csv" --json "$scratch/$count.json"
   cmp "$scratch/alone.csv" "$scratch/$count.csv"
   cmp "$scratch/alone.json" "$scratch/$count.json"
@@ -34,30 +23,17 @@ done
 
 echo "specimen" > "$scratch/all/campaign_0007/specimens.csv"
 status=0
-ranks 3 "$scratch/all" --batch --bootstraps 20 --table "$scratch/refused.csv" \
+ranks 3 calibrate "$scratch/all" --batch --bootstraps 20 --table "$scratch/refused.csv" \
   2> "$scratch/refused.err" || status=$?
 [ "$status" -eq 1 ] || fail "status $status for a refused campaign"
 grep -q 'campaign_0007/specimens.csv:1' "$scratch/refused.err" || fail "it is not named"
 [ "$(wc -l < "$scratch/refused.csv")" -eq 25 ] || fail "the others have no rows"
 
 status=0
-ranks 2 "$scratch/nowhere" --batch --table "$scratch/none.csv" 2> "$scratch/none.err" || status=$?
+ranks 2 calibrate "$scratch/nowhere" --batch --table "$scratch/none.csv" \
+  2> "$scratch/none.err" || status=$?
 [ "$status" -eq 1 ] || fail "status $status without a folder"
 [ ! -e "$scratch/none.csv" ] || fail "a table of nothing"
 
 # One rank is killed at work: the other is ended, and nothing is left behind.
-status=0
-ranks 2 "$scratch/all" --batch --bootstraps 1000000 --table "$scratch/killed.csv" \
-  2> "$scratch/killed.err" &
-mpirun_job=$!
-for _ in $(seq 100); do
-  children="$(pgrep -f "^$host_sim calibrate $scratch/all --batch --bootstraps 1000000" || true)"
-  [ "$(wc -w <<< "$children")" -eq 2 ] && [ -n "$(find "$scratch" -name 'killed.csv.partial*')" ] && break
-  sleep 0.1
-done
-[ "$(wc -w <<< "$children")" -eq 2 ] || fail "no two ranks came up"
-sleep 0.5
-kill -KILL "$(tail -n 1 <<< "$children")"
-wait "$mpirun_job" || status=$?
-[ "$status" -ne 0 ] && [ "$status" -ne 124 ] || fail "status $status after a rank was killed"
-[ ! -e "$scratch/killed.csv" ] || fail "a table of half the work"
+end_at_work one_rank "$scratch/killed.csv" calibrate "$scratch/all" --batch --bootstraps 1000000

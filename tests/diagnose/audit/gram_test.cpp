@@ -59,9 +59,9 @@ TEST(GramLayout, LabelsEachColumnOnceByEffectShapeAndColumn) {
     EXPECT_TRUE(labels.insert(layout.label(i)).second) << layout.label(i);
   }
   const GramLayout::Effect& position = layout.of("friction_position");
-  ASSERT_EQ(position.blocks.size(), 5U);
-  EXPECT_EQ(position.blocks[1].count, 6U);
-  EXPECT_THAT(position.blocks[1].shape, ElementsAre(0.04));
+  ASSERT_EQ(position.blocks.size(), 6U);
+  EXPECT_EQ(position.blocks[1].count, 16U);
+  EXPECT_THAT(position.blocks[1].shape, ElementsAre(0.02));
   EXPECT_EQ(layout.label(position.blocks[1].first + 2), "friction_position[1].2");
   EXPECT_THROW(static_cast<void>(layout.of("no_such_effect")), std::out_of_range);
 }
@@ -108,7 +108,7 @@ TEST(Columns, AreInterceptFrictionAndResidualByHand) {
 TEST(Gram, IsAllInnerProductsOfASession) {
   std::vector<Session> sessions = few_sessions();
   sessions[1].covariates.output_tension_N[9] *= 1.1;
-  const Grams grams = gram_of(sessions, {.baseline = testing::baseline()});
+  const Grams grams = gram_of(sessions, {.probes = {}, .baseline = testing::baseline()});
   ASSERT_EQ(grams.sessions.size(), 2U);
   EXPECT_EQ(grams.sessions[1].session, "s1");
   EXPECT_EQ(grams.sessions[0].samples, 50U);
@@ -119,7 +119,7 @@ TEST(Gram, IsAllInnerProductsOfASession) {
   }
 }
 
-TEST(Gram, WhitensAndWeighsBeforeItSums) {
+TEST(Gram, WeighsAndThenWhitensBeforeItSums) {
   const std::vector<Session> sessions = few_sessions();
   std::vector<std::vector<double>> weights;
   for (const Session& session : sessions) {
@@ -127,21 +127,25 @@ TEST(Gram, WhitensAndWeighsBeforeItSums) {
   }
   weights[0][3] = 0.25;
   const Grams grams = gram_of(
-      sessions, {.baseline = testing::baseline(), .autocorrelation = 0.6, .weights = weights});
-  const Eigen::MatrixXd plain = columns_of(sessions[0], grams.layout, grams.baseline);
+      sessions,
+      {.probes = {}, .baseline = testing::baseline(), .autocorrelation = 0.6, .weights = weights});
+  Eigen::MatrixXd plain = columns_of(sessions[0], grams.layout, grams.baseline);
+  plain.row(3) *= 0.5;
   Eigen::MatrixXd expected = plain;
   expected.row(0) = 0.8 * plain.row(0);
   for (Eigen::Index t = 1; t < plain.rows(); ++t) {
     expected.row(t) = plain.row(t) - 0.6 * plain.row(t - 1);
   }
-  expected.row(3) *= 0.5;
   expect_products(grams.sessions[0].gram, expected);
+  EXPECT_DOUBLE_EQ(grams.sessions[0].log_weights, std::log(0.25));
 }
 
 TEST(Gram, IsTheSameForAnyNumberOfThreads) {
   const std::vector<Session> sessions = testing::sessions_of(testing::one_pose());
-  const Grams one = gram_of(sessions, {.baseline = testing::baseline(), .threads = 1});
-  const Grams three = gram_of(sessions, {.baseline = testing::baseline(), .threads = 3});
+  const Grams one =
+      gram_of(sessions, {.probes = {}, .baseline = testing::baseline(), .threads = 1});
+  const Grams three =
+      gram_of(sessions, {.probes = {}, .baseline = testing::baseline(), .threads = 3});
   for (std::size_t s = 0; s < sessions.size(); ++s) {
     EXPECT_TRUE(one.sessions[s].gram == three.sessions[s].gram) << s;
   }
@@ -151,9 +155,9 @@ TEST(Gram, RefusesWeightsOfAnotherLength) {
   const std::vector<Session> sessions = few_sessions();
   const std::vector<std::vector<double>> one(1);
   const std::vector<std::vector<double>> two(2, std::vector<double>(3, 1.0));
-  EXPECT_THROW(gram_of(sessions, {.baseline = testing::baseline(), .weights = one}),
+  EXPECT_THROW(gram_of(sessions, {.probes = {}, .baseline = testing::baseline(), .weights = one}),
                std::logic_error);
-  EXPECT_THROW(gram_of(sessions, {.baseline = testing::baseline(), .weights = two}),
+  EXPECT_THROW(gram_of(sessions, {.probes = {}, .baseline = testing::baseline(), .weights = two}),
                std::logic_error);
 }
 

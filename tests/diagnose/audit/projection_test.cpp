@@ -67,7 +67,7 @@ void expect_near(const Eigen::MatrixXd& found, const Eigen::MatrixXd& expected,
 
 TEST(Projection, IsGeneralisedLeastSquaresWithTheWholeCovariance) {
   const std::vector<Session> sessions = few_sessions();
-  const Grams grams = gram_of(sessions, {.baseline = testing::baseline()});
+  const Grams grams = gram_of(sessions, {.probes = {}, .baseline = testing::baseline()});
   const Projection projection = project(grams, kNoise);
 
   const Eigen::MatrixXd columns = stacked(sessions, grams);
@@ -84,7 +84,7 @@ TEST(Projection, IsGeneralisedLeastSquaresWithTheWholeCovariance) {
 
 TEST(Projection, WithFreeSessionsIsWhatASessionsOwnFitLeaves) {
   const std::vector<Session> sessions = few_sessions();
-  const Grams grams = gram_of(sessions, {.baseline = testing::baseline()});
+  const Grams grams = gram_of(sessions, {.probes = {}, .baseline = testing::baseline()});
   NoiseModel noise = kNoise;
   noise.free_sessions = true;
   const Projection projection = project(grams, noise);
@@ -100,14 +100,14 @@ TEST(Projection, WithFreeSessionsIsWhatASessionsOwnFitLeaves) {
 }
 
 TEST(Projection, LeavesTheResidualOfAPerfectSimulationEmpty) {
-  const Grams grams = gram_of(few_sessions(), {.baseline = testing::baseline()});
+  const Grams grams = gram_of(few_sessions(), {.probes = {}, .baseline = testing::baseline()});
   const auto residual = static_cast<Eigen::Index>(grams.layout.residual());
   EXPECT_NEAR(project(grams, kNoise).left(residual, residual), 0, 1e-20);
 }
 
 TEST(Projection, WithoutScatterSessionsAreOne) {
   const std::vector<Session> sessions = few_sessions();
-  const Grams grams = gram_of(sessions, {.baseline = testing::baseline()});
+  const Grams grams = gram_of(sessions, {.probes = {}, .baseline = testing::baseline()});
   const NoiseModel noise{.sample_sd = 0.02, .session_gain_sd = 0, .session_friction_sd = 0};
   const Eigen::MatrixXd columns = stacked(sessions, grams);
   const Eigen::MatrixXd common = columns.leftCols<2>();
@@ -118,7 +118,7 @@ TEST(Projection, WithoutScatterSessionsAreOne) {
 
 TEST(Projection, AStrokeInOneDirectionIsNoSecondParameter) {
   std::vector<Session> sessions = testing::sessions_of({{.frequency_Hz = 0.1, .duration_s = 2}});
-  const Grams grams = gram_of(sessions, {.baseline = testing::baseline()});
+  const Grams grams = gram_of(sessions, {.probes = {}, .baseline = testing::baseline()});
   for (const bool free_sessions : {false, true}) {
     NoiseModel noise = kNoise;
     noise.free_sessions = free_sessions;

@@ -46,6 +46,7 @@ Session session_of(const std::string& name, const Run& run) {
     c.position_m.push_back(position_m);
     c.motor_angle_rad.push_back(720 * position_m);
     c.log_tension_rate_1_s.push_back(rate_N_s / input_N);
+    c.log_output_rate_1_s.push_back(rate_N_s / input_N);
     c.sheath_temperature_C.push_back(run.sheath_C + run.warming_C * time_s / run.duration_s);
     c.winding_temperature_C.push_back(run.winding_C + 2 * time_s / run.duration_s);
   }

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/block/extended_block.hpp"
 #include "lifemodel/estimator.hpp"
 #include "tests/lifemodel/support.hpp"
 
@@ -42,6 +42,13 @@ int main(int argc, char** argv) {
   const fs::path corpus = argv[1];
   const Parameters model = lifemodel_test::parameters_of(lifemodel_test::paper_constants());
   write(corpus / "fuzz_parameter_block" / "paper", encode(model));
+  ExtendedParameters extended{model, {}};
+  extended.extension.current_offset.offset = 838861;
+  extended.extension.add(extension::Effect::current_offset);
+  extended.extension.friction_load = {53687091, 1823548758, {1342177280, 31}};
+  extended.extension.add(extension::Effect::friction_load);
+  std::vector<std::byte> block(kMostExtendedBytes);
+  write(corpus / "fuzz_extended_block" / "paper", encode(extended, block));
 
   Estimator<1> estimator({model});
   std::vector<std::byte> buffer(Estimator<1>::kSnapshotBytes);

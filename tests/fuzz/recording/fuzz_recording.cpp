@@ -49,7 +49,8 @@ void require_covariates(const recording::Covariates& covariates) {
   const std::size_t samples = covariates.samples();
   for (const auto& values :
        {covariates.cycle, covariates.direction, covariates.travel_m, covariates.position_m,
-        covariates.log_tension_rate_1_s, covariates.output_tension_N, covariates.tension_in_N()}) {
+        covariates.log_tension_rate_1_s, covariates.log_output_rate_1_s,
+        covariates.output_tension_N, covariates.tension_in_N()}) {
     require(values.size() == samples);
     for (const double value : values) {
       require(std::isfinite(value));

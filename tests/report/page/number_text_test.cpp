@@ -73,5 +73,11 @@ TEST(NumberText, DurationsUseTheLargestFittingUnit) {
   EXPECT_EQ(duration_text(63'115'200), "2\u00a0years");
 }
 
+TEST(NumberText, PValuesSayWhatANumberCannot) {
+  EXPECT_EQ(p_text(0.0004), "below 0.001");
+  EXPECT_EQ(p_text(0.0409), "0.041");
+  EXPECT_EQ(p_text(std::numeric_limits<double>::quiet_NaN()), "not computed");
+}
+
 }  // namespace
 }  // namespace host_sim

@@ -7,7 +7,10 @@
 
 #include "firmware/boards/qemu_mps2/text.hpp"
 #include "lifemodel/estimator.hpp"
+#include "lifemodel/extension/corrector.hpp"
+#include "lifemodel/extension/life.hpp"
 #include "lifemodel/support/crc32.hpp"
+#include "tests/target/model/extension.hpp"
 #include "tests/target/model/parameters.hpp"
 #include "tests/target/signals.hpp"
 
@@ -30,6 +33,7 @@ class Trail {
     }
     recording();
     conversions();
+    extended();
   }
 
  private:
@@ -93,6 +97,49 @@ class Trail {
     }
   }
 
+  /// Every effect of an extension: tendon 0 by its motor current, tendon 1 by its output tension.
+  void extended() {
+    using lifemodel::extension::Conditions;
+    const lifemodel::ExtendedParameters model = extended_again();
+    using Life = lifemodel::extension::ExtendedLife<lifemodel::DefaultLayout>;
+    const auto life = lifemodel::extension::life_parameters(model.nominal, model.extension);
+    lifemodel::Estimator<2, Life> estimator({life, life});
+    lifemodel::extension::Corrector drive(model.nominal, model.extension);
+    lifemodel::extension::Corrector sheath(model.nominal, model.extension);
+    sheath.start_at(700);
+    Random random(7);
+    for (std::uint32_t i = 0; i < 8000; ++i) {
+      const std::int32_t swing = lifemodel::numeric::sine(i * 40'000'003u);
+      Conditions at;
+      at.velocity = lifemodel::extension::Velocity::from_raw(swing >> 9);
+      at.rotor.raw = std::int64_t{lifemodel::numeric::cosine(i * 40'000'003u)} * 13;
+      at.sheath = lifemodel::extension::Temperature::from_raw((20 << 16) + random.below(1 << 21));
+      at.winding = lifemodel::extension::Temperature::from_raw((20 << 16) + random.below(1 << 22));
+      const auto current = lifemodel::MotorCurrent::from_raw(random.below(4 << 24));
+      const auto output = Tension::from_raw(random.below(60 * kNewton));
+      const auto bend = lifemodel::Angle::from_raw(random.below(5 << 26));
+      estimator.push(0, drive.input_tension(lifemodel::extension::DriveSample{current, at},
+                                            estimator.input_flags(0)));
+      estimator.push(1, sheath.input_tension(lifemodel::extension::SheathSample{output, bend, at},
+                                             estimator.input_flags(1)));
+      if (i % 97 == 0) {
+        sheath.gap();
+      }
+      while (estimator.settle()) {
+      }
+      if (i % 500 == 499) {
+        line("extended", estimator);
+      }
+    }
+  }
+
+  /// The extended model as a controller reads it from its block.
+  static lifemodel::ExtendedParameters extended_again() {
+    std::array<std::byte, lifemodel::kMostExtendedBytes> block{};
+    const auto decoded = lifemodel::decode_extended(encode(extended_paper_model(), block));
+    return decoded ? *decoded : lifemodel::ExtendedParameters{};
+  }
+
   static void append(Line& line, const lifemodel::Damage& damage) {
     for (std::size_t i = damage.words().size(); i-- > 0;) {
       line.hex(damage.words()[i]);
@@ -105,13 +152,14 @@ class Trail {
     line << " ";
   }
 
-  void line(const char* name, Estimator& estimator) {
+  template <class EstimatorT>
+  void line(const char* name, EstimatorT& estimator) {
     // Without the CRC at its end, with which every snapshot has the same CRC.
     const auto stored = estimator.snapshot(snapshot_);
     const std::uint32_t digest = lifemodel::crc32(stored.first(stored.size() - 4));
     for (std::size_t tendon = 0; tendon < Estimator::tendons(); ++tendon) {
       // Read from a copy, so that the work left for settle() stays as it was.
-      Estimator copy = estimator;
+      EstimatorT copy = estimator;
       const lifemodel::Reading reading = copy.reading(tendon);
       Line text;
       text << name << " " << static_cast<std::uint32_t>(tendon) << " ";

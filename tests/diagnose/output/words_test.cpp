@@ -1,0 +1,68 @@
+#include "host_sim/diagnose/output/words.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/diagnose/output/hand_made_diagnosis.hpp"
+
+namespace host_sim::diagnose {
+namespace {
+
+TEST(MetricWords, KnowWhatIsBetter) {
+  EXPECT_TRUE(improved({"rmse_N", 1.5, 0.5}));
+  EXPECT_FALSE(improved({"rmse_N", 0.5, 1.5}));
+  EXPECT_TRUE(improved({"log_predictive_density", -1, 1}));
+  EXPECT_FALSE(improved({"log_predictive_density", 1, -1}));
+  EXPECT_TRUE(improved({"damage_error_percent", -14, 3}));
+  // One specimen in ten is to break before B10: 0.02 is as far off as 0.18.
+  EXPECT_TRUE(improved({"b10_coverage", 0.3, 0.02}));
+  EXPECT_FALSE(improved({"b10_coverage", 0.12, 0.02}));
+}
+
+TEST(MetricWords, AnUnknownNameStandsForItself) {
+  EXPECT_EQ(words_of("new_thing").name, "new_thing");
+  EXPECT_EQ(words_of("rmse_N").unit, "N");
+}
+
+TEST(CostWords, TellTheLifeThatIsPromisedTooMuch) {
+  TensionDiagnosis tension = host_sim_test::wear_in_recordings();
+  EXPECT_NE(
+      cost_words(tension).find("0.8 times what the extended one does: it promises 1.25 times"),
+      std::string::npos);
+  tension.damage_ratio = 1;
+  EXPECT_EQ(cost_words(tension), "The extension does not change the damage of the recordings.");
+  tension.findings.extensions.clear();
+  EXPECT_EQ(cost_words(tension).rfind("Nothing was extended", 0), 0U);
+  LifeDiagnosis lives = host_sim_test::lots_in_lives();
+  EXPECT_NE(cost_words(lives).find("promises 1.25 times the B10"), std::string::npos);
+  lives.findings.extensions.clear();
+  EXPECT_EQ(cost_words(lives).rfind("Nothing was extended", 0), 0U);
+}
+
+TEST(CandidateWords, TellTwoAtOnce) {
+  EXPECT_EQ(candidate_words("slack"), "slack");
+  EXPECT_EQ(candidate_words("compliance+slack"), "compliance and slack");
+}
+
+TEST(TermOf, IsTheWordOfTheField) {
+  EXPECT_EQ(term_of("friction_wear"), "wear or run-in of the sheath");
+  EXPECT_EQ(term_of("second_mode"), "competing failure mode");
+  EXPECT_EQ(term_of("friction_wear+second_mode"),
+            "wear or run-in of the sheath and competing failure mode");
+  EXPECT_EQ(term_of("none"), "nothing is wrong");
+  EXPECT_EQ(term_of("never_heard_of"), "never_heard_of");
+}
+
+TEST(ExperimentsFor, AreThoseOfTheCatalogueFromEitherSide) {
+  // EFFECTS.md: wear and temperature are told apart by cold restarts at several n.
+  const std::string experiment = "start from cold at several cycle numbers";
+  EXPECT_EQ(experiments_for({"friction_wear", "friction_temperature"}), experiment);
+  EXPECT_EQ(experiments_for({"gear_asymmetry", "friction_wear"}), "");
+  const std::string three =
+      experiments_for({"friction_wear", "friction_temperature", "torque_gain"});
+  EXPECT_EQ(three.find(experiment), 0U);
+  EXPECT_NE(three.find("; start with a cold winding at several cycle numbers"), std::string::npos);
+  EXPECT_EQ(experiments_for({"x", "y"}), "");
+}
+
+}  // namespace
+}  // namespace host_sim::diagnose

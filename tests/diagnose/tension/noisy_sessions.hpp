@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "host_sim/diagnose/tension/shape_search.hpp"
+#include "host_sim/statistics/random.hpp"
+#include "tests/diagnose/audit/sessions.hpp"
+
+namespace host_sim::diagnose::testing {
+
+/// Standard normal, of two uniform numbers (Box and Muller).
+double normal(statistics::Random& random);
+
+/// What sessions hold beside the baseline.
+struct Mess {
+  double sample_sd = 0.01;  ///< of ln T_out
+  double ar1 = 0;           ///< correlation from sample to sample; the sd stays
+  double session_gain_sd = 0.01;
+  double session_friction_sd = 0.006;
+  /// Added to ln T_out of sample i.
+  std::function<double(const recording::Covariates& covariates, std::size_t i)> effect = nullptr;
+};
+
+/// Sessions of these runs with noise and scatter of this seed. Effects that read T_out see what
+/// was there before.
+std::vector<Session> noisy_sessions(const std::vector<Run>& runs, const Mess& mess,
+                                    std::uint64_t seed);
+
+/// Twelve runs of 4 s: two poses, three loads, two speeds.
+std::vector<Run> small_design();
+
+/// What hypotheses are compared on where the noise is white.
+Evidence evidence_of(const std::vector<Session>& sessions, double sample_sd);
+
+/// An effect of the catalogue in this shape. @throws std::out_of_range
+Component component(std::string_view id, std::vector<double> shape = {});
+
+}  // namespace host_sim::diagnose::testing

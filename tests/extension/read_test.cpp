@@ -1,0 +1,144 @@
+#include "host_sim/extension/read.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "host_sim/effects/life_effect.hpp"
+#include "host_sim/extension/keys.hpp"
+#include "host_sim/extension/value.hpp"
+#include "tests/extension/models.hpp"
+#include "tests/io/support.hpp"
+
+namespace host_sim {
+namespace {
+
+using extension_test::model_with;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+std::string complaint(std::string_view tables) {
+  return test::complaint_of([&] { model_with(tables); });
+}
+
+TEST(ExtensionRead, WithoutTablesTheModelHasNone) {
+  EXPECT_TRUE(model_with("").extensions.empty());
+}
+
+TEST(ExtensionRead, TakesValuesInTheOrderOfTheCatalogue) {
+  const Model model = model_with(
+      "[extension.friction_velocity]\n"
+      "stribeck_velocity_m_s = 0.02\nviscous_friction_s_m = 1\nstribeck_friction = -0.03\n"
+      "[extension.current_offset]\ncurrent_offset_A = 0.05\n");
+  ASSERT_EQ(model.extensions.size(), 2u);
+  EXPECT_EQ(model.extensions[0].id, "current_offset");
+  EXPECT_EQ(value_of(model.extensions[0], "current_offset_A"), 0.05);
+  const Extension& velocity = model.extensions[1];
+  ASSERT_EQ(velocity.values.size(), 3u);
+  EXPECT_EQ(velocity.values[0].name, "stribeck_friction");
+  EXPECT_THAT(velocity.values[0].values, ElementsAre(-0.03));
+  EXPECT_EQ(velocity.values[2].name, "stribeck_velocity_m_s");
+}
+
+TEST(ExtensionRead, FillsInTheReferenceTemperature) {
+  const Model model =
+      model_with("[extension.friction_temperature]\ntemperature_coefficient_1_K = 0.005\n");
+  EXPECT_EQ(value_of(model.extensions[0], "sheath_reference_C"), 20);
+}
+
+TEST(ExtensionRead, LeavesOutWhatNobodyKnows) {
+  const Model model =
+      model_with("[extension.bending_fatigue]\nbending_share = 1\nbending_N = 400\n");
+  EXPECT_FALSE(value_if(model.extensions[0], "wire_to_bend_ratio"));
+}
+
+TEST(ExtensionRead, BendAnglesOfSeveralPoses) {
+  const Model model = model_with(
+      "[extension.bend_angle]\nbend_angle_error_rad = [0.1, -0.2]\nbend_angles_deg = [90, 270]\n");
+  EXPECT_THAT(values_of(model.extensions[0], "bend_angle_error_rad"), ElementsAre(0.1, -0.2));
+  EXPECT_THAT(values_of(model.extensions[0], "bend_angles_deg"), ElementsAre(90, 270));
+}
+
+TEST(ExtensionRead, SaysWhatIsWrongAndWhere) {
+  EXPECT_THAT(complaint("[extension.friction_war]\n"), HasSubstr("unknown table 'friction_war'"));
+  EXPECT_THAT(complaint("[extension.friction_load]\n"), HasSubstr("no key load_exponent"));
+  EXPECT_EQ(complaint("[extension.friction_load]\nload_exponent = 2\n"),
+            "m.toml:23:1: load_exponent is 2; accepted: load_exponent -1..1");
+  EXPECT_THAT(complaint("[extension.current_offset]\ncurrent_offset_mA = 5\n"),
+              HasSubstr("unknown unit 'mA' of key 'current_offset_mA'"));
+  EXPECT_THAT(complaint("[extension.filter_lag]\nlag_s = \"5 ms\"\n"), HasSubstr("lag_s is"));
+  EXPECT_THAT(complaint("[[extension]]\n"), HasSubstr("a table [extension]"));
+  EXPECT_THAT(complaint("[extension.friction_load]\nload_exponent = nan\n"),
+              HasSubstr("m.toml:23:1"));
+  EXPECT_THAT(complaint("[extension.friction_load]\nload_exponent = 0.2\nother = 1\n"),
+              HasSubstr("unknown key 'other' in [extension.friction_load]"));
+}
+
+TEST(ExtensionRead, SaysWhatIsWrongWithPoses) {
+  const std::string head = "[extension.bend_angle]\n";
+  EXPECT_THAT(complaint(head + "bend_angle_error_rad = [0.1]\nbend_angles_deg = [90, 180]\n"),
+              HasSubstr("as many as bend_angles_deg: 2"));
+  EXPECT_THAT(complaint(head + "bend_angle_error_rad = [0.1, 0.1]\nbend_angles_deg = [90, 90]\n"),
+              HasSubstr("do not rise"));
+  EXPECT_THAT(complaint(head + "bend_angle_error_rad = [0.1, 0.9]\nbend_angles_deg = [90, 95]\n"),
+              HasSubstr("m.toml:23:30: bend_angle_error_rad holds 0.9"));
+  EXPECT_THAT(complaint(head + "bend_angle_error_rad = [0.1]\n"),
+              HasSubstr("bend_angle_error_rad is an array"));
+  EXPECT_THAT(complaint(head + "bend_angle_error_rad = []\nbend_angles_deg = []\n"),
+              HasSubstr("1..8 numbers"));
+}
+
+TEST(ExtensionRead, AWearWithoutALawIsRefused) {
+  EXPECT_THAT(complaint("[extension.friction_wear]\nwear_coefficient = 0.3\nwear_exponent = 0\n"
+                        "run_in_cycles = 0\n"),
+              HasSubstr("run_in_cycles 1 or more"));
+  EXPECT_EQ(complaint("[extension.friction_wear]\nwear_coefficient = 0.3\nwear_exponent = 0.5\n"
+                      "run_in_cycles = 0\n"),
+            "");
+}
+
+TEST(ExtensionRead, WhoEvaluatesNoExtensionsRefusesThem) {
+  const std::string text =
+      std::string(extension_test::kNominal) + "[extension.friction_load]\nload_exponent = 0.2\n";
+  EXPECT_THAT(test::complaint_of([&] { parse_model(text, "m.toml"); }),
+              HasSubstr("unknown table 'extension'"));
+}
+
+TEST(ExtensionRead, EveryEffectOfTheCatalogueHasItsKeys) {
+  EXPECT_EQ(extension_keys().size(),
+            effects::tension_effects().size() + effects::life_effects().size());
+  for (const auto& effect : effects::tension_effects()) {
+    ASSERT_NE(extension_keys(effect->id()), nullptr) << effect->id();
+    // A share that only scales another parameter is no key of its own.
+    const bool shared =
+        std::ranges::any_of(effect->parameters(), &effects::Parameter::scaled_by_share);
+    EXPECT_GE(extension_keys(effect->id())->keys.size(),
+              effect->parameters().size() - (shared ? 1 : 0));
+  }
+  EXPECT_EQ(extension_keys("undersampling"), nullptr);
+}
+
+TEST(ExtensionRead, TheUnitOfAKeyIsItsSuffix) {
+  for (const ExtensionKeys& keys : extension_keys()) {
+    for (const ExtensionKey& key : keys.keys) {
+      if (!key.number.unit.empty()) {
+        const std::size_t unit_at = key.number.name.size() - key.number.unit.size();
+        EXPECT_EQ(key.number.name.substr(unit_at), key.number.unit);
+        EXPECT_EQ(key.number.name[unit_at - 1], '_') << key.number.name;
+      }
+    }
+  }
+}
+
+TEST(ExtensionRead, TheDigestTellsExtendedModelsApart) {
+  const Model nominal = model_with("");
+  EXPECT_EQ(model_digest(nominal), model_digest(parse_model(extension_test::kNominal, "m.toml")));
+  const Model one = model_with("[extension.filter_lag]\nlag_s = 0.005\n");
+  const Model other = model_with("[extension.filter_lag]\nlag_s = 0.006\n");
+  EXPECT_NE(model_digest(one), model_digest(nominal));
+  EXPECT_NE(model_digest(one), model_digest(other));
+}
+
+}  // namespace
+}  // namespace host_sim

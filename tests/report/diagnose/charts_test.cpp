@@ -1,0 +1,165 @@
+#include "host_sim/report/diagnose/charts.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "tests/report/diagnose/sample_diagnosis.hpp"
+
+namespace host_sim::diagnose_page {
+namespace {
+
+using testing::ElementsAre;
+
+/// The layer of this name and kind; fails the test and gives an empty one where there is none.
+Layer layer_of(const Chart& chart, const std::string& name) {
+  for (const Layer& layer : chart.layers) {
+    if (layer.name == name) {
+      return layer;
+    }
+  }
+  ADD_FAILURE() << "no layer '" << name << "' in " << chart.id;
+  return {};
+}
+
+bool has_layer(const Chart& chart, const std::string& name) {
+  for (const Layer& layer : chart.layers) {
+    if (layer.name == name) {
+      return true;
+    }
+  }
+  return false;
+}
+
+TEST(TraceError, IsTheRootOfTheMeanSquare) {
+  EXPECT_DOUBLE_EQ(rmse_N({1, 2, 3, 4}, {4, 2, 3, 0}), 2.5);  // sqrt((9 + 16) / 4)
+  EXPECT_TRUE(std::isnan(rmse_N({}, {})));
+  EXPECT_TRUE(std::isnan(rmse_N({1, 2}, {1})));
+}
+
+TEST(WorstTraces, ComeFirstAndThoseWithoutALineLast) {
+  diagnose::TensionDiagnosis tension;
+  tension.traces = {{"a", {}, {}, {1, 1}, {2, 2}, {}},
+                    {"b", {}, {}, {1, 1}, {}, {}},
+                    {"c", {}, {}, {1, 1}, {5, 5}, {}},
+                    {"d", {}, {}, {1, 1}, {2, 2}, {}}};
+  EXPECT_THAT(worst_traces(tension, 4), ElementsAre(2, 0, 3, 1));
+  EXPECT_THAT(worst_traces(tension, 1), ElementsAre(2));
+}
+
+TEST(TraceChart, ShowsMeasuredAndBothModels) {
+  const diagnose::Diagnosis diagnosis = samples::wear_named();
+  const diagnose::TracePicture& trace = diagnosis.tension->traces[5];
+  const Chart chart = trace_chart(*diagnosis.tension, 5);
+  EXPECT_EQ(layer_of(chart, "Measured").y, trace.measured_N);
+  EXPECT_EQ(layer_of(chart, "Nominal model").y, trace.before_N);
+  EXPECT_EQ(layer_of(chart, "Extended model").y, trace.after_N);
+  EXPECT_EQ(layer_of(chart, "Measured").x, trace.time_s);
+  EXPECT_EQ(layer_of(loop_chart(*diagnosis.tension, 5), "Measured").x, trace.input_N);
+  EXPECT_NE(layer_of(chart, "Nominal model").dashed, layer_of(chart, "Extended model").dashed);
+}
+
+TEST(TraceChart, WithoutAnExtensionHasNoLineOfIt) {
+  const diagnose::Diagnosis diagnosis = samples::nothing_wrong();
+  EXPECT_FALSE(has_layer(trace_chart(*diagnosis.tension, 0), "Extended model"));
+  EXPECT_FALSE(has_layer(residual_chart(*diagnosis.tension, 0), "Extended model"));
+}
+
+TEST(ResidualChart, TheEnvelopeGoesThereAndBack) {
+  diagnose::TensionDiagnosis tension;
+  tension.residuals = {{"sheath_temperature", "C", -1, {1, 2}, {5, 6}, {7, 8}, {-1, -2}, {3, 4}}};
+  const Chart chart = residual_chart(tension, 0);
+  EXPECT_EQ(chart.name, "Residual over sheath temperature, while letting go");
+  EXPECT_EQ(chart.x.label, "sheath temperature, \u00b0C");
+  const Layer envelope = layer_of(chart, "95 % of what noise and scatter of sessions alone give");
+  EXPECT_THAT(envelope.x, ElementsAre(1, 2, 2, 1));
+  EXPECT_THAT(envelope.y, ElementsAre(-1, -2, 4, 3));
+  EXPECT_THAT(layer_of(chart, "Nominal model").y, ElementsAre(5, 6));
+  tension.findings.extensions = {{"slack", {}}};
+  EXPECT_THAT(layer_of(residual_chart(tension, 0), "Extended model").y, ElementsAre(7, 8));
+  tension.residuals[0].direction = 1;
+  EXPECT_EQ(residual_chart(tension, 0).name, "Residual over sheath temperature, while pulling");
+}
+
+TEST(ResidualOrder, PutsTheCovariateThatLeavesItsEnvelopeFarthestFirst) {
+  diagnose::TensionDiagnosis tension;
+  // In half widths of the envelope 1, 2, 0.5 and 3.
+  tension.residuals = {{"speed", "m/s", 1, {0}, {0.1}, {}, {-0.1}, {0.1}},
+                       {"cycle", "cycles", 1, {0}, {-0.4}, {}, {-0.2}, {0.2}},
+                       {"speed", "m/s", -1, {0}, {0.1}, {}, {-0.2}, {0.2}},
+                       {"cycle", "cycles", -1, {0}, {1.1}, {}, {-0.1}, {0.5}}};
+  EXPECT_THAT(residual_order(tension), ElementsAre(1, 3, 0, 2));
+  EXPECT_EQ(residual_chart(tension, 0).x.label, "speed, m/s");
+}
+
+TEST(WeibullChart, TheSlopeOfALineIsTheShape) {
+  const diagnose::Diagnosis diagnosis = samples::lots_named();
+  const Chart chart = weibull_chart(*diagnosis.lives);
+  const auto place = [](double p) { return std::log(-std::log1p(-p)); };
+  for (const auto& [name, shape] :
+       {std::pair{"Nominal model says", 3.9}, std::pair{"Extended model says", 5.8}}) {
+    const Layer line = layer_of(chart, name);
+    EXPECT_NEAR((place(line.y[1]) - place(line.y[0])) / std::log(line.x[1] / line.x[0]), shape,
+                1e-9);
+  }
+  // One of the 48 is suspended.
+  EXPECT_EQ(layer_of(chart, "Failed, over the life of the nominal model").x.size(), 47U);
+  EXPECT_EQ(layer_of(chart, "Failed, over the life of the extended model").x.size(), 47U);
+}
+
+TEST(WeibullChart, PlacesFailuresAtTheirMedianRank) {
+  diagnose::LifeDiagnosis lives;
+  lives.picture.points = {
+      {"a", "1", 40, 2, 9, true}, {"b", "1", 40, 1, 9, true}, {"c", "1", 40, 3, 9, true}};
+  const Layer failed = layer_of(weibull_chart(lives), "Failed, over the life of the nominal model");
+  EXPECT_THAT(failed.x, ElementsAre(1, 2, 3));
+  // Benard: (i - 0.3) / (n + 0.4)
+  EXPECT_NEAR(failed.y[0], 0.7 / 3.4, 1e-12);
+  EXPECT_NEAR(failed.y[2], 2.7 / 3.4, 1e-12);
+}
+
+TEST(RatioChart, TellsLotsApartWhereTheyAreFew) {
+  diagnose::Diagnosis diagnosis = samples::lots_named();
+  const Chart chart = ratio_chart(*diagnosis.lives, Model::extended);
+  EXPECT_EQ(layer_of(chart, "Failed, lot B").x.size(), 16U);
+  EXPECT_EQ(layer_of(chart, "Failed, lot A").x.size(), 15U);
+  EXPECT_EQ(layer_of(chart, "Suspended: lives longer, lot A").arrow, Layer::Arrow::up);
+  EXPECT_NE(layer_of(chart, "Failed, lot A").colour, layer_of(chart, "Failed, lot B").colour);
+  int lot = 0;
+  for (diagnose::LifePoint& point : diagnosis.lives->picture.points) {
+    point.lot = std::to_string(lot++ % 7);
+  }
+  EXPECT_EQ(layer_of(ratio_chart(*diagnosis.lives, Model::nominal), "Failed").x.size(), 47U);
+}
+
+TEST(RatioChart, DoesNotSayLotTwice) {
+  diagnose::Diagnosis diagnosis = samples::lots_named();
+  for (diagnose::LifePoint& point : diagnosis.lives->picture.points) {
+    point.lot = "lot" + point.lot;
+  }
+  EXPECT_TRUE(has_layer(ratio_chart(*diagnosis.lives, Model::nominal), "Failed, lotB"));
+}
+
+TEST(RatioChart, OfTheExtendedModelNeedsAnExtension) {
+  diagnose::Diagnosis diagnosis = samples::lots_named();
+  diagnosis.lives->findings.extensions.clear();
+  EXPECT_TRUE(ratio_chart(*diagnosis.lives, Model::extended).layers.empty());
+  EXPECT_FALSE(ratio_chart(*diagnosis.lives, Model::nominal).layers.empty());
+  EXPECT_FALSE(has_layer(weibull_chart(*diagnosis.lives), "Extended model says"));
+}
+
+TEST(DiagnosisCharts, HaveIdsOfTheirOwn) {
+  std::set<std::string> ids;
+  const auto all = charts(samples::both_named());
+  for (const Chart& chart : all) {
+    ids.insert(chart.id);
+    EXPECT_FALSE(chart.x.label.empty()) << chart.id;
+    EXPECT_FALSE(chart.y.label.empty()) << chart.id;
+  }
+  EXPECT_EQ(ids.size(), all.size());
+}
+
+}  // namespace
+}  // namespace host_sim::diagnose_page

@@ -1,0 +1,53 @@
+#include "host_sim/report/diagnose/verdict.hpp"
+
+#include <gtest/gtest.h>
+
+#include "tests/report/diagnose/sample_diagnosis.hpp"
+
+namespace host_sim::diagnose_page {
+namespace {
+
+TEST(DiagnosisVerdict, NamesTheEffectInTheWordsOfTheField) {
+  EXPECT_EQ(verdict(samples::wear_named()),
+            "Recordings: the model leaves out wear or run-in of the sheath (98.7\u00a0%).");
+}
+
+TEST(DiagnosisVerdict, ListsTwoEffects) {
+  diagnose::Diagnosis diagnosis = samples::wear_named();
+  auto& effects = diagnosis.tension->findings.effects;
+  effects.push_back(effects.front());
+  effects.back().term = "backlash";
+  effects.back().probability = 0.96;
+  EXPECT_EQ(verdict(diagnosis),
+            "Recordings: the model leaves out wear or run-in of the sheath (98.7\u00a0%) and "
+            "backlash (96\u00a0%).");
+}
+
+TEST(DiagnosisVerdict, SaysWhatIsAmbiguousByTheCredibleSet) {
+  const std::string text = verdict(samples::ambiguous_pair());
+  EXPECT_NE(text.find("cannot tell which cause"), std::string::npos);
+  EXPECT_NE(text.find(" or "), std::string::npos);
+  EXPECT_EQ(text.find("98.7"), std::string::npos);
+}
+
+TEST(DiagnosisVerdict, NothingAndUnknownAreNotTheSame) {
+  EXPECT_EQ(verdict(samples::nothing_wrong()),
+            "Recordings: nothing is wrong with the model that this campaign could show.");
+  EXPECT_EQ(verdict(samples::unexplained()),
+            "Recordings: the model does not fit, and nothing in the catalogue explains why.");
+  EXPECT_EQ(verdict({}), "There was nothing to diagnose.");
+}
+
+TEST(DiagnosisVerdict, EachPartHasItsSentence) {
+  const std::string text = verdict(samples::both_named());
+  EXPECT_LT(text.find("Recordings: "), text.find(" Lives: the model leaves out batch-to-batch"));
+}
+
+TEST(DiagnosisOrigin, CountsTheSpecimens) {
+  EXPECT_NE(origin(samples::lots_named()).find("the lives of 48\u00a0specimens"),
+            std::string::npos);
+  EXPECT_EQ(origin({}), "The campaign holds neither recordings nor lives.");
+}
+
+}  // namespace
+}  // namespace host_sim::diagnose_page

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+
+#include "lifemodel/block/extended_block.hpp"
+#include "tests/target/model/parameters.hpp"
+
+namespace target {
+
+/// The paper's model with every effect that is evaluated on line, each of a usual size.
+inline lifemodel::ExtendedParameters extended_paper_model() {
+  using lifemodel::extension::Effect;
+  lifemodel::ExtendedParameters model{paper_parameters<1>()[0], {}};
+  lifemodel::extension::Extension& e = model.extension;
+  e.bend_angle = {2, {{{105414357, 6710886}, {316243071, -13421773}}}};  // 90, 270 deg: 0.1, -0.2
+  e.current_offset = {838861};                                           // 0.05 A
+  e.input_lag = {5 << 16};
+  e.output_lag = {5 << 16};
+  e.friction_load = {53687091, 1823548758, {1342177280, 31}};  // 0.2
+  e.friction_position = {{{{26843546, 0}, {13421773, 6710886}, {0, 2684355}}}, 29281766};
+  e.friction_preload = {6052660};                       // 2 N
+  e.friction_temperature = {5368709, 20 << 16};         // 0.005 1/K
+  e.friction_velocity = {19363525, 12102203, 4727423};  // 0.05, 0.5 s/m, 0.02 m/s
+  e.friction_wear = {-3642681, 0, 268435456, 0};        // 0.3, 1
+  e.gear_asymmetry = {5368709};                         // 0.02
+  e.torque_gain = {1073742, 20 << 16};                  // 0.001 1/K
+  e.torque_ripple = {838861, 335544, 6 << 16};          // 0.05 A, 0.02 A, 6
+  e.mean_stress = {134217728, 161061274};               // share 0.5, w 0.6
+  e.bending_fatigue = {1 << 28, 30263298};              // 5 N
+  e.endurance_limit = {214748365, -367143347};          // share 0.8, 4 N
+  e.effects = (1u << lifemodel::extension::kEffects) - 1;
+  return model;
+}
+
+}  // namespace target

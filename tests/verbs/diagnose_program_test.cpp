@@ -1,0 +1,153 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "tests/verbs/campaign_program.hpp"
+
+namespace {
+
+using host_sim_test::CampaignProgram;
+using host_sim_test::contents;
+using nlohmann::json;
+namespace fs = std::filesystem;
+
+/// Beside the lives of `c`, a campaign `r` of short recordings at two poses.
+class DiagnoseProgram : public CampaignProgram {
+ protected:
+  void SetUp() override {
+    CampaignProgram::SetUp();
+    write("plan.toml", plan());
+    ASSERT_EQ(run("synth --plan plan.toml --out r --seed 5"), 0) << err_;
+  }
+
+  static std::string plan() {
+    return "schema = 1\n[campaign]\nname = \"short\"\n"
+           "[model.cable]\ndiameter_mm = 0.457\nultimate_tension_N = 177.4\n"
+           "[model.sheath]\nfriction_coefficient = 0.128\nbend_angle_deg = 270.0\n"
+           "[model.counting]\nsample_rate_Hz = 100.0\nhysteresis_N = 0.2\n"
+           "[model.life]\nmean_stress = \"gerber\"\nipl_scale = 1.53e5\nipl_exponent = 1.38\n"
+           "weibull_shape = 5.94\n"
+           "[recordings]\ndesign = \"balanced\"\nsessions = 6\nbend_angles_deg = [90.0, 450.0]\n"
+           "output_means_N = [20.0, 35.0]\noutput_amplitudes_N = [5.0, 15.0]\n"
+           "frequencies_Hz = [1.0]\ntravels_mm = [20.0]\nsheath_ambients_C = [20.0]\n"
+           "winding_starts_C = [20.0]\nstart_cycles = [0.0]\nload_frequency_ratio = 1.3\n"
+           "sample_rate_Hz = 50.0\nduration_s = 4.0\n"
+           "channels = [\"input_tension_N\", \"output_tension_N\", \"tendon_velocity_m_s\", "
+           "\"bend_angle_deg\"]\n"
+           "[noise]\nlog_tension_sd = 0.01\n[scatter]\nlog_gain_sd = 0.01\nfriction_sd = 0.006\n";
+  }
+
+  /// The program says one line that begins with `place`, and leaves nothing behind.
+  void expect_refusal(const std::string& campaign, const std::string& place,
+                      const std::string& words) {
+    const auto before = files();
+    EXPECT_EQ(run("diagnose " + campaign + " --out m.toml --json r.json --report p.html"), 1);
+    EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
+    EXPECT_EQ(err_.rfind(place, 0), 0U) << err_;
+    EXPECT_NE(err_.find(words), std::string::npos) << err_;
+    EXPECT_TRUE(out_.empty()) << out_;
+    EXPECT_EQ(files(), before);
+  }
+};
+
+TEST_F(DiagnoseProgram, RecordingsGiveAllOutputs) {
+  ASSERT_EQ(run("diagnose r --out m.toml --json r.json --report p.html --seed 3"), 0) << err_;
+  const json result = json::parse(contents(folder_ / "r.json"));
+  const std::string verdict = result["verdict"];
+  EXPECT_TRUE(verdict == "none" || verdict == "named" || verdict == "ambiguous" ||
+              verdict == "unknown")
+      << verdict;
+  EXPECT_EQ(out_.rfind("short: " + verdict + "\nrecordings: ", 0), 0U) << out_;
+  EXPECT_EQ(result["campaign"], "short");
+  EXPECT_EQ(result["seed"], 3);
+  EXPECT_EQ(result["extended_model"], "m.toml");
+  EXPECT_TRUE(result["lives"].is_null());
+  EXPECT_NE(contents(folder_ / "p.html").find("<h1>short</h1>"), std::string::npos);
+  // No motor was recorded, so that nothing of it can be seen.
+  const json& invisible = result["invisible"];
+  EXPECT_NE(std::find(invisible.begin(), invisible.end(), "current_offset"), invisible.end());
+}
+
+TEST_F(DiagnoseProgram, TheModelIsReadByReplayAndPack) {
+  ASSERT_EQ(run("diagnose r --out m.toml"), 0) << err_;
+  EXPECT_EQ(run("replay good.csv --model m.toml"), 0) << err_;
+  EXPECT_EQ(run("pack m.toml --out block.bin"), 0) << err_;
+}
+
+TEST_F(DiagnoseProgram, LivesAloneAreDiagnosed) {
+  ASSERT_EQ(run("diagnose c --json r.json"), 0) << err_;
+  const json result = json::parse(contents(folder_ / "r.json"));
+  EXPECT_TRUE(result["tension"].is_null());
+  EXPECT_FALSE(result["lives"].is_null());
+  EXPECT_NE(out_.find("\nlives: "), std::string::npos) << out_;
+}
+
+TEST_F(DiagnoseProgram, JsonOnStandardOutputSendsTheSummaryElsewhere) {
+  ASSERT_EQ(run("diagnose c --json -"), 0) << err_;
+  EXPECT_TRUE(json::accept(out_)) << out_;
+  EXPECT_EQ(err_.rfind("small: ", 0), 0U) << err_;
+}
+
+TEST_F(DiagnoseProgram, ResultsAreTheSameForAnyNumberOfThreads) {
+  ASSERT_EQ(run("diagnose r --json one.json --threads 1"), 0) << err_;
+  ASSERT_EQ(run("diagnose r --json three.json --threads 3"), 0) << err_;
+  EXPECT_EQ(contents(folder_ / "one.json"), contents(folder_ / "three.json"));
+}
+
+TEST_F(DiagnoseProgram, FailsOnADiscrepancyWhereAsked) {
+  const int status = run("diagnose c --json r.json --fail-on-discrepancy");
+  const json result = json::parse(contents(folder_ / "r.json"));
+  EXPECT_EQ(status, result["verdict"] == "none" ? 0 : 3);
+}
+
+TEST_F(DiagnoseProgram, WrongUsageIsStatusTwo) {
+  for (const char* const arguments :
+       {"diagnose", "diagnose c --without sorcery", "diagnose c --threads 0",
+        "diagnose c --json a --out a", "diagnose c --json", "diagnose c d"}) {
+    EXPECT_EQ(run(arguments), 2) << arguments;
+    EXPECT_FALSE(err_.empty()) << arguments;
+  }
+}
+
+TEST_F(DiagnoseProgram, TakesEffectsOutOfTheCatalogue) {
+  ASSERT_EQ(run("diagnose c --json all.json"), 0) << err_;
+  ASSERT_EQ(run("diagnose c --json few.json --without second_mode --without lot_frailty"), 0)
+      << err_;
+  const auto second_modes = [this](const char* name) {
+    const json result = json::parse(contents(folder_ / name));
+    const json& candidates = result["candidates"];
+    return std::count_if(candidates.begin(), candidates.end(), [](const json& candidate) {
+      return candidate["id"].get<std::string>().find("second_mode") != std::string::npos;
+    });
+  };
+  EXPECT_GT(second_modes("all.json"), 0);
+  EXPECT_EQ(second_modes("few.json"), 0);
+}
+
+TEST_F(DiagnoseProgram, HelpHasAnExample) {
+  ASSERT_EQ(run("diagnose --help"), 0);
+  EXPECT_NE(out_.find("host_sim diagnose crossed --out extended.toml"), std::string::npos);
+}
+
+TEST_F(DiagnoseProgram, BadInputIsToldInOneLine) {
+  expect_refusal("nowhere", "nowhere", "");
+  fs::create_directories(folder_ / "n");
+  write("n/campaign.toml", toml());
+  expect_refusal("n", "n", "sessions.csv");
+  write("r/sessions.csv", "session,specimen,file,start_cycle\ns1,a,missing.csv,0\n");
+  expect_refusal("r", "r/", "missing.csv");
+}
+
+TEST_F(DiagnoseProgram, AModelThatCannotBeWrittenIsToldBeforeTheWork) {
+  std::string text = contents(folder_ / "r/campaign.toml");
+  const std::size_t at = text.find("[model.life]");
+  ASSERT_NE(at, std::string::npos) << text;
+  const std::size_t end = text.find("\n[", at);
+  write("r/campaign.toml", text.erase(at, end == std::string::npos ? end : end - at));
+  expect_refusal("r", "r/campaign.toml", "no table [model.life], which --out needs");
+  EXPECT_EQ(run("diagnose c --json no/such/folder/r.json"), 1);
+  EXPECT_EQ(err_.rfind("no/such/folder/r.json", 0), 0U) << err_;
+}
+
+}  // namespace
