@@ -9,7 +9,7 @@ here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 run_packages=(
   g++ cmake ninja-build
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev zlib1g-dev
-  libboost-math-dev libeigen3-dev libssl-dev
+  libboost-math-dev libeigen3-dev libnlopt-cxx-dev libssl-dev libpcap-dev libcpp-httplib-dev pkg-config
   ca-certificates openssl
 )
 test_packages=(
@@ -21,6 +21,8 @@ test_packages=(
   clang clang-tidy clang-format libclang-rt-14-dev
   chromium
   pkg-config g++-aarch64-linux-gnu g++-arm-linux-gnueabihf qemu-user-static
+  tmux libmosquitto-dev mosquitto mosquitto-clients
+  zsh fish man-db mandoc debootstrap lintian
   can-utils iproute2 linux-source-6.1 make xz-utils flex bison bc kmod
 )
 # libgpiod of version 2, which Debian 12 has in its backports alone.

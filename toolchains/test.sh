@@ -10,6 +10,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 export CI=true TENDONLIFE_REQUIRE_KERNEL=1
 # host_sim is built by the first command and again with its tests.
 export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
+# Builds of one kind find each other's objects.
+export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1
 
 jobs="$(nproc)"
 logs=build/logs
@@ -59,7 +61,12 @@ build() {
 
 # Tests that need a kernel have a stage of their own.
 run_tests() {
-  ctest --preset "$1" -LE kernel -j "$jobs" --timeout 900
+  ctest --preset "$1" -LE 'kernel|blind' -j "$jobs" --timeout 900
+}
+
+# Each analyses many campaigns, on all cores.
+run_blind_tests() {
+  ctest --preset host-release -L blind --timeout 1800
 }
 
 run_kernel_tests() {
@@ -68,7 +75,8 @@ run_kernel_tests() {
 
 show_budgets() {
   local checks=tests/target/checks/check_budget.py stm32=build/stm32g431/tests/target/b_g431b_esc1 section
-  for section in instructions size stack firmware_instructions firmware_size firmware_stack; do
+  for section in instructions size stack firmware_instructions firmware_size firmware_stack \
+    extended_instructions extended_stack; do
     echo "$section on qemu_mps2"
     python3 $checks $section build/qemu-m4/tests/target/$section.json
   done
@@ -98,6 +106,9 @@ compare_host_and_target() {
     python3 tests/target/firmware/compare.py "build/$host/tests/target/host/record" \
       "build/$host/tests/target/host/firmware_host" \
       build/qemu-m4/tests/target/firmware/run_firmware
+    python3 tests/target/firmware/compare_extended.py \
+      "build/$host/tests/target/host/extended_host" "build/$host/tests/target/host/extended_host" \
+      build/qemu-m4/tests/target/firmware/run_extended
   done
 }
 
@@ -116,8 +127,12 @@ use_package() {
   "$stage/control_loop_c/control_loop_c" "$stage/block" | grep '^life used: [1-9][0-9]* ppb$'
 }
 
+# The analyzer follows every path of what runs on a board. What runs on hosts alone is held by the
+# sanitizers, and would take it longer than all else together.
 check_with_clang_tidy() {
-  run-clang-tidy -quiet -j "$jobs" -p build/host-release "^$PWD/(lifemodel|host_sim|firmware|hal)/"
+  run-clang-tidy -quiet -j "$jobs" -p build/host-release "^$PWD/(lifemodel|firmware|hal)/"
+  run-clang-tidy -quiet -j "$jobs" -p build/host-release -checks='-clang-analyzer-*' \
+    "^$PWD/host_sim/"
 }
 
 try_example() {
@@ -133,6 +148,7 @@ stage "host-asan-ubsan: build" build host-asan-ubsan
 stage "host-asan-ubsan: tests" run_tests host-asan-ubsan
 stage "host-release: build" build host-release -DTENDONLIFE_MPI=ON
 stage "host-release: tests" run_tests host-release
+stage "host-release: blind suite, a sample" run_blind_tests
 stage "host-fuzz: build" build_fuzzers
 stage "host-fuzz: short runs" ctest --preset host-fuzz -L fuzz -j "$jobs" --timeout 900
 stage "qemu-m4: build" build qemu-m4
@@ -148,5 +164,6 @@ stage "kernel: build" toolchains/build_uml.sh
 stage "kernel: tests" run_kernel_tests
 stage "bit-identical on host and target" compare_host_and_target
 stage "lifemodel installed and used" use_package
+stage "package in a clean Debian 12" toolchains/try_package.sh
 stage "clang-tidy" check_with_clang_tidy
 echo "$passed passed, $failed failed"
