@@ -17,7 +17,7 @@ class Ranks {
   Ranks();
   Ranks(const Ranks&) = delete;
   Ranks& operator=(const Ranks&) = delete;
-  ~Ranks();
+  ~Ranks();  // NOLINT(performance-trivially-destructible): ends them where there are others
 
   [[nodiscard]] std::size_t rank() const { return rank_; }
   [[nodiscard]] std::size_t count() const { return count_; }

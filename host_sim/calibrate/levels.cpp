@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "host_sim/calibrate/problem_text.hpp"
+#include "host_sim/calibrate/result.hpp"
 #include "host_sim/calibrate/streams.hpp"
 
 namespace host_sim::calibrate {
@@ -12,7 +13,6 @@ namespace {
 
 using statistics::Family;
 
-constexpr double kConfidence = 0.95;
 constexpr std::size_t kFamilies = 3;
 
 statistics::Sample sample_of(const Level& level) {

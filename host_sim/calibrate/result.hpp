@@ -17,6 +17,10 @@ using life_law::LifeLaw;
 using statistics::Interval;
 using statistics::Test;
 
+/// Below it a test rejects.
+inline constexpr double kSignificance = 0.05;
+inline constexpr double kConfidence = 0.95;
+
 /// One level with its own fits (the paper's Tables 3 and 4).
 struct LevelResult {
   Campaign::Load load;

@@ -5,13 +5,12 @@
 #include <algorithm>
 #include <vector>
 
+#include "host_sim/calibrate/result.hpp"
 #include "host_sim/calibrate/streams.hpp"
 
 namespace host_sim::calibrate {
 namespace {
 
-constexpr double kSignificance = 0.05;
-constexpr double kConfidence = 0.95;
 constexpr std::size_t kFewestToCompare = 3;
 
 /// Levels that can be compared: role fit, a fit of their own, not left out.

@@ -11,10 +11,6 @@ namespace {
 
 using Kind = life_law::LifeQuantity::Kind;
 
-Interval exp_of(Interval interval) {
-  return {std::exp(interval.low), std::exp(interval.high)};
-}
-
 /// The estimate over the mean of what simulation makes of it.
 double without_bias(double shape, std::span<const LifeLaw> refits) {
   double sum = 0;
@@ -79,7 +75,7 @@ StressLife stress_life(std::span<const life_law::LifeDatum> data, const life_law
   StressLife result;
   result.law = fit.law();
   result.log_likelihood = fit.log_likelihood;
-  result.scale_ci95 = exp_of(profile_interval(data, fit, {Kind::ln_scale}));
+  result.scale_ci95 = life_law::exp_of(profile_interval(data, fit, {Kind::ln_scale}));
   result.exponent_ci95 = profile_interval(data, fit, {Kind::exponent});
   result.shape_ci95 = profile_interval(data, fit, {Kind::shape});
   result.shape_unbiased = without_bias(result.law.shape, refits);
@@ -92,8 +88,8 @@ StressLife stress_life(std::span<const life_law::LifeDatum> data, const life_law
   statistics::parallel_for(
       result.band_mean.size(),
       [&](std::size_t i) {
-        result.band_mean[i] =
-            exp_of(profile_interval(data, fit, {Kind::ln_mean_life, result.band_tension_N[i]}));
+        result.band_mean[i] = life_law::exp_of(
+            profile_interval(data, fit, {Kind::ln_mean_life, result.band_tension_N[i]}));
       },
       options.threads);
   return result;

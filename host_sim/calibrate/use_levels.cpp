@@ -17,10 +17,6 @@ constexpr double kB10 = 0.1;
 constexpr double kB50 = 0.5;
 constexpr double kB90 = 0.9;
 
-Interval exp_of(Interval interval) {
-  return {std::exp(interval.low), std::exp(interval.high)};
-}
-
 /// From the simulated distribution of ln (life / predicted scale) in units of the estimated
 /// scatter, which does not depend on the parameters.
 Interval prediction_interval(double tension_N, const LifeLaw& law, std::span<const LifeLaw> refits,
@@ -62,9 +58,10 @@ UseLevel use_level(std::string name, double effective_tension_N,
   use.b10 = law.quantile(kB10, effective_tension_N);
   use.b50 = law.quantile(kB50, effective_tension_N);
   use.b90 = law.quantile(kB90, effective_tension_N);
-  use.mean_ci95 = exp_of(profile_interval(data, fit, {Kind::ln_mean_life, effective_tension_N}));
+  use.mean_ci95 =
+      life_law::exp_of(profile_interval(data, fit, {Kind::ln_mean_life, effective_tension_N}));
   use.b10_ci95 =
-      exp_of(profile_interval(data, fit, {Kind::ln_quantile, effective_tension_N, kB10}));
+      life_law::exp_of(profile_interval(data, fit, {Kind::ln_quantile, effective_tension_N, kB10}));
   use.next_specimen_95 = prediction_interval(effective_tension_N, law, refits,
                                              stream_of(Purpose::next_specimen, index), options);
   return use;

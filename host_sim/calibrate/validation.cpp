@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host_sim/calibrate/damage.hpp"
+#include "host_sim/calibrate/result.hpp"
 #include "host_sim/calibrate/streams.hpp"
 #include "host_sim/life_law/life_simulation.hpp"
 #include "host_sim/reference/equations.hpp"
@@ -14,8 +15,6 @@
 
 namespace host_sim::calibrate {
 namespace {
-
-constexpr double kSignificance = 0.05;
 
 /// Logarithm of measured over predicted mean, in units of the scatter of ln life: free of the
 /// parameters of the law but for the design.
@@ -61,16 +60,14 @@ double quantile_of(const std::vector<double>& sorted, double p) {
 
 void count_bands(std::span<const life_law::LifeDatum> specimens, const LifeLaw& law,
                  ValidationResult& result) {
-  constexpr double kB10 = 0.1;
-  constexpr double kB90 = 0.9;
   for (const life_law::LifeDatum& specimen : specimens) {
     const double used = damage(specimen, law);
     if (!specimen.failed) {
       continue;
     }
-    if (used < reference::weibull_life_damage(kB10, law.shape)) {
+    if (used < reference::weibull_life_damage(0.1, law.shape)) {
       ++result.below_b10;
-    } else if (used > reference::weibull_life_damage(kB90, law.shape)) {
+    } else if (used > reference::weibull_life_damage(0.9, law.shape)) {
       ++result.above_b90;
     } else {
       ++result.inside_b10_b90;

@@ -7,11 +7,11 @@
 #include <cmath>
 
 #include "host_sim/calibrate/levels.hpp"
+#include "host_sim/calibrate/result.hpp"
 
 namespace host_sim::calibrate {
 namespace {
 
-constexpr double kSignificance = 0.05;
 /// Levels of too few failures that have a warning each; more are told together.
 constexpr std::size_t kLevelsToldApart = 3;
 

@@ -9,7 +9,7 @@
 namespace host_sim::command_line {
 namespace {
 
-constexpr std::string_view kHead = R"fish(# fish completion for @NAME@: @NAME@ completion fish
+constexpr std::string_view kFishHead = R"fish(# fish completion for @NAME@: @NAME@ completion fish
 
 # Whether the words begin with these verbs.
 function _@FUNCTION@_after
@@ -104,7 +104,7 @@ std::string lines_of(const Command& command, const std::string& path) {
 }  // namespace
 
 std::string fish_completion(const Command& program) {
-  std::string text = std::string(kHead) + lines_of(program, "");
+  std::string text = std::string(kFishHead) + lines_of(program, "");
   text = replace_all(text, "@FUNCTION@", function_name(program.name));
   return replace_all(text, "@NAME@", program.name);
 }

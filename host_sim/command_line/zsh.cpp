@@ -9,7 +9,7 @@
 namespace host_sim::command_line {
 namespace {
 
-constexpr std::string_view kHead = R"zsh(#compdef @NAME@
+constexpr std::string_view kZshHead = R"zsh(#compdef @NAME@
 # zsh completion for @NAME@: @NAME@ completion zsh
 
 # The CAN interfaces there are.
@@ -24,7 +24,7 @@ constexpr std::string_view kHead = R"zsh(#compdef @NAME@
 )zsh";
 
 // The file is the body of the function where zsh loads it by name.
-constexpr std::string_view kTail = R"zsh(
+constexpr std::string_view kZshTail = R"zsh(
 if [[ ${funcstack[1]} == @FUNCTION@ ]]; then
   @FUNCTION@ "$@"
 else
@@ -139,7 +139,8 @@ std::string functions_of(const Command& command, const std::string& function) {
 
 std::string zsh_completion(const Command& program) {
   const std::string function = function_name(program.name);
-  std::string text = std::string(kHead) + functions_of(program, function) + std::string(kTail);
+  std::string text =
+      std::string(kZshHead) + functions_of(program, function) + std::string(kZshTail);
   text = replace_all(text, "@FUNCTION@", function);
   return replace_all(text, "@NAME@", program.name);
 }

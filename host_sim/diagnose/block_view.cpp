@@ -13,7 +13,7 @@ using effects::Parameter;
 using Eigen::Index;
 
 /// Of the energy before the projection: what is smaller is no direction of its own.
-constexpr double kSameDirection = 1e-9;
+constexpr double kNoDirection = 1e-9;
 
 /// The linear parameter that a column stands for.
 const Parameter& parameter_of(const effects::TensionEffect& effect, Index column) {
@@ -87,7 +87,7 @@ BlockView view_of(const GramLayout::Effect& effect, const GramLayout::Block& blo
   const double rounding =
       projection.rounding.segment(view.first, view.count).dot(view.typical.cwiseAbs2());
   view.base =
-      base_of(between(view, view, projection.left), std::max(kSameDirection * before, rounding));
+      base_of(between(view, view, projection.left), std::max(kNoDirection * before, rounding));
   return view;
 }
 

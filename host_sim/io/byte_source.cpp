@@ -10,13 +10,10 @@
 #include <system_error>
 
 #include "host_sim/io/input_error.hpp"
+#include "host_sim/io/system_error_text.hpp"
 
 namespace host_sim {
 namespace {
-
-std::string reason(int error) {
-  return std::generic_category().message(error);
-}
 
 class DescriptorSource final : public ByteSource {
  public:
@@ -26,7 +23,7 @@ class DescriptorSource final : public ByteSource {
     if (::fstat(descriptor_, &status) != 0) {
       const int error = errno;
       close();
-      fail("cannot be read: " + reason(error));
+      fail("cannot be read: " + reason_of(error));
     }
     if (S_ISDIR(status.st_mode)) {
       close();
@@ -46,7 +43,7 @@ class DescriptorSource final : public ByteSource {
         return static_cast<std::size_t>(count);
       }
       if (errno != EINTR) {
-        fail("cannot be read: " + reason(errno));
+        fail("cannot be read: " + reason_of(errno));
       }
     }
   }
@@ -98,7 +95,7 @@ std::unique_ptr<ByteSource> open_source(const std::filesystem::path& path,
   }
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (descriptor < 0) {
-    throw InputError(path.string(), 0, 0, "cannot be opened: " + reason(errno), accepted);
+    throw InputError(path.string(), 0, 0, "cannot be opened: " + reason_of(errno), accepted);
   }
   return std::make_unique<DescriptorSource>(descriptor, true, path.string(), accepted);
 }

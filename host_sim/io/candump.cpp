@@ -6,7 +6,7 @@
 namespace host_sim {
 namespace {
 
-constexpr std::string_view kAcceptedFile = "a log of candump -L, or - for standard input";
+constexpr std::string_view kAcceptedLog = "a log of candump -L, or - for standard input";
 
 }  // namespace
 
@@ -20,7 +20,7 @@ std::optional<hal::CanFrame> LoggedFrame::classic() const {
 }
 
 CandumpReader::CandumpReader(const std::filesystem::path& path)
-    : CandumpReader(open_source(path, kAcceptedFile),
+    : CandumpReader(open_source(path, kAcceptedLog),
                     path == "-" ? "standard input" : path.string()) {}
 
 CandumpReader::CandumpReader(std::unique_ptr<ByteSource> source, std::string_view name)

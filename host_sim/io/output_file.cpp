@@ -15,15 +15,12 @@
 #include <utility>
 
 #include "host_sim/io/printable.hpp"
+#include "host_sim/io/system_error_text.hpp"
 
 namespace host_sim {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string reason(int error) {
-  return std::generic_category().message(error);
-}
 
 class DescriptorBuffer final : public std::streambuf {
  public:
@@ -55,7 +52,7 @@ class DescriptorBuffer final : public std::streambuf {
       if (count >= 0) {
         at += count;
       } else if (errno != EINTR) {
-        throw OutputError(path_, reason(errno));
+        throw OutputError(path_, reason_of(errno));
       }
     }
     setp(bytes_.data(), bytes_.data() + bytes_.size());
@@ -77,7 +74,7 @@ struct Destination {
 Destination open_directly(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
   if (descriptor < 0) {
-    throw OutputError(path.string(), reason(errno));
+    throw OutputError(path.string(), reason_of(errno));
   }
   return {descriptor, true, {}, path};
 }
@@ -86,7 +83,7 @@ Destination open_directly(const fs::path& path) {
 int open_partial(const fs::path& partial, const fs::path& path) {
   const int descriptor = ::open(partial.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (descriptor < 0) {
-    throw OutputError(path.string(), reason(errno));
+    throw OutputError(path.string(), reason_of(errno));
   }
   if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
     ::close(descriptor);
@@ -95,7 +92,7 @@ int open_partial(const fs::path& partial, const fs::path& path) {
   if (::ftruncate(descriptor, 0) != 0) {
     const int error = errno;
     ::close(descriptor);
-    throw OutputError(path.string(), reason(error));
+    throw OutputError(path.string(), reason_of(error));
   }
   return descriptor;
 }
@@ -110,7 +107,7 @@ Destination open_destination(const fs::path& path) {
   struct stat status {};
   const bool exists = ::stat(path.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) {
-    throw OutputError(path.string(), reason(EISDIR));
+    throw OutputError(path.string(), reason_of(EISDIR));
   }
   if (exists && !S_ISREG(status.st_mode)) {
     return open_directly(path);
@@ -121,7 +118,7 @@ Destination open_destination(const fs::path& path) {
     throw OutputError(path.string(), failure.message());
   }
   if (exists && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) {
-    throw OutputError(path.string(), reason(errno));
+    throw OutputError(path.string(), reason_of(errno));
   }
   fs::path partial = target;
   partial += fmt::format(".partial-{}", ::getpid());
@@ -169,12 +166,12 @@ class OutputFile::Impl {
     if (!destination_.partial.empty()) {
       if (::fsync(destination_.descriptor) != 0 ||
           ::rename(destination_.partial.c_str(), destination_.target.c_str()) != 0) {
-        throw OutputError(name_, reason(errno));
+        throw OutputError(name_, reason_of(errno));
       }
       destination_.partial.clear();
     }
     if (std::exchange(destination_.owned, false) && ::close(destination_.descriptor) != 0) {
-      throw OutputError(name_, reason(errno));
+      throw OutputError(name_, reason_of(errno));
     }
   }
 
@@ -200,6 +197,12 @@ std::ostream& OutputFile::stream() noexcept {
 
 void OutputFile::commit() {
   impl_->commit();
+}
+
+void write_file(const fs::path& path, std::string_view text) {
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
 }
 
 }  // namespace host_sim

@@ -48,4 +48,7 @@ class OutputFile {
   std::unique_ptr<Impl> impl_;
 };
 
+/// A file of this text, whole or not at all. Throws OutputError.
+void write_file(const std::filesystem::path& path, std::string_view text);
+
 }  // namespace host_sim

@@ -12,7 +12,7 @@
 namespace host_sim {
 namespace {
 
-constexpr std::string_view kAcceptedFile =
+constexpr std::string_view kAcceptedProfile =
     "a CSV file with time_s and one of input_tension_N, motor_current_A, output_tension_N with "
     "tendon_velocity_m_s, or - for standard input";
 constexpr std::array<std::string_view, 3> kKindNames{"input_tension", "motor_current",
@@ -35,7 +35,7 @@ std::optional<InputKind> input_kind_from(std::string_view name) {
 class ProfileReader::Impl {
  public:
   Impl(std::unique_ptr<ByteSource> source, std::string_view name, const ProfileOptions& options)
-      : rows_(std::move(source), name, kAcceptedFile, [&](const TextPlace& line) {
+      : rows_(std::move(source), name, kAcceptedProfile, [&](const TextPlace& line) {
           header_ = parse_profile_header(line, options);
           return header_.columns;
         }) {
@@ -88,7 +88,7 @@ class ProfileReader::Impl {
 };
 
 ProfileReader::ProfileReader(const std::filesystem::path& path, ProfileOptions options)
-    : ProfileReader(open_source(path, kAcceptedFile),
+    : ProfileReader(open_source(path, kAcceptedProfile),
                     path == "-" ? std::string("standard input") : path.string(), options) {}
 
 ProfileReader::ProfileReader(std::unique_ptr<ByteSource> source, std::string_view name,

@@ -68,6 +68,9 @@ struct LifeQuantity {
 statistics::Interval profile_interval(std::span<const LifeDatum> data, const LifeFit& fit,
                                       LifeQuantity quantity, double confidence = 0.95);
 
+/// The interval of x from that of ln x.
+statistics::Interval exp_of(statistics::Interval of_ln);
+
 /// Least squares of A / T^gamma against characteristic lives, in alpha, as the paper does in its
 /// section 3.5.4.
 /// @pre at least two lives above 0, at two different tensions

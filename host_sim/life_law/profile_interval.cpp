@@ -62,4 +62,8 @@ statistics::Interval profile_interval(std::span<const LifeDatum> data, const Lif
   return interval;
 }
 
+statistics::Interval exp_of(statistics::Interval of_ln) {
+  return {std::exp(of_ln.low), std::exp(of_ln.high)};
+}
+
 }  // namespace host_sim::life_law

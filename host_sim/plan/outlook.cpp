@@ -12,8 +12,6 @@
 namespace host_sim::plan {
 namespace {
 
-constexpr double kB10 = 0.1;
-
 struct Campaign {
   double ratio = std::numeric_limits<double>::infinity();
   bool covered = false;

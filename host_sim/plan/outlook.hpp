@@ -8,6 +8,8 @@
 
 namespace host_sim::plan {
 
+inline constexpr double kB10 = 0.1;
+
 /// What is wanted of a life test: high / low of the 95 % profile-likelihood interval of B10 at a
 /// use level.
 struct Goal {

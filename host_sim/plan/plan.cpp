@@ -8,8 +8,6 @@
 namespace host_sim::plan {
 namespace {
 
-constexpr double kB10 = 0.1;
-
 void tell(const PlanRequest& request, std::size_t done, std::size_t designs) {
   if (request.progress) {
     request.progress(static_cast<double>(done) / static_cast<double>(designs));

@@ -16,16 +16,16 @@ constexpr std::size_t kLongestOfFine = 8;
 /// Samples outside of long rows of equal values, which may be the fault that is looked for, that
 /// change least over 16 sample times: a tenth of all, at least 100.
 std::vector<std::size_t> slow_samples(std::span<const double> values) {
-  constexpr std::size_t kReach = 8;
+  constexpr std::size_t kStride = 8;
   constexpr std::size_t kEnoughToJudge = 100;
   std::vector<bool> in_row(values.size());
   for (const Stretch& row : still_stretches(values, kLongestOfFine)) {
     std::fill_n(in_row.begin() + static_cast<std::ptrdiff_t>(row.first), row.count, true);
   }
   std::vector<std::pair<double, std::size_t>> samples;
-  for (std::size_t i = kReach; i + kReach < values.size(); ++i) {
+  for (std::size_t i = kStride; i + kStride < values.size(); ++i) {
     if (!in_row[i - 1] && !in_row[i] && !in_row[i + 1]) {
-      samples.emplace_back(std::abs(values[i + kReach] - values[i - kReach]), i);
+      samples.emplace_back(std::abs(values[i + kStride] - values[i - kStride]), i);
     }
   }
   const std::size_t wanted = std::max(kEnoughToJudge, values.size() / 10);

@@ -2,6 +2,9 @@
 
 namespace host_sim::statistics {
 
+/// Quantile of 97.5 % of the standard normal distribution: half the width of an interval of 95 %.
+inline constexpr double kNormal95 = 1.959963984540054;
+
 /// ln phi(z), the standard normal density.
 double log_normal_density(double z);
 

@@ -13,7 +13,6 @@ namespace host_sim {
 namespace {
 
 constexpr std::size_t kMostBootstraps = 10'000'000;
-constexpr unsigned kMostThreads = 1024;
 
 void add_outputs(CLI::App& verb, CalibrateArguments& arguments) {
   verb.add_option("--out", arguments.out,

@@ -17,7 +17,6 @@ namespace host_sim {
 namespace {
 
 namespace fs = std::filesystem;
-using nlohmann::json;
 
 std::string name_of(const std::string& folder) {
   return fs::path(folder).filename().string();
@@ -41,7 +40,8 @@ batch::Answer calibrated(const std::string& folder, const calibrate::CalibrateOp
   std::string object = calibrate::calibrate_json(result, -1);
   object.pop_back();
   return {calibrate::table_row(name, result),
-          fmt::format("{{\"folder\":{},\"result\":{}}}", json(printable(name)).dump(), object),
+          fmt::format("{{\"folder\":{},\"result\":{}}}", nlohmann::json(printable(name)).dump(),
+                      object),
           {},
           calibrate::found_in(result)};
 }

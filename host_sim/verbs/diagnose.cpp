@@ -34,8 +34,6 @@ struct Arguments {
   [[nodiscard]] std::array<std::string, 3> outputs() const { return {out, json, report}; }
 };
 
-constexpr unsigned kMostThreads = 1024;
-
 diagnose::Diagnosis with_progress(const Campaign& campaign, diagnose::DiagnoseOptions options) {
   Progress progress("diagnose");
   std::mutex mutex;

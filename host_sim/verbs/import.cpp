@@ -13,13 +13,13 @@ namespace {
 constexpr const char* kExample =
     "Example: host_sim import davinci Tool_4_Maryland_L_4.csv --out davinci";
 
-struct Arguments {
+struct ImportArguments {
   std::string file;
   std::string out;
   recording::DavinciOptions options;
 };
 
-void run(const Arguments& arguments) {
+void run(const ImportArguments& arguments) {
   const recording::RecordedCampaign campaign = recording::import_davinci(
       open_source(arguments.file, "a CSV file of the da Vinci cable transmission"),
       arguments.file == "-" ? "standard input" : arguments.file, arguments.options);
@@ -33,7 +33,7 @@ void add_import(CLI::App& app, int&) {
   CLI::App* verb = app.add_subcommand("import", "A campaign folder from measurements of others");
   verb->require_subcommand(1);
   verb->footer(kExample);
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<ImportArguments>();
   CLI::App* davinci = verb->add_subcommand(
       "davinci", "Torques of a cable transmission, O'Neill et al., RA-L 3(4):3027 (2018)");
   davinci->add_option("FILE", arguments->file, "The measurements, a CSV file; - is standard input")

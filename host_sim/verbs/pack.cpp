@@ -20,7 +20,7 @@
 namespace host_sim {
 namespace {
 
-struct Arguments {
+struct PackArguments {
   std::string model;
   std::string out;
   std::string format = "bin";
@@ -94,7 +94,7 @@ std::vector<std::string> extension_ids() {
   return ids;
 }
 
-void run(const Arguments& arguments) {
+void run(const PackArguments& arguments) {
   const Model model = without(read_extended_model(arguments.model), arguments.without);
   const Block block = block_of(model, arguments.model);
   const std::string digest = model_digest(model);
@@ -108,7 +108,7 @@ void run(const Arguments& arguments) {
 }  // namespace
 
 void add_pack(CLI::App& app, int&) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<PackArguments>();
   CLI::App* verb = app.add_subcommand("pack", "The parameter block that the firmware reads");
   verb->add_option("MODEL", arguments->model, "The model, a TOML file")->required();
   verb->add_option("--out", arguments->out, "Where to write it; - is standard output")->required();

@@ -20,7 +20,7 @@ namespace {
 
 using plan::PlanRequest;
 
-struct Arguments {
+struct PlanArguments {
   std::string for_diagnosis;
   std::string model;
   std::string json;
@@ -107,7 +107,7 @@ void take_law_of_model(const std::string& path, PlanRequest& request) {
                             model.life.weibull_shape};
 }
 
-int run(Arguments& arguments) {
+int run(PlanArguments& arguments) {
   PlanRequest& request = arguments.request;
   if (!arguments.for_diagnosis.empty()) {
     return plan_for_diagnosis({arguments.for_diagnosis, arguments.json, request.simulation.seed,
@@ -141,7 +141,7 @@ int run(Arguments& arguments) {
   return 0;
 }
 
-void add_law_options(CLI::App& verb, Arguments& arguments) {
+void add_law_options(CLI::App& verb, PlanArguments& arguments) {
   life_law::LifeLaw& law = arguments.request.conditions.law;
   CLI::Option* model = verb.add_option("--model", arguments.model, "The law: a model, a TOML file");
   CLI::Option* scale =
@@ -208,7 +208,7 @@ void add_simulation_options(CLI::App& verb, PlanRequest& request) {
 }  // namespace
 
 void add_plan(CLI::App& app, int& status) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<PlanArguments>();
   CLI::App* verb =
       app.add_subcommand("plan", "How many specimens a life test needs, and at which levels");
   CLI::Option* for_diagnosis =

@@ -14,8 +14,6 @@
 namespace host_sim {
 namespace {
 
-constexpr unsigned kMostThreads = 1024;
-
 constexpr std::array<const char*, 6> kForOneProfile{
     "--trajectory", "--trajectory-step", "--report", "--can", "--node", "--start-cycle"};
 

@@ -10,20 +10,18 @@
 namespace host_sim {
 namespace {
 
-using nlohmann::json;
-
-double life_used(const json& profile) {
+double life_used(const nlohmann::json& profile) {
   return profile["result"]["damage"]["total"].get<double>();
 }
 
 /// The first of those that use the most life; null where all were refused.
-json most_life_used(const std::vector<batch::Answer>& answers) {
-  json most;
+nlohmann::json most_life_used(const std::vector<batch::Answer>& answers) {
+  nlohmann::json most;
   for (const batch::Answer& answer : answers) {
     if (!answer.error.empty()) {
       continue;
     }
-    json profile = json::parse(answer.json);
+    nlohmann::json profile = nlohmann::json::parse(answer.json);
     if (most.is_null() || life_used(profile) > life_used(most)) {
       most = std::move(profile);
     }
@@ -44,7 +42,7 @@ void write_totals(std::ostream& out, const std::vector<batch::Answer>& answers) 
       std::count_if(answers.begin(), answers.end(),
                     [](const batch::Answer& answer) { return !answer.error.empty(); });
   fmt::print(out, "{} profiles replayed, {} refused\n", std::ssize(answers) - refused, refused);
-  if (const json most = most_life_used(answers); !most.is_null()) {
+  if (const nlohmann::json most = most_life_used(answers); !most.is_null()) {
     fmt::print(out, "  most life     {:.6g} in {}\n", life_used(most),
                most["profile"].get<std::string>());
   }

@@ -19,7 +19,7 @@
 namespace host_sim {
 namespace {
 
-struct Arguments {
+struct SynthArguments {
   std::string plan;
   std::string out;
   std::string truth;
@@ -31,7 +31,7 @@ struct Arguments {
   [[nodiscard]] std::array<std::string, 2> outputs() const { return {truth, json}; }
 };
 
-void check(const Arguments& arguments) {
+void check(const SynthArguments& arguments) {
   if (const std::string why = conflict_of(arguments.outputs()); !why.empty()) {
     throw CLI::ValidationError("synth", why);
   }
@@ -42,7 +42,7 @@ void check(const Arguments& arguments) {
   }
 }
 
-synth::Truth make(const Arguments& arguments, const synth::SynthPlan& plan,
+synth::Truth make(const SynthArguments& arguments, const synth::SynthPlan& plan,
                   const synth::StagedFolder& folder) {
   Progress progress("synth");
   std::mutex mutex;
@@ -54,7 +54,7 @@ synth::Truth make(const Arguments& arguments, const synth::SynthPlan& plan,
   return synth::make_campaign(plan, options, folder.inside());
 }
 
-std::string json_text(const Arguments& arguments, const synth::SynthPlan& plan,
+std::string json_text(const SynthArguments& arguments, const synth::SynthPlan& plan,
                       const synth::Truth& truth, const std::string& digest) {
   const nlohmann::ordered_json json{{"campaign", arguments.out},
                                     {"name", plan.name},
@@ -65,7 +65,7 @@ std::string json_text(const Arguments& arguments, const synth::SynthPlan& plan,
   return json.dump(2) + "\n";
 }
 
-int run(const Arguments& arguments) {
+int run(const SynthArguments& arguments) {
   check(arguments);
   const synth::SynthPlan plan = synth::read_synth_plan(arguments.plan);
   auto truth_file = open_if_asked(arguments.truth);
@@ -91,7 +91,7 @@ int run(const Arguments& arguments) {
 }  // namespace
 
 void add_synth(CLI::App& app, int& status) {
-  auto arguments = std::make_shared<Arguments>();
+  auto arguments = std::make_shared<SynthArguments>();
   CLI::App* verb = app.add_subcommand(
       "synth", "A campaign by simulation, with effects that are hidden in it as its plan says");
   verb->add_option("--plan", arguments->plan, "What to simulate, a TOML file")->required();

@@ -13,6 +13,9 @@ inline constexpr std::string_view kProgramVersion = TENDONLIFE_VERSION;
 /// Status of a run that found what it was asked to fail on.
 inline constexpr int kFoundInData = 3;
 
+/// Of --threads.
+inline constexpr unsigned kMostThreads = 1024;
+
 /// Each adds one verb to the program; running it sets `status`, which becomes the exit status.
 void add_replay(CLI::App& app, int& status);
 void add_calibrate(CLI::App& app, int& status);

@@ -7,9 +7,6 @@
 
 namespace host_sim::calibrate {
 
-/// Below it a test rejects.
-inline constexpr double kSignificance = 0.05;
-
 /// The simulated p-value where there is one, else that of the chi-square distribution.
 double p_of(const Test& test);
 

@@ -11,8 +11,7 @@ namespace {
 
 /// Half the 0.95 point of chi-square with one degree of freedom.
 constexpr double kLoss = 1.9207294103470258;
-constexpr double kFarthest = 11;
-constexpr Eigen::Index kCommon = 3;
+constexpr double kFarthestLook = 11;
 
 /// The end on one side: secant steps on the root of the loss, which is nearly straight.
 double end_of(const ModelView& view, const ModelFit& fit, Eigen::Index coordinate, double sign) {
@@ -25,7 +24,7 @@ double end_of(const ModelView& view, const ModelFit& fit, Eigen::Index coordinat
   constexpr int kSteps = 8;
   constexpr double kClose = 0.01;
   for (int step = 0; step < kSteps; ++step) {
-    far = std::min(far, std::max(kFarthest - sign * best, near));
+    far = std::min(far, std::max(kFarthestLook - sign * best, near));
     const ModelFit at = fit_with_fixed(view, coordinate, best + sign * far, start);
     start = at.at;
     const double loss_root = std::sqrt(std::max(0.0, fit.log_posterior - at.log_posterior));
@@ -40,7 +39,7 @@ double end_of(const ModelView& view, const ModelFit& fit, Eigen::Index coordinat
     } else {
       far = near + (root - near_root) / slope;
     }
-    if (best + sign * near >= kFarthest || best + sign * near <= -kFarthest) {
+    if (best + sign * near >= kFarthestLook || best + sign * near <= -kFarthestLook) {
       break;
     }
   }
@@ -93,7 +92,7 @@ ModelEstimates estimates_of(const ModelView& view, const ModelFit& fit, unsigned
       },
       threads);
   ModelEstimates estimates;
-  std::size_t next = static_cast<std::size_t>(kCommon);
+  std::size_t next = static_cast<std::size_t>(CommonPrior::kCount);
   for (const Term& term : view.terms()) {
     estimates.terms.emplace_back();
     for (const TermParameter& parameter : term.parameters) {

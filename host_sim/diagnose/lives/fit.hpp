@@ -19,6 +19,7 @@ struct CommonPrior {
   double ln_exponent = 0;
   double ln_shape = 0;
 
+  static constexpr Eigen::Index kCount = 3;
   static constexpr double kLife_sd = 1, kLogExponent_sd = 0.2, kLogShape_sd = 0.25;
 
   /// ln of the prior of the two, less that of standard normal densities at 0.

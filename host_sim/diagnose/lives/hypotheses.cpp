@@ -55,9 +55,8 @@ Hypothesis alone(const std::vector<Term>& terms) {
 
 /// Coordinates of a pair from those of both alone.
 Eigen::VectorXd joined(const Eigen::VectorXd& one, const Eigen::VectorXd& other) {
-  constexpr Eigen::Index kCommon = 3;
-  Eigen::VectorXd at(one.size() + other.size() - kCommon);
-  at << one, other.tail(other.size() - kCommon);
+  Eigen::VectorXd at(one.size() + other.size() - CommonPrior::kCount);
+  at << one, other.tail(other.size() - CommonPrior::kCount);
   return at;
 }
 

@@ -7,8 +7,6 @@
 namespace host_sim::diagnose::lives {
 namespace {
 
-constexpr Eigen::Index kCommon = 3;
-
 /// ln of half a standard normal density and half of one that is four times as wide, less that of
 /// the first at 0.
 double log_mixture(double u) {
@@ -24,7 +22,7 @@ double CommonPrior::log_density(double u_exponent, double u_shape) {
 
 ModelView::ModelView(const LifeSample& sample, const CommonPrior& prior,
                      std::span<const Term> terms)
-    : sample_(sample), prior_(prior), terms_(terms), coordinates_(kCommon) {
+    : sample_(sample), prior_(prior), terms_(terms), coordinates_(CommonPrior::kCount) {
   for (const Term& term : terms_) {
     firsts_.push_back(coordinates_);
     coordinates_ += static_cast<Eigen::Index>(term.parameters.size());
@@ -53,7 +51,7 @@ LifeSettings ModelView::settings(const Eigen::VectorXd& at) const {
 
 double ModelView::log_prior(const Eigen::VectorXd& at) const {
   return CommonPrior::log_density(at[1], at[2]) - at[0] * at[0] / 2 -
-         at.tail(at.size() - kCommon).squaredNorm() / 2;
+         at.tail(at.size() - CommonPrior::kCount).squaredNorm() / 2;
 }
 
 double ModelView::log_posterior(const Eigen::VectorXd& at) const {

@@ -7,10 +7,10 @@
 namespace host_sim::diagnose::lives {
 
 std::string hindrance(const LifeSample& sample, const NominalFit& nominal) {
-  constexpr std::size_t kLeastFailures = 6;
-  if (sample.failures() < kLeastFailures) {
+  constexpr std::size_t kLeastToJudge = 6;
+  if (sample.failures() < kLeastToJudge) {
     return fmt::format("{} of {} specimens failed; {} failures are the least to judge a law by",
-                       sample.failures(), sample.size(), kLeastFailures);
+                       sample.failures(), sample.size(), kLeastToJudge);
   }
   if (sample.levels < 2) {
     return "all specimens were tested at one effective tension, which says nothing of gamma; test "

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "host_sim/diagnose/lives/tension.hpp"
+#include "host_sim/statistics/normal_tail.hpp"
 
 namespace host_sim::diagnose::lives {
 namespace {
 
-constexpr double kLevel_z = 1.959963984540054;   ///< of 5 %, two-sided
 constexpr double kPower_z = 0.8416212335729143;  ///< of 80 %
 
 double ln_mean_sd(double shape) {
@@ -79,7 +79,7 @@ double ValidationPower::p() const {
 }
 
 std::size_t ValidationPower::specimens_needed() const {
-  const double wanted_sd = std::abs(ln_deviation) / (kLevel_z + kPower_z);
+  const double wanted_sd = std::abs(ln_deviation) / (statistics::kNormal95 + kPower_z);
   const double left = wanted_sd * wanted_sd - ln_sd_of_law * ln_sd_of_law;
   constexpr double kMost = 1e6;
   const double needed = left > 0 ? std::ceil(ln_sd * ln_sd / left) : kMost;

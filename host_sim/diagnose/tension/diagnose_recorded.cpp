@@ -20,14 +20,13 @@
 #include "host_sim/diagnose/tension/steps.hpp"
 #include "host_sim/diagnose/tension/words.hpp"
 #include "host_sim/io/input_error.hpp"
+#include "host_sim/statistics/normal_tail.hpp"
 
 namespace host_sim::diagnose {
 namespace {
 
 /// Relative; signatures of the largest effects leave as much.
 constexpr double kFrictionOff = 0.01;
-
-constexpr double kNormal95 = 1.959963984540054;
 
 /// Of the paper's wire, where the campaign does not say: damage is compared with damage only.
 constexpr reference::Constants kUsualWire{177.4, 0.2, 1.53e5, 1.38, 5.94};
@@ -233,7 +232,7 @@ class Diagnoser {
   /// Gain or friction, by its place among the coefficients.
   static Estimate refitted(std::string name, const ModelFit& fit, Eigen::Index place,
                            double offset) {
-    const double half = kNormal95 * std::sqrt(fit.covariance(place, place));
+    const double half = statistics::kNormal95 * std::sqrt(fit.covariance(place, place));
     const double value = offset + fit.coefficients(place);
     return {std::move(name), "1", value, value - half, value + half};
   }

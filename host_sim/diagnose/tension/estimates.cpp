@@ -8,14 +8,14 @@
 #include <numbers>
 
 #include "host_sim/diagnose/tension/fitted.hpp"
+#include "host_sim/statistics/normal_tail.hpp"
 
 namespace host_sim::diagnose {
 namespace {
 
 using Eigen::Index;
 
-constexpr double kNormal95 = 1.959963984540054;
-constexpr double kHalfChiSquare95 = kNormal95 * kNormal95 / 2;
+constexpr double kHalfChiSquare95 = statistics::kNormal95 * statistics::kNormal95 / 2;
 
 /// Relative steps away from the best shape.
 constexpr std::array kSteps{1e-4, 3e-4, 1e-3, 3e-3, 0.01, 0.03, 0.1, 0.3, 0.7};
@@ -75,7 +75,7 @@ Range shape_range(const Evidence& evidence, std::span<const Component> model, st
 
 /// With what the model itself may be off by, which is independent of the noise.
 Estimate widened(Estimate estimate, const effects::Parameter& parameter) {
-  const double off = kNormal95 * parameter.model_error * estimate.value;
+  const double off = statistics::kNormal95 * parameter.model_error * estimate.value;
   estimate.low = estimate.value - std::hypot(estimate.value - estimate.low, off);
   estimate.high = estimate.value + std::hypot(estimate.high - estimate.value, off);
   return estimate;
@@ -94,7 +94,8 @@ std::vector<Estimate> linear_estimates(const Fitted& by, const Component& compon
   for (std::size_t i = 0; i < block.count; ++i) {
     const effects::Parameter& parameter = component.effect->parameters()[per_pose ? 0 : i];
     const auto place = static_cast<Index>(block.first + i);
-    const double half = kNormal95 * std::sqrt(dispersion * by.fit.covariance(place, place));
+    const double half =
+        statistics::kNormal95 * std::sqrt(dispersion * by.fit.covariance(place, place));
     const double value = by.fit.coefficients(place);
     std::string name = per_pose ? pose_name(parameter, by.grams.baseline.poses_rad[i])
                                 : std::string(parameter.name);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host_sim/diagnose/tension/fitted.hpp"
+#include "host_sim/statistics/normal_tail.hpp"
 
 namespace host_sim::diagnose {
 namespace {
@@ -12,9 +13,8 @@ using Eigen::Index;
 
 constexpr std::size_t kTraces = 3;
 constexpr std::size_t kMostPoints = 1200;
-constexpr double kNormal95 = 1.959963984540054;
 
-double square_off(const std::vector<double>& one, const std::vector<double>& other) {
+double mean_square_off(const std::vector<double>& one, const std::vector<double>& other) {
   double sum = 0;
   for (std::size_t i = 0; i < one.size(); ++i) {
     sum += (one[i] - other[i]) * (one[i] - other[i]);
@@ -119,8 +119,8 @@ std::vector<TracePicture> trace_pictures(const Evidence& evidence,
   std::vector<Missed> missed;
   for (std::size_t i = 0; i < evidence.sessions.size(); ++i) {
     const Session& session = evidence.sessions[i];
-    missed.push_back(
-        {i, square_off(predict(session, nominal).output_N, session.covariates.output_tension_N)});
+    missed.push_back({i, mean_square_off(predict(session, nominal).output_N,
+                                         session.covariates.output_tension_N)});
   }
   std::ranges::stable_sort(missed, std::greater{}, &Missed::square_N2);
   std::vector<TracePicture> traces;
@@ -152,8 +152,9 @@ std::vector<ResidualPicture> residual_pictures(const Evidence& evidence,
         if (bins.count[column] == 0) {
           continue;
         }
-        const double half = kNormal95 * deviation(bins, column, extended.fit.noise,
-                                                  evidence.options.autocorrelation, angle_rad);
+        const double half =
+            statistics::kNormal95 * deviation(bins, column, extended.fit.noise,
+                                              evidence.options.autocorrelation, angle_rad);
         picture.centre.push_back(bins.covariate[column] / bins.count[column]);
         picture.before.push_back(bins.before[column] / bins.count[column]);
         picture.after.push_back(bins.after[column] / bins.count[column]);

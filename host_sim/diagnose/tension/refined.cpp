@@ -8,7 +8,7 @@
 namespace host_sim::diagnose {
 namespace {
 
-constexpr int kRounds = 3;
+constexpr int kSelectionRounds = 3;
 constexpr double kMostChange = 4;  ///< in one round
 
 /// A size that is known to first order by its share alone, times that share.
@@ -52,13 +52,13 @@ Component searched(const Evidence& evidence, const std::vector<Component>& model
 }  // namespace
 
 void take_friction_of(Evidence& evidence, std::vector<Component> model) {
-  for (int round = 0; round < kRounds && !model.empty(); ++round) {
+  for (int round = 0; round < kSelectionRounds && !model.empty(); ++round) {
     take_fit(evidence, model);
   }
 }
 
 std::vector<Component> refined(Evidence& evidence, std::vector<Component> model) {
-  for (int round = 0; round < kRounds && !model.empty(); ++round) {
+  for (int round = 0; round < kSelectionRounds && !model.empty(); ++round) {
     take_fit(evidence, model);
     for (std::size_t i = 0; i < model.size(); ++i) {
       if (model[i].effect->at_reversals()) {

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kLeast_c = 1e-3;
 constexpr double kStep = 1.9952623149688795;  ///< from one c to the next: 10^0.3
-constexpr int kSteps = 30;
+constexpr int kLadderSteps = 30;
 
 /// ln of the likelihood ratio for each sample that is not worth the trouble of weights.
 constexpr double kLeastGain = 0.005;
@@ -43,7 +43,7 @@ double most_likely_c(std::span<const Session> sessions,
   const double even = deviance(sessions, residuals, 0);
   double best_N2 = 0;
   double least = even - 2 * kLeastGain;
-  for (int i = 0; i < kSteps; ++i) {
+  for (int i = 0; i < kLadderSteps; ++i) {
     const double c_N2 = kLeast_c * std::pow(kStep, i);
     const double here = deviance(sessions, residuals, c_N2);
     if (here < least) {

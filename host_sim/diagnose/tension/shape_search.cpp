@@ -6,7 +6,7 @@
 namespace host_sim::diagnose {
 namespace {
 
-constexpr std::size_t kRounds = 5;
+constexpr std::size_t kSearchRounds = 5;
 constexpr double kClearlyBetter = 2;  ///< of ln evidence
 
 constexpr std::size_t kBetween = 3;  ///< shapes tried between each two neighbours
@@ -143,7 +143,7 @@ ShapeSearch search_shape(const Evidence& evidence, const effects::TensionEffect&
   for (std::size_t i = 0; i < shapes.size(); ++i) {
     tried.push_back({static_cast<double>(i), shapes[i], at_shapes[i]});
   }
-  for (std::size_t round = 0; round < kRounds && effect.shapes_between(); ++round) {
+  for (std::size_t round = 0; round < kSearchRounds && effect.shapes_between(); ++round) {
     std::vector<Tried> wanted = to_try(tried, best_of(tried));
     if (wanted.empty()) {
       break;

@@ -14,11 +14,11 @@
 namespace host_sim::monitor {
 namespace {
 
-constexpr std::string_view kAccepted =
+constexpr std::string_view kAcceptedLog =
     "a log of candump -L, a Vector ASC file, or PCAP or PCAPNG of a CAN interface";
 
 std::string front_of(const std::filesystem::path& path) {
-  const auto source = open_source(path, kAccepted);
+  const auto source = open_source(path, kAcceptedLog);
   std::array<char, 512> buffer{};
   std::string front;
   while (front.size() < buffer.size()) {
@@ -43,7 +43,7 @@ std::string_view without_mark(std::string_view front) {
   throw InputError(path.string(), 1, 1,
                    other_candump ? "output of candump in another format than that of -L"
                                  : in_quotes(line.substr(0, 40)),
-                   kAccepted);
+                   kAcceptedLog);
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ std::unique_ptr<LogReader> open_log(const std::filesystem::path& path) {
     return std::make_unique<PcapReader>(path);
   }
   if (is_asc(front)) {
-    return std::make_unique<AscReader>(open_source(path, kAccepted), path.string());
+    return std::make_unique<AscReader>(open_source(path, kAcceptedLog), path.string());
   }
   if (front.empty() || front.starts_with('(') || front.starts_with('#')) {
     return std::make_unique<CandumpLogReader>(path);

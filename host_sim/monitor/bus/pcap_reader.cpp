@@ -14,7 +14,7 @@
 namespace host_sim::monitor {
 namespace {
 
-constexpr std::string_view kAccepted =
+constexpr std::string_view kAcceptedCapture =
     "PCAP or PCAPNG with whole packets of link type CAN_SOCKETCAN, LINUX_SLL or LINUX_SLL2";
 constexpr std::int64_t kLatest_s = 0xffff'ffff;  // what PCAP has room for
 constexpr unsigned kCan = 0x000c;                // linux/if_ether.h, ETH_P_CAN and ETH_P_CANFD
@@ -51,7 +51,7 @@ PcapReader::PcapReader(const std::filesystem::path& path)
   std::FILE* const file = std::fopen(path.c_str(), "rb");
   if (file == nullptr) {
     throw InputError(name_, 0, 0, std::string("cannot be opened: ") + std::strerror(errno),
-                     kAccepted);
+                     kAcceptedCapture);
   }
   open(file);
 }
@@ -69,13 +69,13 @@ void PcapReader::open(std::FILE* file) {
       ::pcap_fopen_offline_with_tstamp_precision(file, PCAP_TSTAMP_PRECISION_NANO, error.data()));
   if (!capture_) {
     std::fclose(file);
-    throw InputError(name_, 0, 0, error.data(), kAccepted);
+    throw InputError(name_, 0, 0, error.data(), kAcceptedCapture);
   }
   link_type_ = ::pcap_datalink(capture_.get());
   if (link_type_ != DLT_CAN_SOCKETCAN && !cooked_of(link_type_)) {
     const char* const name = ::pcap_datalink_val_to_name(link_type_);
     throw InputError(name_, 0, 0, std::string("link type ") + (name != nullptr ? name : "unknown"),
-                     kAccepted);
+                     kAcceptedCapture);
   }
 }
 
@@ -131,7 +131,7 @@ std::int64_t PcapReader::time_of(const ::pcap_pkthdr& head) const {
 
 void PcapReader::refuse(std::string_view trouble) const {
   throw InputError(name_, 0, 0, "packet " + std::to_string(packet_) + std::string(trouble),
-                   kAccepted);
+                   kAcceptedCapture);
 }
 
 }  // namespace host_sim::monitor

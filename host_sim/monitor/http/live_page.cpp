@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "host_sim/io/input_error.hpp"
+#include "host_sim/io/system_error_text.hpp"
 #include "host_sim/monitor/http/gate.hpp"
 #include "host_sim/monitor/http/hub.hpp"
 #include "host_sim/monitor/http/routes.hpp"
@@ -72,7 +73,7 @@ struct LivePage::Impl {
       port = -1;
     }
     if (port < 0) {
-      const std::string why = std::generic_category().message(errno);
+      const std::string why = reason_of(errno);
       throw InputError("--http", 0, 0, "'" + address.text() + "', where it cannot listen: " + why,
                        "an address of this machine and a port that is free");
     }

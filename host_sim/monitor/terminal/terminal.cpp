@@ -2,11 +2,13 @@
 
 #include <poll.h>
 #include <sys/ioctl.h>
+#include <termios.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstdlib>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -73,7 +75,7 @@ Terminal::Terminal(std::function<std::vector<std::string>()> troubles)
     : troubles_(std::move(troubles)), colours_(wants_colours()) {
   ::termios now{};
   if (::tcgetattr(STDIN_FILENO, &now) == 0) {
-    before_ = now;
+    before_ = std::make_unique<::termios>(now);
     // Ctrl-C is read as a key, so that no second one ends the program before this is gone.
     now.c_lflag &= ~static_cast<::tcflag_t>(ICANON | ECHO | ISIG);
     now.c_cc[VMIN] = 0;

@@ -1,14 +1,14 @@
 #pragma once
 
-#include <termios.h>
-
 #include <chrono>
 #include <functional>
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "host_sim/monitor/watch/observer.hpp"
+
+struct termios;
 
 namespace host_sim::monitor {
 
@@ -33,7 +33,7 @@ class Terminal final : public Observer {
   using Clock = std::chrono::steady_clock;
 
   std::function<std::vector<std::string>()> troubles_;
-  std::optional<::termios> before_;  ///< of standard input, where that is a terminal
+  std::unique_ptr<::termios> before_;  ///< of standard input, where that is a terminal
   Clock::time_point next_draw_{};
   bool colours_;
 };

@@ -16,8 +16,8 @@ foreach(asset IN LISTS assets)
     string(APPEND bytes "${part}\n")
   endforeach()
   string(APPEND code
-    "static constexpr char ${name}_bytes[] = {\n${bytes}};\n"
-    "constinit const std::string_view ${name}(${name}_bytes, sizeof ${name}_bytes);\n")
+    "static constexpr char kBytes_${name}[] = {\n${bytes}};\n"
+    "constinit const std::string_view ${name}(kBytes_${name}, sizeof kBytes_${name});\n")
 endforeach()
 string(APPEND code "}  // namespace ${NAMESPACE}\n")
 file(WRITE "${OUTPUT}" "${code}")

@@ -12,6 +12,7 @@
 
 #include "host_sim/campaign/list_campaigns.hpp"
 #include "host_sim/io/output_file.hpp"
+#include "host_sim/io/system_error_text.hpp"
 
 namespace host_sim::synth {
 namespace {
@@ -69,7 +70,7 @@ void StagedFolder::commit() {
   check_place();
   const bool swap = fs::exists(path_);
   if (!rename_or_swap(partial_, path_, swap)) {
-    throw OutputError(path_.string(), std::generic_category().message(errno));
+    throw OutputError(path_.string(), reason_of(errno));
   }
   committed_ = true;
   if (swap) {

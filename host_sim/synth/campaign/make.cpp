@@ -6,24 +6,14 @@
 #include "host_sim/synth/campaign/sessions.hpp"
 
 namespace host_sim::synth {
-namespace {
-
-void write(const std::filesystem::path& path, std::string_view text) {
-  OutputFile file(path);
-  file.write(text);
-  file.commit();
-}
-
-}  // namespace
-
 Truth make_campaign(const SynthPlan& plan, const MakeOptions& options,
                     const std::filesystem::path& folder) {
-  write(folder / "campaign.toml", campaign_text(plan));
+  write_file(folder / "campaign.toml", campaign_text(plan));
   if (plan.lives) {
     const LifeTexts texts = life_texts(plan, options.seed);
-    write(folder / "specimens.csv", texts.specimens);
+    write_file(folder / "specimens.csv", texts.specimens);
     if (!texts.blocks.empty()) {
-      write(folder / "blocks.csv", texts.blocks);
+      write_file(folder / "blocks.csv", texts.blocks);
     }
   }
   return plan.recordings ? write_sessions(plan, options, folder) : Truth{};

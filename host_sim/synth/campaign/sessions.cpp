@@ -26,12 +26,6 @@ std::string session_name(std::size_t number, std::size_t count) {
                      std::max<std::size_t>(3, fmt::formatted_size("{}", count)));
 }
 
-void write(const fs::path& path, std::string_view text) {
-  OutputFile file(path);
-  file.write(text);
-  file.commit();
-}
-
 std::string sessions_text(const std::vector<Setting>& settings) {
   std::string text = "session,specimen,file,start_cycle\n";
   for (const Setting& setting : settings) {
@@ -127,15 +121,15 @@ Truth write_sessions(const SynthPlan& plan, const MakeOptions& options, const fs
   if (!fs::create_directory(folder / "recordings", error) || error) {
     throw OutputError((folder / "recordings").string(), error.message());
   }
-  write(folder / "sessions.csv", sessions_text(truth.settings));
+  write_file(folder / "sessions.csv", sessions_text(truth.settings));
   std::atomic<std::size_t> done = 0;
   statistics::parallel_for(
       count,
       [&](std::size_t i) {
         const Channels channels =
             session_channels(plan, truth.settings[i], truth.scatter[i], options.seed);
-        write(folder / "recordings" / fmt::format("{}.csv", session_name(i, count)),
-              recording_text(plan.recordings->channels, channels));
+        write_file(folder / "recordings" / fmt::format("{}.csv", session_name(i, count)),
+                   recording_text(plan.recordings->channels, channels));
         if (options.progress) {
           options.progress(static_cast<double>(++done) / static_cast<double>(count));
         }

@@ -7,7 +7,7 @@
 namespace host_sim::synth {
 namespace {
 
-std::unique_ptr<TensionPart> make(const Hidden& hidden) {
+std::unique_ptr<TensionPart> make_part(const Hidden& hidden) {
   const auto kinds = hidden.outside ? outside_tension_kinds() : tension_kinds();
   const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const TensionKind& candidate) {
     return candidate.id == hidden.id;
@@ -23,7 +23,7 @@ std::vector<std::unique_ptr<TensionPart>> tension_parts(const SynthPlan& plan,
   std::vector<std::unique_ptr<TensionPart>> parts;
   for (const Hidden& hidden : plan.hidden) {
     if (!hidden.of_life && (only.empty() || only == hidden.id)) {
-      parts.push_back(make(hidden));
+      parts.push_back(make_part(hidden));
       parts.back()->begin(setting, seed);
     }
   }

@@ -9,15 +9,15 @@
 namespace host_sim::synth {
 namespace {
 
-constexpr NumberKey kBendAngle{"bend_angle_deg", "deg", {0, 1800}};
+constexpr NumberKey kLevelBendAngle{"bend_angle_deg", "deg", {0, 1800}};
 constexpr NumberKey kMean{"output_tension_mean_N", "N", {0, 1000}};
 constexpr NumberKey kAmplitude{"output_tension_amplitude_N", "N", {0, 1000, true}};
 constexpr NumberKey kFrequency{"frequency_Hz", "Hz", {0.001, 1000}};
 constexpr NumberKey kRatio{"wire_to_bend_ratio", "", {0, 1, true}};
 constexpr NumberKey kSpecimens{"specimens", "", {1, 10'000}};
 constexpr NumberKey kSuspend{"suspend_at_cycles", "cycles", {1, 1e15}};
-constexpr std::array kLevel{kBendAngle, kMean,      kAmplitude, kFrequency,
-                            kRatio,     kSpecimens, kSuspend};
+constexpr std::array kLevel{kLevelBendAngle, kMean,      kAmplitude, kFrequency,
+                            kRatio,          kSpecimens, kSuspend};
 constexpr NumberKey kLevelSpecimens{"specimens", "", {0, 10'000}};
 
 constexpr NumberKey kLevels{"levels", "", {1, 10'000}};
@@ -37,7 +37,7 @@ constexpr std::array<std::string_view, 2> kRoles{"fit", "validation"};
 LifeLevel level_in(const TomlTable& table) {
   table.refuse_unknown_keys(kLevel, kRole);
   LifeLevel level;
-  level.load.bend_angle_deg = table.number(kBendAngle);
+  level.load.bend_angle_deg = table.number(kLevelBendAngle);
   level.load.output_mean_N = table.number(kMean);
   level.load.output_amplitude_N = table.number(kAmplitude);
   level.load.frequency_Hz = number_or(table, kFrequency, 1);

@@ -38,9 +38,9 @@ TEST(ScriptJson, HasNullForNumbersThatAreNotFinite) {
 RC_GTEST_PROP(EscapeProperty, NoBytesBreakOut, (const std::string& bytes)) {
   const std::string html = html_escape(bytes);
   RC_ASSERT(html.find_first_of("<>\"'") == std::string::npos);
-  const std::string json = script_json(bytes);
-  RC_ASSERT(json.find_first_of("<>&") == std::string::npos);
-  RC_ASSERT(std::all_of(json.begin(), json.end(), [](char c) { return c >= ' ' && c <= '~'; }));
+  const std::string script = script_json(bytes);
+  RC_ASSERT(script.find_first_of("<>&") == std::string::npos);
+  RC_ASSERT(std::all_of(script.begin(), script.end(), [](char c) { return c >= ' ' && c <= '~'; }));
 }
 
 }  // namespace
