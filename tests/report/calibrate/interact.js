@@ -1,75 +1,45 @@
 'use strict';
-// Uses the page as a person with a keyboard would, once it is ready, and writes what went wrong to
-// data-interaction of the root element, or "ok".
-(function interact() {
-  const problems = [];
-  const expect = (what, holds) => {
-    if (!holds) {
-      problems.push(what);
-    }
-  };
-  const press = (element, key) =>
-    element.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true }));
-  const chart = (name) => document.querySelector(`[data-chart="${name}"]`);
-  const afterDrawing = () => new Promise((resolve) => { setTimeout(resolve, 50); });
-  const reading = (holder) => holder.querySelector('.readout').textContent;
-  const inked = (holder) => {
-    const canvas = holder.querySelector('canvas');
-    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-    let sum = 0;
-    for (let at = 3; at < data.length; at += 4) {
-      sum += data[at];
-    }
-    return sum;
-  };
+interaction.run(async (expect) => {
+  const { press, chart, afterDrawing, reading, inked } = interaction;
 
-  async function tryAll() {
-    await afterDrawing();
+  const lives = chart('lives');
+  expect('the lives wait to be read', reading(lives).startsWith('Point at a mark'));
+  press(lives, 'Home');
+  expect('Home reads a failure of the first level',
+    /^Failed: 315°, 42.5\u00a0N; .* cycles$/.test(reading(lives)));
+  press(lives, 'End');
+  expect('End reads the last level', reading(lives).includes('270°, 35.2\u00a0N'));
+  expect('what is read is marked', !lives.querySelector('.ring').hidden);
 
-    const lives = chart('lives');
-    expect('the lives wait to be read', reading(lives).startsWith('Point at a mark'));
-    press(lives, 'Home');
-    expect('Home reads a failure of the first level',
-      /^Failed: 315°, 42.5\u00a0N; .* cycles$/.test(reading(lives)));
-    press(lives, 'End');
-    expect('End reads the last level', reading(lives).includes('270°, 35.2\u00a0N'));
-    expect('what is read is marked', !lives.querySelector('.ring').hidden);
+  const use = chart('use-log');
+  press(use, 'Home');
+  const first = reading(use);
+  press(use, 'ArrowRight');
+  expect('an arrow moves on', reading(use) !== first);
+  expect('the lowest use level comes first', first.includes('SDM hand: 25 N; '));
 
-    const use = chart('use-log');
-    press(use, 'Home');
-    const first = reading(use);
-    press(use, 'ArrowRight');
-    expect('an arrow moves on', reading(use) !== first);
-    expect('the lowest use level comes first', first.includes('SDM hand: 25 N; '));
+  const law = chart('stress-life-log');
+  const before = inked(law);
+  const mean = [...law.querySelectorAll('.key button')].find(
+    (button) => button.textContent === 'Mean life');
+  mean.click();
+  await afterDrawing();
+  expect('a line is hidden by its name', inked(law) < before
+    && mean.getAttribute('aria-pressed') === 'false');
+  mean.click();
+  await afterDrawing();
+  expect('and shown again', inked(law) === before);
+  press(law, '+');
+  await afterDrawing();
+  expect('+ draws another part', inked(law) !== before);
+  press(law, '0');
+  await afterDrawing();
+  expect('0 shows all again', inked(law) === before);
 
-    const law = chart('stress-life-log');
-    const before = inked(law);
-    const mean = [...law.querySelectorAll('.key button')].find(
-      (button) => button.textContent === 'Mean life');
-    mean.click();
-    await afterDrawing();
-    expect('a line is hidden by its name', inked(law) < before
-      && mean.getAttribute('aria-pressed') === 'false');
-    mean.click();
-    await afterDrawing();
-    expect('and shown again', inked(law) === before);
-    press(law, '+');
-    await afterDrawing();
-    expect('+ draws another part', inked(law) !== before);
-    press(law, '0');
-    await afterDrawing();
-    expect('0 shows all again', inked(law) === before);
-
-    const sign = law.querySelector('.key path');
-    expect('signs of the legend take their colour from the style sheet',
-      sign.outerHTML.includes('var(--line)'));
-    document.documentElement.style.setProperty('--line', '#123456');
-    expect('and follow it', [getComputedStyle(sign).fill, getComputedStyle(sign).stroke]
-      .includes('rgb(18, 52, 86)'));
-
-    expect('nothing hangs over the side',
-      document.documentElement.scrollWidth <= document.documentElement.clientWidth);
-    document.documentElement.dataset.interaction = problems.join('; ') || 'ok';
-  }
-  tryAll().catch((error) => { document.documentElement.dataset.interaction = String(error); });
-})();
+  const sign = law.querySelector('.key path');
+  expect('signs of the legend take their colour from the style sheet',
+    sign.outerHTML.includes('var(--line)'));
+  document.documentElement.style.setProperty('--line', '#123456');
+  expect('and follow it', [getComputedStyle(sign).fill, getComputedStyle(sign).stroke]
+    .includes('rgb(18, 52, 86)'));
+});

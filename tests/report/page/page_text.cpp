@@ -40,4 +40,21 @@ std::string reference_out_of(const std::string& page) {
   return {};
 }
 
+std::string misplaced_plot(const std::string& page, std::size_t plots) {
+  const nlohmann::json charts = data_in(page)["charts"];
+  if (charts.size() != plots) {
+    return "data of " + std::to_string(charts.size()) + " plots";
+  }
+  const std::size_t places = count_of(page, " data-chart=\"");
+  if (places != plots) {
+    return std::to_string(places) + " places";
+  }
+  for (const auto& [id, chart] : charts.items()) {
+    if (count_of(page, " data-chart=\"" + id + "\"") != 1) {
+      return id + " has not one place";
+    }
+  }
+  return {};
+}
+
 }  // namespace host_sim::page_text

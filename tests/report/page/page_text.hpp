@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -16,5 +17,9 @@ namespace host_sim::page_text {
 
 /// A way to reach another file or the network that is in the page; empty without one.
 [[nodiscard]] std::string reference_out_of(const std::string& page);
+
+/// What is wrong with the places and data of a page of this many plots; empty where each plot has
+/// both, once.
+[[nodiscard]] std::string misplaced_plot(const std::string& page, std::size_t plots);
 
 }  // namespace host_sim::page_text

@@ -4,6 +4,7 @@
 # plots as it should and met no error, the drawn elements are in the document, and a page answers to
 # the keyboard as INTERACT expects, wide and narrow.
 set -euo pipefail
+here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 
 make_pages=$1
 folder=$2
@@ -54,7 +55,8 @@ while read -r name charts; do
   echo "$name: $lines line charts, $maps heat maps"
 done <"$folder/charts.txt"
 
-sed -e '/^<\/body>/{s/.*/<script>/;r '"$interact"'
+sed -e '/^<\/body>/{s/.*/<script>/;r '"$here/interaction.js"'
+r '"$interact"'
 a </script></body>
 }' "$folder/typical.html" >"$folder/used.html"
 for width in 1280 500; do

@@ -1,0 +1,36 @@
+'use strict';
+// How a person with a keyboard uses a page. interaction.run takes the steps, once the page is ready,
+// and writes what went wrong to data-interaction of the root element, or "ok".
+const interaction = {
+  press: (element, key) =>
+    element.dispatchEvent(new KeyboardEvent('keydown', { key, bubbles: true, cancelable: true })),
+  chart: (name) => document.querySelector(`[data-chart="${name}"]`),
+  afterDrawing: () => new Promise((resolve) => { setTimeout(resolve, 50); }),
+  reading: (holder) => holder.querySelector('.readout').textContent,
+  inked(holder) {
+    const canvas = holder.querySelector('canvas');
+    const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+    let sum = 0;
+    for (let at = 3; at < data.length; at += 4) {
+      sum += data[at];
+    }
+    return sum;
+  },
+  async run(steps) {
+    const root = document.documentElement;
+    const problems = [];
+    const expect = (what, holds) => {
+      if (!holds) {
+        problems.push(what);
+      }
+    };
+    try {
+      await interaction.afterDrawing();
+      await steps(expect);
+      expect('nothing hangs over the side', root.scrollWidth <= root.clientWidth);
+      root.dataset.interaction = problems.join('; ') || 'ok';
+    } catch (error) {
+      root.dataset.interaction = String(error);
+    }
+  },
+};
