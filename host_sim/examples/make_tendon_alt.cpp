@@ -52,9 +52,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    host_sim::OutputFile file(argv[1]);
-    file.write(specimens());
-    file.commit();
+    host_sim::write_file(argv[1], specimens());
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 1;

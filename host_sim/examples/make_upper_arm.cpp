@@ -97,9 +97,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    host_sim::OutputFile file(argv[1]);
-    file.write(profile());
-    file.commit();
+    host_sim::write_file(argv[1], profile());
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 1;
