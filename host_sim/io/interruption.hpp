@@ -11,7 +11,8 @@ class Interruption : public std::runtime_error {
 };
 
 /// Lets SIGINT and SIGTERM be noticed by stop_if_interrupted() instead of ending the program at
-/// once, so that files half-written are removed. The second signal ends it at once.
+/// once, so that files half-written are removed. A signal half a second after the first or later
+/// ends it at once.
 void watch_for_interruption();
 
 /// @throws Interruption after such a signal

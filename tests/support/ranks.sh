@@ -4,7 +4,8 @@
 ranks() {
   local count="$1"
   shift
-  timeout 120 mpirun --allow-run-as-root --oversubscribe --mca btl_vader_single_copy_mechanism none \
+  # In the foreground it tells mpirun of a signal once; told twice, mpirun kills its ranks.
+  timeout --foreground 120 mpirun --allow-run-as-root --oversubscribe --mca btl_vader_single_copy_mechanism none \
     -n "$count" "$host_sim" "$@"
 }
 
