@@ -13,7 +13,6 @@ namespace {
 
 using calibrate::CalibrateResult;
 
-constexpr int kDigits = 4;
 constexpr int kLawDigits = 5;
 
 std::string parts_text(const calibrate::MixResult& mix) {

@@ -19,7 +19,6 @@ namespace {
 using calibrate::CalibrateResult;
 using calibrate::LevelResult;
 
-constexpr int kDigits = 4;
 constexpr std::array kFamilies = {"normal", "lognormal", "Weibull"};
 
 std::string none_or(bool there, double value) {

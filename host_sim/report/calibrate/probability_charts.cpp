@@ -54,7 +54,7 @@ Layer failures(const LevelResult& level) {
 }
 
 /// Suspended specimens have no plotting position; they stand at the foot of the plot.
-Layer suspended(const LevelResult& level) {
+Layer suspended_at_the_foot(const LevelResult& level) {
   Layer layer = specimen_points(part_of(level), false, "line");
   layer.name = "Suspended: lives longer";
   layer.arrow = Layer::Arrow::right;
@@ -84,7 +84,7 @@ Chart probability_chart(const CalibrateResult& result, std::size_t level_index) 
   Layer failed = failures(level);
   failed.name = "Failed";
   chart.layers.push_back(failed);
-  chart.layers.push_back(suspended(level));
+  chart.layers.push_back(suspended_at_the_foot(level));
   for (Layer& layer : chart.layers) {
     layer.colour = colour_of(result, level_index);
   }

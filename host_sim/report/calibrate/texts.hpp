@@ -7,8 +7,11 @@
 /// Numbers of a calibration in words: plain text, not yet escaped.
 namespace host_sim::calibrate_page {
 
+/// Significant digits of what is read off a life test.
+constexpr int kDigits = 4;
+
 /// "830 to 920"; an end that does not exist is "no limit".
-[[nodiscard]] std::string interval_text(statistics::Interval interval, int significant = 4);
+[[nodiscard]] std::string interval_text(statistics::Interval interval, int significant = kDigits);
 
 /// The simulated p-value where there is one, else that of the chi-square distribution.
 [[nodiscard]] double p_of(const statistics::Test& test);
