@@ -74,6 +74,17 @@ test('the history of a node is bounded and keeps its ends', () => {
   assert.equal(history.events.at(-1).words, String(last));
 });
 
+test('the slider can stand at what a history tells of earlier times', () => {
+  const curve = (count) => Array.from({ length: count }, (_, i) => [10 * i, 0.1]);
+  const few = new NodeHistory({ node: 3, curve: curve(4), events: [] });
+  assert.deepEqual(few.timesBefore(20), [0, 10]);
+  assert.deepEqual(few.timesBefore(0), []);
+  const many = new NodeHistory({ node: 3, curve: curve(4000), events: [] });
+  const times = many.timesBefore(30_000);
+  assert.equal(times.length, 300);
+  times.forEach((time_us, i) => assert.equal(time_us, 100 * i));
+});
+
 test('events that are known are not added twice', () => {
   const event = { time_us: 5, words: 'inspect', kind: 'state', state: 'inspect' };
   const history = new NodeHistory({ node: 3, curve: [], events: [event] });

@@ -170,6 +170,26 @@ async function reloadKeepsThePlace(shown_us) {
   problems.same('live again', (await page.evaluate(shownPage)).connection, 'Live.');
 }
 
+async function scrubsBackBeforeItWasOpened() {
+  const opened_us = feed.time_us;
+  await page.reload();
+  await page.waitFor(() => document.querySelectorAll('#node canvas').length === 2);
+  await page.evaluate(() => document.getElementById('scrub').focus());
+  await page.press('Home');
+  await page.waitFor(() => document.querySelector('#moment').innerText.startsWith('PAUSED'));
+  await sleep(400);
+  const { shown_us } = await page.evaluate(shownPage);
+  const { note, tiles } = await page.evaluate(shownNode);
+  problems.same('before it nothing was told', decoded(shown_us).nodes[1]?.messages.LifeStatus, undefined);
+  problems.expect('long before the page was opened', shown_us < opened_us - 60e6);
+  problems.expect('told in words', note.includes('before this page was opened'));
+  problems.number('its damage', tiles.Damage.text, 100 * decoded(shown_us + 1).nodes[1].damage, 7);
+  await page.press('ArrowRight');
+  await page.waitFor((us) => Number(document.documentElement.dataset.shown) > us, shown_us);
+  await page.press('End');
+  await page.waitFor(() => !document.querySelector('#moment').innerText.startsWith('PAUSED'));
+}
+
 async function exportsWork() {
   const links = await page.evaluate(async () => {
     const read = async (id) => (await fetch(document.getElementById(id).href)).text();
@@ -246,6 +266,7 @@ try {
   await everyValueEqualsTheLog();
   await troublesAreShown();
   await reloadKeepsThePlace(await pauseAndScrub());
+  await scrubsBackBeforeItWasOpened();
   await exportsWork();
   await lostServerIsShown();
   await canBeUsedByAll();

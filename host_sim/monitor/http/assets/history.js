@@ -5,6 +5,7 @@ const FEWEST_MOMENTS = 100;
 const MOST_MOMENTS = 600;
 const MOST_POINTS = 4000;
 const MOST_EVENTS = 1000;
+const MOST_EARLIER_TIMES = 300;
 
 const CLASSES = 8;
 const packedBins = new WeakMap();
@@ -110,6 +111,13 @@ export class NodeHistory {
       ),
     );
     this.events.splice(0, this.events.length - MOST_EVENTS);
+  }
+
+  /** The times of its curve before this one, spread evenly where they are many, the first among them. */
+  timesBefore(time_us) {
+    const times = this.curve.map(([at_us]) => at_us).filter((at_us) => at_us < time_us);
+    const step = Math.ceil(times.length / MOST_EARLIER_TIMES);
+    return times.filter((_, i) => i % step === 0);
   }
 
   /** What the history alone knows of a moment: damage, rate and state. */

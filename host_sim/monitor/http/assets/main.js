@@ -46,9 +46,9 @@ class Page {
       this.go({ at: this.place.at === undefined && this.live ? this.live.now_us : undefined });
     });
     byId('scrub').addEventListener('input', (event) => {
+      const steps = this.steps();
       const index = Number(event.target.value);
-      const last = this.moments.views.length - 1;
-      this.go({ at: index < last ? this.moments.views[index].now_us : undefined });
+      this.go({ at: index < steps.length - 1 ? steps[index] : undefined });
     });
     for (const input of document.querySelectorAll('#axes input')) {
       input.addEventListener('change', () => this.go({ axes: input.value }));
@@ -85,6 +85,13 @@ class Page {
       this.paused = index >= 0 ? { at, view: this.moments.views[index] } : undefined;
     }
     return this.paused ? this.paused.view : this.viewFromHistory(at);
+  }
+
+  /** The times the slider stands at: of what this page has seen, before it what the node has told. */
+  steps() {
+    const seen = this.moments.views.map(({ now_us }) => now_us);
+    const earlier = this.node.history?.timesBefore(seen[0] ?? 0) ?? [];
+    return [...earlier, ...seen];
   }
 
   viewFromHistory(at) {
@@ -129,10 +136,11 @@ class Page {
   }
 
   showMoment(view, paused) {
-    const { views } = this.moments;
     const scrub = byId('scrub');
-    const last = Math.max(0, views.length - 1);
-    const index = paused ? Math.max(0, this.moments.before(this.place.at)) : last;
+    const steps = this.steps();
+    const last = Math.max(0, steps.length - 1);
+    const { at } = this.place;
+    const index = paused ? Math.max(0, steps.findLastIndex((time_us) => time_us <= at)) : last;
     setAttribute(scrub, 'max', String(last));
     if (scrub.value !== String(index)) {
       scrub.value = String(index);
