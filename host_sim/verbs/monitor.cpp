@@ -11,6 +11,7 @@
 #include "host_sim/monitor/bus/socketcan_source.hpp"
 #include "host_sim/monitor/fleet/fleet.hpp"
 #include "host_sim/monitor/http/page_observer.hpp"
+#include "host_sim/monitor/http/recent_frames.hpp"
 #include "host_sim/monitor/http/recorded_folder.hpp"
 #include "host_sim/monitor/record/record_observer.hpp"
 #include "host_sim/monitor/terminal/table.hpp"
@@ -39,6 +40,10 @@ std::unique_ptr<FrameSource> open_source_of(const MonitorArguments& arguments) {
                                               speed);
 }
 
+std::string interface_in_lines(const MonitorArguments& arguments) {
+  return arguments.interface.empty() ? "log" : arguments.interface;
+}
+
 bool needs_attention(const NodeView& node) {
   const bool used_up = node.status && (node.status->value.state == protocol::LifeState::replace ||
                                        node.status->value.state == protocol::LifeState::worn);
@@ -53,9 +58,9 @@ void print_table(const FleetView& view) {
 
 /// The page, which tells where it is.
 std::unique_ptr<Observer> page_of(const MonitorArguments& arguments,
-                                  const monitor::FrameArchive* archive) {
+                                  const monitor::FrameArchive& archive) {
   monitor::LivePageOptions options{.address = monitor::parse_address(arguments.http),
-                                   .archive = archive};
+                                   .archive = &archive};
   if (!arguments.http_token.empty()) {
     options.token = arguments.http_token;
   }
@@ -66,12 +71,11 @@ std::unique_ptr<Observer> page_of(const MonitorArguments& arguments,
 
 /// What follows the bus beside the fleet, in the order in which it is told of frames.
 std::vector<std::unique_ptr<Observer>> observers_of(const MonitorArguments& arguments,
-                                                    const monitor::FrameArchive* archive) {
+                                                    const monitor::FrameArchive& archive) {
   std::vector<std::unique_ptr<Observer>> observers;
   if (!arguments.record.empty()) {
-    auto record = std::make_unique<monitor::RecordObserver>(
-        arguments.record, arguments.rotation,
-        arguments.interface.empty() ? "log" : arguments.interface);
+    auto record = std::make_unique<monitor::RecordObserver>(arguments.record, arguments.rotation,
+                                                            interface_in_lines(arguments));
     if (!record->repaired().empty()) {
       std::cerr << record->repaired() << '\n';
     }
@@ -102,11 +106,15 @@ int run(const MonitorArguments& arguments) {
   const auto source = open_source_of(arguments);
   monitor::Fleet fleet(arguments.bit_rate_bit_s);
   const monitor::RecordedFolder recorded(arguments.record);
-  const auto owned = observers_of(arguments, arguments.record.empty() ? nullptr : &recorded);
+  monitor::RecentFrames recent(interface_in_lines(arguments));
+  const bool records = !arguments.record.empty();
+  const auto owned = records ? observers_of(arguments, recorded) : observers_of(arguments, recent);
   std::vector<Observer*> observers;
-  observers.reserve(owned.size());
   for (const auto& observer : owned) {
     observers.push_back(observer.get());
+  }
+  if (!arguments.http.empty() && !records) {
+    observers.push_back(&recent);
   }
   const bool on_terminal = !arguments.once && monitor::can_draw();
   {

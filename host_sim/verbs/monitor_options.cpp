@@ -55,7 +55,7 @@ void add_source_options(CLI::App& verb, MonitorArguments& arguments) {
 void add_page_options(CLI::App& verb, MonitorArguments& arguments, CLI::Option* once) {
   verb.add_option("--http", arguments.http,
                   "Show a live page at this ADDRESS:PORT, such as 127.0.0.1:8080, which only this "
-                  "machine can reach")
+                  "machine can reach; it exports the frames of --record, else the newest 32 MiB")
       ->type_name("ADDRESS:PORT")
       ->excludes(once);
   verb.add_option("--http-token", arguments.http_token,

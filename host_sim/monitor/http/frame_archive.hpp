@@ -8,7 +8,7 @@
 
 namespace host_sim::monitor {
 
-/// The frames that were recorded, for export.
+/// Frames that were seen, for export.
 class FrameArchive {
  public:
   FrameArchive() = default;

@@ -20,8 +20,4 @@ class RecordedFolder final : public FrameArchive {
   std::filesystem::path folder_;
 };
 
-/// The node that a line of `candump -L` is of: sender, or whom it is meant for. None for frames
-/// that are not of the plan.
-std::optional<protocol::Node> node_of_line(std::string_view line);
-
 }  // namespace host_sim::monitor

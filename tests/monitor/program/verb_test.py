@@ -3,11 +3,15 @@
     verb_test.py HOST_SIM
 """
 
+import json
 import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
+import urllib.error
+import urllib.request
 
 from logs import Log, LoggedNode
 
@@ -17,6 +21,23 @@ HOST_SIM = ""
 def monitor(*arguments, stdin=None):
     return subprocess.run([HOST_SIM, "monitor", *map(str, arguments)], capture_output=True, text=True, check=False,
                           input=stdin)
+
+
+def fetch(url):
+    with urllib.request.urlopen(url, timeout=10) as answer:
+        return answer.read().decode()
+
+
+def wait_for(holds, seconds=20):
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        try:
+            if holds():
+                return
+        except urllib.error.HTTPError:
+            pass
+        time.sleep(0.1)
+    raise TimeoutError("waited in vain")
 
 
 class VerbTest(unittest.TestCase):
@@ -87,6 +108,30 @@ class VerbTest(unittest.TestCase):
         done = monitor("--log", log, "--once", "--record", logs)
         self.assertEqual(done.stderr, f"{only}: a torn last line of 5 bytes was cut off\n")
         self.assertEqual(only.read_text(), 2 * whole)
+
+    def exported(self, log, *arguments):
+        """What the live page gives as candump at the end of a log, of all and of node 5."""
+        with subprocess.Popen([HOST_SIM, "monitor", "--log", log, "--replay-speed", "max", "--http", "127.0.0.1:0",
+                               *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
+                              stderr=subprocess.PIPE, text=True) as process:
+            try:
+                page = process.stderr.readline().removeprefix("live page: ").strip()
+                wait_for(lambda: json.loads(fetch(page + "api/fleet"))["source_ended"])
+                return [fetch(page + f"export/{name}.candump").replace(" log ", " can0 ") for name in ("all", "5")]
+            finally:
+                process.terminate()
+
+    def test_the_page_exports_what_was_seen_or_recorded(self):
+        def fill(log, seconds):
+            for node in (5, 6):
+                LoggedNode(log, node).speak(0, seconds)
+
+        log = self.log(fill, seconds=60.0)
+        lines = log.read_text().splitlines(keepends=True)
+        of_five = "".join(line for line in lines if int(line.split()[2].split("#")[0], 16) & 0x7F == 5)
+        wanted = ["".join(lines), of_five]
+        self.assertEqual(self.exported(log), wanted)
+        self.assertEqual(self.exported(log, "--record", self.folder / "logs"), wanted)
 
     def test_wrong_usage(self):
         for arguments in ([], ["--log", "a", "--interface", "can0"], ["--log", "a", "--replay-speed", "fast"],
