@@ -110,6 +110,7 @@ int run(const MonitorArguments& arguments) {
   const bool records = !arguments.record.empty();
   const auto owned = records ? observers_of(arguments, recorded) : observers_of(arguments, recent);
   std::vector<Observer*> observers;
+  observers.reserve(owned.size() + 1);
   for (const auto& observer : owned) {
     observers.push_back(observer.get());
   }
