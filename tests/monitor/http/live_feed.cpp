@@ -27,34 +27,11 @@
 #include "host_sim/io/candump.hpp"
 #include "host_sim/monitor/fleet/fleet.hpp"
 #include "host_sim/monitor/http/live_page.hpp"
+#include "host_sim/monitor/http/recent_frames.hpp"
 #include "tests/monitor/http/made_bus.hpp"
 
 namespace host_sim::monitor::test {
 namespace {
-
-/// The log in memory.
-class Archive : public FrameArchive {
- public:
-  void add(const SeenFrame& seen) {
-    const std::lock_guard lock(mutex_);
-    std::string line =
-        candump_line(static_cast<std::uint64_t>(seen.time_ns / 1000), "can0", seen.frame);
-    lines_.emplace_back(static_cast<protocol::Node>(seen.frame.id & 0x7f), std::move(line));
-  }
-  void read(std::optional<protocol::Node> node,
-            const std::function<bool(std::string_view)>& take) const override {
-    const std::lock_guard lock(mutex_);
-    for (const auto& [of, line] : lines_) {
-      if ((!node || *node == of) && !take(line)) {
-        return;
-      }
-    }
-  }
-
- private:
-  mutable std::mutex mutex_;
-  std::vector<std::pair<protocol::Node, std::string>> lines_;
-};
 
 class Feed {
  public:
@@ -124,7 +101,7 @@ class Feed {
       if (!logged) {
         return;
       }
-      archive_.add(seen);
+      archive_.see(seen);
       log_ << candump_line(static_cast<std::uint64_t>(seen.time_ns / 1000), "can0", seen.frame);
     });
     log_.flush();
@@ -170,7 +147,7 @@ class Feed {
   std::mutex mutex_;
   std::int64_t now_ns_ = 1'790'000'000 * kS;
   std::ofstream log_;
-  Archive archive_;
+  RecentFrames archive_{"can0"};
   MadeBus bus_;
   Fleet fleet_;
   LivePage page_;
