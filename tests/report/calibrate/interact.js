@@ -1,6 +1,6 @@
 'use strict';
 interaction.run(async (expect) => {
-  const { press, chart, afterDrawing, reading, inked } = interaction;
+  const { press, chart, afterDrawing, hideAndZoom, reading, inked } = interaction;
 
   const lives = chart('lives');
   expect('the lives wait to be read', reading(lives).startsWith('Point at a mark'));
@@ -20,18 +20,7 @@ interaction.run(async (expect) => {
 
   const law = chart('stress-life-log');
   const before = inked(law);
-  const mean = [...law.querySelectorAll('.key button')].find(
-    (button) => button.textContent === 'Mean life');
-  mean.click();
-  await afterDrawing();
-  expect('a line is hidden by its name', inked(law) < before
-    && mean.getAttribute('aria-pressed') === 'false');
-  mean.click();
-  await afterDrawing();
-  expect('and shown again', inked(law) === before);
-  press(law, '+');
-  await afterDrawing();
-  expect('+ draws another part', inked(law) !== before);
+  await hideAndZoom(law, 'Mean life', expect);
   press(law, '0');
   await afterDrawing();
   expect('0 shows all again', inked(law) === before);

@@ -1,6 +1,6 @@
 'use strict';
 interaction.run(async (expect) => {
-  const { press, chart, afterDrawing, reading, inked } = interaction;
+  const { press, chart, hideAndZoom, reading } = interaction;
 
   const residual = chart('residual-0');
   press(residual, 'Home');
@@ -10,19 +10,7 @@ interaction.run(async (expect) => {
   expect('what is read is marked', !residual.querySelector('.ring').hidden);
 
   const trace = document.querySelector('[data-chart^="trace-"]');
-  const before = inked(trace);
-  const nominal = [...trace.querySelectorAll('.key button')].find(
-    (button) => button.textContent === 'Nominal model');
-  nominal.click();
-  await afterDrawing();
-  expect('a line is hidden by its name', inked(trace) < before
-    && nominal.getAttribute('aria-pressed') === 'false');
-  nominal.click();
-  await afterDrawing();
-  expect('and shown again', inked(trace) === before);
-  press(trace, '+');
-  await afterDrawing();
-  expect('+ draws another part', inked(trace) !== before);
+  await hideAndZoom(trace, 'Nominal model', expect);
 
   const bars = [...document.querySelectorAll('.ranking .bar rect:not(.track)')]
     .map((bar) => bar.getBoundingClientRect().width);

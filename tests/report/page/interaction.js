@@ -16,6 +16,23 @@ const interaction = {
     }
     return sum;
   },
+  // A line of a plot goes and comes by its name, and + draws another part.
+  async hideAndZoom(plot, line, expect) {
+    const { afterDrawing, inked, press } = interaction;
+    const before = inked(plot);
+    const name = [...plot.querySelectorAll('.key button')].find(
+      (button) => button.textContent === line);
+    name.click();
+    await afterDrawing();
+    expect('a line is hidden by its name', inked(plot) < before
+      && name.getAttribute('aria-pressed') === 'false');
+    name.click();
+    await afterDrawing();
+    expect('and shown again', inked(plot) === before);
+    press(plot, '+');
+    await afterDrawing();
+    expect('+ draws another part', inked(plot) !== before);
+  },
   async run(steps) {
     const root = document.documentElement;
     const problems = [];
