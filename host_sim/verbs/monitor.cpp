@@ -56,41 +56,65 @@ void print_table(const FleetView& view) {
   }
 }
 
-/// The page, which tells where it is.
-std::unique_ptr<Observer> page_of(const MonitorArguments& arguments,
-                                  const monitor::FrameArchive& archive) {
-  monitor::LivePageOptions options{.address = monitor::parse_address(arguments.http),
-                                   .archive = &archive};
-  if (!arguments.http_token.empty()) {
-    options.token = arguments.http_token;
-  }
-  auto page = std::make_unique<monitor::PageObserver>(options);
-  std::cerr << "live page: " << page->page().url() << '\n';
-  return page;
-}
-
-/// What follows the bus beside the fleet, in the order in which it is told of frames.
-std::vector<std::unique_ptr<Observer>> observers_of(const MonitorArguments& arguments,
-                                                    const monitor::FrameArchive& archive) {
-  std::vector<std::unique_ptr<Observer>> observers;
-  if (!arguments.record.empty()) {
-    auto record = std::make_unique<monitor::RecordObserver>(arguments.record, arguments.rotation,
-                                                            interface_in_lines(arguments));
-    if (!record->repaired().empty()) {
-      std::cerr << record->repaired() << '\n';
+/// What follows the bus beside the fleet.
+class Followers {
+ public:
+  explicit Followers(const MonitorArguments& arguments) {
+    if (!arguments.record.empty()) {
+      begin_record(arguments);
     }
-    observers.push_back(std::move(record));
-  }
-  if (!arguments.http.empty()) {
-    observers.push_back(page_of(arguments, archive));
-  }
+    if (!arguments.http.empty()) {
+      begin_page(arguments);
+    }
 #ifdef TENDONLIFE_MQTT
-  if (arguments.mqtt) {
-    observers.push_back(std::make_unique<monitor::MqttObserver>(*arguments.mqtt));
-  }
+    if (arguments.mqtt) {
+      told_.push_back(&mqtt_.emplace(*arguments.mqtt));
+    }
 #endif
-  return observers;
-}
+  }
+
+  /// In the order in which they are told.
+  [[nodiscard]] const std::vector<Observer*>& told() const {
+    return told_;
+  }
+
+ private:
+  void begin_record(const MonitorArguments& arguments) {
+    record_.emplace(arguments.record, arguments.rotation, interface_in_lines(arguments));
+    if (!record_->repaired().empty()) {
+      std::cerr << record_->repaired() << '\n';
+    }
+    told_.push_back(&*record_);
+    recorded_.emplace(arguments.record, [this] { record_->flush(); });
+  }
+
+  void begin_page(const MonitorArguments& arguments) {
+    monitor::LivePageOptions options{.address = monitor::parse_address(arguments.http)};
+    if (!arguments.http_token.empty()) {
+      options.token = arguments.http_token;
+    }
+    if (recorded_) {
+      options.archive = &*recorded_;
+    } else {
+      recent_.emplace(interface_in_lines(arguments));
+      told_.push_back(&*recent_);
+      options.archive = &*recent_;
+    }
+    page_.emplace(options);
+    std::cerr << "live page: " << page_->page().url() << '\n';
+    told_.push_back(&*page_);
+  }
+
+  std::vector<Observer*> told_;
+  // The page ends before the frames that it exports.
+  std::optional<monitor::RecordObserver> record_;
+  std::optional<monitor::RecordedFolder> recorded_;
+  std::optional<monitor::RecentFrames> recent_;
+  std::optional<monitor::PageObserver> page_;
+#ifdef TENDONLIFE_MQTT
+  std::optional<monitor::MqttObserver> mqtt_;
+#endif
+};
 
 std::vector<std::string> troubles_of(const std::vector<Observer*>& observers) {
   std::vector<std::string> troubles;
@@ -105,18 +129,8 @@ std::vector<std::string> troubles_of(const std::vector<Observer*>& observers) {
 int run(const MonitorArguments& arguments) {
   const auto source = open_source_of(arguments);
   monitor::Fleet fleet(arguments.bit_rate_bit_s);
-  const monitor::RecordedFolder recorded(arguments.record);
-  monitor::RecentFrames recent(interface_in_lines(arguments));
-  const bool records = !arguments.record.empty();
-  const auto owned = records ? observers_of(arguments, recorded) : observers_of(arguments, recent);
-  std::vector<Observer*> observers;
-  observers.reserve(owned.size() + 1);
-  for (const auto& observer : owned) {
-    observers.push_back(observer.get());
-  }
-  if (!arguments.http.empty() && !records) {
-    observers.push_back(&recent);
-  }
+  const Followers followers(arguments);
+  const std::vector<Observer*>& observers = followers.told();
   const bool on_terminal = !arguments.once && monitor::can_draw();
   {
     std::optional<monitor::Terminal> terminal;

@@ -32,6 +32,7 @@ bool read_log(const std::filesystem::path& path, std::optional<protocol::Node> n
 
 void RecordedFolder::read(std::optional<protocol::Node> node,
                           const std::function<bool(std::string_view)>& take) const {
+  flush_();
   for (const std::filesystem::path& log : logs_in(folder_)) {
     if (!read_log(log, node, take)) {
       return;

@@ -20,6 +20,8 @@ class RecordObserver final : public Observer {
   void see(const SeenFrame& seen) override { recorder_.see(seen); }
   [[nodiscard]] std::string trouble() const override { return recorder_.trouble(); }
   [[nodiscard]] const std::string& repaired() const { return recorder_.repaired(); }
+  /// All that was seen can be read in the folder, or trouble() says why not.
+  void flush() { recorder_.flush(); }
 
  private:
   Recorder recorder_;

@@ -33,11 +33,18 @@ void Recorder::see(const SeenFrame& seen) {
   ++waiting_frames_;
 }
 
+void Recorder::flush() {
+  std::unique_lock lock(mutex_);
+  const std::uint64_t ours = ++flushes_asked_;
+  wake_.notify_one();
+  done_.wait(lock, [&] { return flushes_done_ >= ours; });
+}
+
 void Recorder::sync() {
   std::unique_lock lock(mutex_);
   const std::uint64_t ours = ++syncs_asked_;
   wake_.notify_one();
-  synced_.wait(lock, [&] { return syncs_done_ >= ours; });
+  done_.wait(lock, [&] { return syncs_done_ >= ours; });
 }
 
 std::string Recorder::trouble() const {
@@ -54,11 +61,16 @@ void Recorder::run() {
   Clock::time_point next_sync = Clock::now() + kSync;
   std::unique_lock lock(mutex_);
   for (bool last = false; !last;) {
-    wake_.wait_for(lock, kWrite, [this] { return ending_ || syncs_asked_ != syncs_done_; });
+    wake_.wait_for(lock, kWrite, [this] {
+      return ending_ || flushes_asked_ != flushes_done_ || syncs_asked_ != syncs_done_;
+    });
     last = ending_;
-    const std::uint64_t asked = syncs_asked_;
+    const std::uint64_t flushes_asked = flushes_asked_;
+    const std::uint64_t syncs_asked = syncs_asked_;
     write(lock);
-    if (last || asked != syncs_done_ || Clock::now() >= next_sync) {
+    flushes_done_ = flushes_asked;
+    done_.notify_all();
+    if (last || syncs_asked != syncs_done_ || Clock::now() >= next_sync) {
       lock.unlock();
       std::string trouble;
       try {
@@ -70,8 +82,8 @@ void Recorder::run() {
       if (trouble_.empty()) {
         trouble_ = std::move(trouble);
       }
-      syncs_done_ = asked;
-      synced_.notify_all();
+      syncs_done_ = syncs_asked;
+      done_.notify_all();
       next_sync = Clock::now() + kSync;
     }
   }

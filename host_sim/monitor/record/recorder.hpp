@@ -32,6 +32,8 @@ class Recorder {
   ~Recorder();
 
   void see(const SeenFrame& seen);
+  /// All that was seen can be read in the folder, or trouble() says why not.
+  void flush();
   /// All that was seen is on the disk, or trouble() says why not.
   void sync();
 
@@ -48,11 +50,13 @@ class Recorder {
   std::string interface_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;
-  std::condition_variable synced_;
+  std::condition_variable done_;
   std::string waiting_;
   std::string trouble_;
   std::uint64_t waiting_frames_ = 0;
   std::uint64_t lost_frames_ = 0;
+  std::uint64_t flushes_asked_ = 0;
+  std::uint64_t flushes_done_ = 0;
   std::uint64_t syncs_asked_ = 0;
   std::uint64_t syncs_done_ = 0;
   bool ending_ = false;

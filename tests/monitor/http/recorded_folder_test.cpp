@@ -21,7 +21,7 @@ class RecordedFolderTest : public testing::Test {
   }
   [[nodiscard]] std::string read(std::optional<protocol::Node> node) const {
     std::string all;
-    RecordedFolder(folder).read(node, [&](std::string_view piece) {
+    RecordedFolder(folder, [] {}).read(node, [&](std::string_view piece) {
       all += piece;
       return true;
     });
@@ -41,6 +41,17 @@ TEST_F(RecordedFolderTest, ReadsAllLogsInOrder) {
   EXPECT_EQ(read({}), kOfFive + kOfSix);
   EXPECT_EQ(read(5), kOfFive);
   EXPECT_EQ(read(7), "");
+}
+
+TEST_F(RecordedFolderTest, HasWhatWasSeenWrittenFirst) {
+  std::string all;
+  RecordedFolder(folder, [this] {
+    write("frames-00000001.log", kOfFive);
+  }).read({}, [&](std::string_view piece) {
+    all += piece;
+    return true;
+  });
+  EXPECT_EQ(all, kOfFive);
 }
 
 TEST_F(RecordedFolderTest, LeavesOutALineThatIsBeingWritten) {
@@ -63,12 +74,12 @@ TEST_F(RecordedFolderTest, StopsWhereNobodyTakes) {
   write("frames-00000001.log", kOfFive);
   write("frames-00000002.log", kOfSix);
   int pieces = 0;
-  RecordedFolder(folder).read({}, [&](std::string_view) { return ++pieces > 1; });
+  RecordedFolder(folder, [] {}).read({}, [&](std::string_view) { return ++pieces > 1; });
   EXPECT_EQ(pieces, 1);
 }
 
 TEST(RecordedFolder, IsEmptyWithoutAFolder) {
-  RecordedFolder("/nonexistent").read({}, [](std::string_view) {
+  RecordedFolder("/nonexistent", [] {}).read({}, [](std::string_view) {
     ADD_FAILURE();
     return true;
   });

@@ -106,6 +106,18 @@ TEST_F(LogFolderTest, TheRecorderWritesWhatItSaw) {
   EXPECT_EQ(text_of(1).size(), 2 * std::string("(1600000000.000001) can0 185#00AB\n").size());
 }
 
+TEST_F(LogFolderTest, WhatWasSeenCanBeReadAtOnce) {
+  Recorder recorder(folder_, {}, "can0");
+  std::string wanted;
+  for (int i = 0; i < 5; ++i) {
+    recorder.see({});
+    wanted += log_line({}, "can0");
+    recorder.flush();
+    EXPECT_EQ(text_of(1), wanted);
+  }
+  EXPECT_EQ(recorder.trouble(), "");
+}
+
 // A full disk: /dev/full takes no byte.
 TEST_F(LogFolderTest, CountsWhatADiskDidNotTake) {
   std::filesystem::create_directories(folder_);
