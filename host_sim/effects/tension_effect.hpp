@@ -72,6 +72,10 @@ class TensionEffect {
   /// one works on what the other has left.
   [[nodiscard]] virtual bool at_reversals() const { return false; }
 
+  /// Whether all that it does to a session is to shift its gain and its friction: it shows between
+  /// sessions, and not in the shape of a stroke.
+  [[nodiscard]] virtual bool shifts_sessions() const { return false; }
+
   /// Empty where `covariates` hold what it needs, else what is missing, in words.
   [[nodiscard]] virtual std::string missing(const recording::Covariates& covariates) const = 0;
 

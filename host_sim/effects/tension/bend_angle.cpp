@@ -54,6 +54,7 @@ std::unique_ptr<TensionEffect> make_bend_angle() {
        .parameters = kParameters,
        .separations = kSeparations,
        .per_pose = true,
+       .shifts_sessions = true,
        .columns = columns});
 }
 

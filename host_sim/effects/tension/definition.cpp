@@ -35,6 +35,7 @@ class DefinedEffect final : public TensionEffect {
   std::span<const Separation> separations() const override { return definition_.separations; }
   bool per_pose() const override { return definition_.per_pose; }
   bool at_reversals() const override { return definition_.at_reversals; }
+  bool shifts_sessions() const override { return definition_.shifts_sessions; }
 
   std::string missing(const recording::Covariates& covariates) const override {
     if (definition_.acts_on_current && !covariates.input_tension_N.empty()) {

@@ -43,6 +43,7 @@ std::unique_ptr<TensionEffect> make_friction_temperature() {
                     .parameters = kParameters,
                     .separations = kSeparations,
                     .needs = kNeeds,
+                    .shifts_sessions = true,
                     .columns = columns});
 }
 

@@ -52,6 +52,7 @@ std::unique_ptr<TensionEffect> make_friction_wear() {
        .parameters = kParameters,
        .separations = kSeparations,
        .needs = kNeeds,
+       .shifts_sessions = true,
        .shapes = {{0.25, 0},
                   {0.5, 0},
                   {0.75, 0},

@@ -35,6 +35,7 @@ std::unique_ptr<TensionEffect> make_gear_asymmetry() {
        .separations = kSeparations,
        .needs = kNeeds,
        .acts_on_current = true,
+       .shifts_sessions = true,
        .columns = columns});
 }
 

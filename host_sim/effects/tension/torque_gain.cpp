@@ -52,6 +52,7 @@ std::unique_ptr<TensionEffect> make_torque_gain() {
        .separations = kSeparations,
        .needs = kNeeds,
        .acts_on_current = true,
+       .shifts_sessions = true,
        .shapes = {{1.5e-4}, {3e-4}, {6e-4}, {1.2e-3}, {2.5e-3}, {5e-3}},
        .columns = columns});
 }

@@ -97,12 +97,39 @@ TEST(Weigh, PairsShareAPriorOfTheirOwn) {
   Ranking ranking = two_singles(10, 4);
   ranking.pairs.push_back({{component("friction_wear"), component("slack")}, 10});
   const Weighed weighed = weigh(ranking, ranking.best(), {});
-  // One pair of two effects: 0.1, less what tempering took off its second effect.
+  // One pair of two effects: 0.05, less what tempering took off its second effect.
   const double tempering = std::exp(-3 * (1 - 1 / 1.005));
   EXPECT_NEAR(weighed.of("friction_wear+slack") / weighed.of("friction_wear"),
-              0.1 * tempering / 0.125, 1e-9);
+              0.05 * tempering / 0.125, 1e-9);
   EXPECT_NEAR(weighed.marginal("slack"), weighed.of("slack") + weighed.of("friction_wear+slack"),
               1e-12);
+}
+
+TEST(Weigh, ASecondEffectThatShiftsSessionsIsNotWhatAStrokeLeaves) {
+  Ranking ranking{
+      .none = {}, .singles = {single("slack", 10'000), single("friction_wear", 50)}, .pairs = {}};
+  ranking.pairs.push_back({{component("friction_wear"), component("slack")}, 10'024});
+  ranking.pairs.push_back({{component("filter_lag"), component("slack")}, 10'012});
+  const Weighed weighed = weigh(ranking, ranking.singles.front(), {});
+  // Two singles: one pair of them, with 0.05 to 0.125. All is tempered by 1 + 0.0005 10,000 = 6,
+  // wear beside slack by 1 + 0.00001 10,000 = 1.1.
+  EXPECT_NEAR(std::log(weighed.of("friction_wear+slack") / weighed.of("slack")),
+              std::log(0.05 / 0.125) + 24 / 1.1 - 3 * (1 - 1 / 1.1), 1e-9);
+  EXPECT_NEAR(std::log(weighed.of("filter_lag+slack") / weighed.of("slack")),
+              std::log(0.05 / 0.125) + 12.0 / 6 - 3 * (1 - 1.0 / 6), 1e-9);
+  // Where wear is the first, slack beside it is within the stroke.
+  std::swap(ranking.singles[0].log_evidence, ranking.singles[1].log_evidence);
+  const Weighed other = weigh(ranking, ranking.singles[1], {});
+  EXPECT_NEAR(std::log(other.of("friction_wear+slack") / other.of("friction_wear")),
+              std::log(0.05 / 0.125) + 24.0 / 6 - 3 * (1 - 1.0 / 6), 1e-9);
+}
+
+TEST(Weigh, WhatIsLeftTempersEverySecondEffect) {
+  Ranking ranking = two_singles(4, 40);
+  ranking.pairs.push_back({{component("friction_wear"), component("slack")}, 60});
+  const Weighed weighed = weigh(ranking, ranking.pairs.front(), one_probe(40, 10, 0.002));
+  EXPECT_NEAR(std::log(weighed.of("friction_wear+slack") / weighed.of("slack")),
+              std::log(0.05 / 0.125) + 20.0 / 4 - 3 * (1 - 1.0 / 4), 1e-9);
 }
 
 TEST(Weighed, MarginalsAreOfWholeIds) {
