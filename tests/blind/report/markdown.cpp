@@ -30,6 +30,7 @@ Rows rows_of(const Scores& scores) {
       {"95 % set: holds the truth", text_of(scores.covered), "94 .. 99 %"},
       {"95 % set: mean size", fmt::format("{:.2f}", scores.set_size), "<= 1.2"},
       {"two at once, both right", text_of(scores.two_first), ">= 90 %"},
+      {"where an oracle sees both at 5 sigma", text_of(scores.two_first_at_5), ""},
       {"two at once, both named", text_of(scores.two_named), ""},
       {"outside the catalogue: unknown", text_of(scores.outside_unknown), ">= 95 %"},
       {"outside the catalogue: falsely named", text_of(scores.outside_named), "<= 1 %"},

@@ -41,6 +41,9 @@ void add_by_kind(const Record& record, const Judgement& judgement, Scores& score
       break;
     case Kind::two:
       scores.two_first.add(judgement.right_first());
+      if (judgement.visible_at(kPlainly)) {
+        scores.two_first_at_5.add(judgement.right_first());
+      }
       scores.two_named.add(judgement.named_all());
       break;
     case Kind::outside:

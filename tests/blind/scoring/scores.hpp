@@ -27,8 +27,9 @@ struct Scores {
   Detection one_at_3, one_at_5;              ///< where an oracle sees it at so many sigmas
   std::map<std::string, Detection> effects;  ///< by id, over all sizes
 
-  Proportion named_right;  ///< of all campaigns with a name: each name is right
-  Proportion two_first;    ///< of campaigns with two: both together are the first candidate
+  Proportion named_right;     ///< of all campaigns with a name: each name is right
+  Proportion two_first;       ///< of campaigns with two: both together are the first candidate
+  Proportion two_first_at_5;  ///< the same, where an oracle sees each of them
   Proportion two_named;
   Proportion outside_unknown, outside_named;
   std::map<std::string, Proportion> outside;  ///< unknown, by id

@@ -21,7 +21,7 @@ Record refused() {
   return record;
 }
 
-/// Two with nothing hidden, three with one, one with two, two from outside, and one refused.
+/// Two with nothing hidden, three with one, two with two, two from outside, and one refused.
 std::vector<Record> some() {
   return {
       answered(hiding({}), Verdict::none, {{"none", 0.9}}),
@@ -29,8 +29,10 @@ std::vector<Record> some() {
       visible(answered(hiding({"slack"}), Verdict::named, {{"slack", 0.97}}, {"slack"}), 9),
       visible(answered(hiding({"slack"}), Verdict::none, {{"none", 0.8}}), 2),
       visible(answered(hiding({"presliding"}), Verdict::named, {{"slack", 0.96}}, {"slack"}), 4),
-      answered(hiding({"filter_lag", "slack"}), Verdict::named, {{"filter_lag+slack", 0.99}},
-               {"filter_lag", "slack"}),
+      visible(answered(hiding({"filter_lag", "slack"}), Verdict::named,
+                       {{"filter_lag+slack", 0.99}}, {"filter_lag", "slack"}),
+              5),
+      visible(answered(hiding({"filter_lag", "slack"}), Verdict::ambiguous, {{"slack", 0.9}}), 4),
       answered(hiding_outside("stick_slip"), Verdict::unknown, {{"unknown", 0.7}}),
       answered(hiding_outside("humidity_cycle"), Verdict::none, {{"none", 0.7}}),
       refused(),
@@ -53,8 +55,9 @@ TEST(Scores, CountsByWhatIsHidden) {
   expect(scores.effects.at("slack").first, 1, 2);
   expect(scores.effects.at("presliding").first, 0, 1);
   expect(scores.named_right, 2, 3);
-  expect(scores.two_first, 1, 1);
-  expect(scores.two_named, 1, 1);
+  expect(scores.two_first, 1, 2);
+  expect(scores.two_first_at_5, 1, 1);
+  expect(scores.two_named, 1, 2);
   expect(scores.outside_unknown, 1, 2);
   expect(scores.outside_named, 0, 2);
   expect(scores.outside.at("stick_slip"), 1, 1);
