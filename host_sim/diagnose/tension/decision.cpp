@@ -56,20 +56,11 @@ double log_structure(const ResidualTest& rest) {
   return most - std::log(static_cast<double>(std::max<std::size_t>(rest.probes.size(), 1)));
 }
 
-/// The effect of a pair that explains more by itself.
-struct FirstOfTwo {
-  double log_evidence = 0;  ///< alone
-  bool other_shifts_sessions = false;
-};
-
-FirstOfTwo first_of(const Hypothesis& pair, const std::vector<Hypothesis>& singles) {
-  const auto alone = [&](const Component& part) {
-    const auto found = std::ranges::find(singles, part.effect->id(), &Hypothesis::id);
-    return found == singles.end() ? -HUGE_VAL : found->log_evidence;
-  };
-  const double one = alone(pair.parts[0]);
-  const double other = alone(pair.parts[1]);
-  return {std::max(one, other), pair.parts[one < other ? 0 : 1].effect->shifts_sessions()};
+/// Whether a pair is `first` with an effect beside it that shifts whole sessions.
+bool shifts_sessions_beside(const Hypothesis& first, const Hypothesis& pair) {
+  return pair.holds(first.id()) && std::ranges::any_of(pair.parts, [&](const Component& part) {
+           return part.effect->id() != first.id() && part.effect->shifts_sessions();
+         });
 }
 
 std::vector<Candidate> normalised(std::vector<Candidate> logs) {
@@ -118,8 +109,9 @@ Weighed weigh(const Ranking& ranking, const Hypothesis& best, const ResidualTest
     add(single, single.log_evidence / temperature, kPriorSingles / singles);
   }
   for (const Hypothesis& pair : ranking.pairs) {
-    const FirstOfTwo first = first_of(pair, ranking.singles);
-    const double of_second = first.other_shifts_sessions ? between_sessions : temperature;
+    // Beside the best only: what is beside another may make up for what is wrong with that one.
+    const Hypothesis& first = ranking.singles.front();
+    const double of_second = shifts_sessions_beside(first, pair) ? between_sessions : temperature;
     const double tempered =
         first.log_evidence / temperature + (pair.log_evidence - first.log_evidence) / of_second;
     // Tempering takes off most of what the evidence charges for the second effect.

@@ -118,14 +118,25 @@ TEST(Weigh, ASecondEffectThatShiftsSessionsIsNotWhatAStrokeLeaves) {
   EXPECT_NEAR(std::log(weighed.of("filter_lag+slack") / weighed.of("slack")),
               std::log(0.05 / 0.125) + 12.0 / 6 - 3 * (1 - 1.0 / 6), 1e-9);
   // Where wear is the first, slack beside it is within the stroke.
-  std::swap(ranking.singles[0].log_evidence, ranking.singles[1].log_evidence);
-  const Weighed other = weigh(ranking, ranking.singles[1], {});
+  ranking.singles = {single("friction_wear", 10'000), single("slack", 50)};
+  const Weighed other = weigh(ranking, ranking.singles.front(), {});
   EXPECT_NEAR(std::log(other.of("friction_wear+slack") / other.of("friction_wear")),
               std::log(0.05 / 0.125) + 24.0 / 6 - 3 * (1 - 1.0 / 6), 1e-9);
 }
 
+TEST(Weigh, APairThatImitatesTheBestIsTemperedAsTheBestIs) {
+  Ranking ranking{.none = {},
+                  .singles = {single("friction_preload", 10'000), single("friction_load", 8'000)},
+                  .pairs = {}};
+  ranking.pairs.push_back({{component("bend_angle"), component("friction_load")}, 9'940});
+  const Weighed weighed = weigh(ranking, ranking.singles.front(), {});
+  EXPECT_NEAR(std::log(weighed.of("friction_preload") / weighed.of("bend_angle+friction_load")),
+              std::log(0.125 / 0.05) + 60.0 / 6 + 3 * (1 - 1.0 / 6), 1e-9);
+}
+
 TEST(Weigh, WhatIsLeftTempersEverySecondEffect) {
-  Ranking ranking = two_singles(4, 40);
+  Ranking ranking{
+      .none = {}, .singles = {single("slack", 40), single("friction_wear", 4)}, .pairs = {}};
   ranking.pairs.push_back({{component("friction_wear"), component("slack")}, 60});
   const Weighed weighed = weigh(ranking, ranking.pairs.front(), one_probe(40, 10, 0.002));
   EXPECT_NEAR(std::log(weighed.of("friction_wear+slack") / weighed.of("slack")),
