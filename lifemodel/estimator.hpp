@@ -106,17 +106,25 @@ class Estimator {
     channels_[tendon].state.replay(samples, channels_[tendon].parameters, observer);
   }
 
-  /// Life used at this instant. Flushes first; `observer` hears of the cycles that this closes, and
-  /// of those that are still open.
+  /// Life used at this instant. Flushes first; `observer` hears of the cycles that this counts for
+  /// good, `open` of those that are in the reading beside them: the next reading has them again.
   /// Bounded by the capacity of the queue and of the residue.
-  template <class Observer = NoObserver>
-  [[nodiscard]] Reading reading(std::size_t tendon, Observer observer = {}) {
+  template <class Observer, class Open>
+  [[nodiscard]] Reading reading(std::size_t tendon, Observer observer, Open open) {
     Reading result;
     do {
       flush(tendon, observer);
-    } while (!channels_[tendon].state.read(channels_[tendon].parameters, result, observer));
+    } while (!channels_[tendon].state.read(channels_[tendon].parameters, result, open));
     return result;
   }
+  /// The same, with one who hears of all of them.
+  template <class Observer = NoObserver>
+  [[nodiscard]] Reading reading(std::size_t tendon, Observer observer = {}) {
+    return reading(tendon, observer, observer);
+  }
+
+  /// Forgets the flags that counting has raised; those of the samples are in input_flags().
+  void forget_flags(std::size_t tendon) { channels_[tendon].state.forget_flags(); }
 
   [[nodiscard]] const Model& parameters(std::size_t tendon) const {
     return channels_[tendon].parameters;

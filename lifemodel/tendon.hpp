@@ -28,7 +28,8 @@ struct DefaultLayout {
 /// What is known about a tendon at one instant.
 ///
 /// closed + open equals an off-line count of all samples so far that ends with this one, bit for
-/// bit, however the samples were handed over.
+/// bit, however the samples were handed over. Tension held at the ultimate one from the first
+/// sample on turns nowhere: its way up from no tension is then the half cycle that is open.
 struct Reading {
   Damage closed;  ///< full cycles
   Damage open;    ///< half cycles of the residue, with the unconfirmed last turning point
@@ -36,8 +37,8 @@ struct Reading {
   Cycles closed_cycles;
   HalfCycles open_half_cycles;
   Flags flags;
-  Events overloads;          ///< turning points that reached the ultimate tension
-  Events negatives;          ///< turning points below zero by more than the hysteresis
+  Events overloads;          ///< turning points, held tensions too, that reached the ultimate one
+  Events negatives;          ///< the same below zero by more than the hysteresis
   Events residue_overflows;  ///< cycles counted larger than they were, see Residue
   Events overruns;           ///< cycles counted larger than they were, see Overrun
   Events gaps;
@@ -105,11 +106,7 @@ class Tendon {
 
   /// Producer: a gap of `samples` that are missing. The count goes on across it with the next
   /// sample.
-  void push_missing(std::uint32_t samples) {
-    intake_.flags.raise(Flag::gap);
-    intake_.gaps.add(1, intake_.flags);
-    intake_.missing_samples.add(samples, intake_.flags);
-  }
+  void push_missing(std::uint32_t samples) { intake_.miss(samples); }
 
   [[nodiscard]] std::uint32_t waiting() const { return queue_.size(); }
 
@@ -135,7 +132,7 @@ class Tendon {
     }
     queue_.drop(done.taken);
     // While no turning point ever reached the ultimate tension, none has to be asked again.
-    const bool overloaded = ledger_.flags.has(Flag::overload);
+    const bool overloaded = ledger_.overloads.raw() != 0;
     for (std::uint32_t i = 0; i < done.closed; ++i) {
       const Tension from = closed[i].from();
       const Tension to = closed[i].to();
@@ -167,7 +164,7 @@ class Tendon {
   template <class Observer>
   [[nodiscard]] bool read(const Model& parameters, Reading& r, Observer observer) const {
     const std::uint32_t started = filter_.lock().start();
-    const Last last = last_turning_point();
+    const Last last = this->last();
     const bool settled = !pending();
     if (!filter_.lock().unchanged(started) || !settled) {
       return false;
@@ -177,21 +174,26 @@ class Tendon {
     r.open = ledger_.retired;
     r.closed_cycles = ledger_.cycles;
     r.open_half_cycles = ledger_.half_cycles;
-    r.flags = intake_.flags | ledger_.flags;
+    r.flags = intake_.flags.seen() | ledger_.flags;
     r.overloads = ledger_.overloads;
     r.negatives = ledger_.negatives;
     r.residue_overflows = ledger_.residue_overflows;
     r.overruns = ledger_.overruns;
-    r.gaps = intake_.gaps;
-    r.missing_samples = intake_.missing_samples;
-    if (last.known) {
-      residue_.open(last.tension, ReadingSink<Observer>{r, parameters.law, observer});
-      note_extremes(last.tension, parameters, r.flags, r.overloads, r.negatives);
+    r.gaps = intake_.gaps.relaxed();
+    r.missing_samples = intake_.missing_samples.relaxed();
+    if (last.turns || CycleLaw::overloads(last.first)) {
+      residue_.open(last.first, ReadingSink<Observer>{r, parameters.law, observer});
+    }
+    for (const Tension tension : {last.first, last.beyond}) {
+      note_extremes(tension, parameters, r.flags, r.overloads, r.negatives);
     }
     r.total = r.closed;
     r.total.add(r.open, r.flags);
     return true;
   }
+
+  /// Consumer: forgets the flags that counting has raised, as where the wire is a new one.
+  void forget_flags() { ledger_.flags = {}; }
 
   static constexpr std::size_t kStoredBytes =
       4 * (4 + 7 + 1 + Intake::kWords + Ledger::kWords + 2 + Layout::kResidue + Layout::kQueue);
@@ -306,17 +308,21 @@ class Tendon {
     }
   };
 
-  /// The turning point after all that were queued, if there is one.
+  /// What came after all turning points that were queued, each no tension where there is none.
   struct Last {
-    bool known;
-    Tension tension;
+    bool turns;      ///< there are such points, so that `first` is another
+    Tension first;   ///< or what was held, where nothing has turned yet
+    Tension beyond;  ///< after the first
   };
 
-  [[nodiscard]] Last last_turning_point() const {
+  [[nodiscard]] Last last() const {
     if (overrun_.running()) {
-      return {true, overrun_.first_extreme()};
+      return {true, overrun_.first_extreme(), filter_.run().candidate()};
     }
-    return filter_.directed() ? Last{true, filter_.run().candidate()} : Last{false, Tension{}};
+    if (filter_.directed()) {
+      return {true, filter_.run().candidate(), {}};
+    }
+    return {false, filter_.held(), {}};
   }
 
   void fill_queue(std::span<const Tension> samples, TensionRange hysteresis) {
@@ -332,6 +338,9 @@ class Tendon {
   [[gnu::noinline]] std::uint32_t put_late(Tension turning_point) {
     intake_.flags.raise(Flag::overrun);
     if (queue_.free() < Overrun::kPlaces) {
+      if (CycleLaw::overloads(turning_point)) {
+        intake_.flags.raise(Flag::overload);
+      }
       overrun_.leave_out(turning_point, turning_point < filter_.run().candidate());
       return 0;
     }
@@ -350,12 +359,14 @@ class Tendon {
     const std::uint32_t owed = overrun_.owed();
     const std::uint32_t times = owed - paid_;
     paid_ = owed;
-    const CycleDamage damage = law(overrun_.lowest(), overrun_.highest());
+    const Tension lowest = overrun_.lowest();
+    const Tension highest = overrun_.highest();
+    const CycleDamage damage = law(lowest, highest);
     ledger_.closed.add(damage, times, ledger_.flags);
     ledger_.cycles.add(times, ledger_.flags);
     ledger_.overruns.add(times, ledger_.flags);
     for (std::uint32_t i = 0; i < times; ++i) {
-      observer.full(overrun_.lowest(), overrun_.highest(), damage);
+      observer.full(lowest, highest, damage);
     }
   }
 

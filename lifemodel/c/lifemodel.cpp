@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <new>
+#include <span>
 
-#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/block/extended_block.hpp"
 #include "lifemodel/estimator.hpp"
 
 namespace {
@@ -39,8 +40,14 @@ Damage damage_of(const lm_damage& words) {
 }  // namespace
 
 const char* lm_init(lm_estimator* estimator, const void* block, size_t block_bytes) {
-  const auto parameters = lifemodel::decode({static_cast<const std::byte*>(block), block_bytes});
+  const std::span bytes(static_cast<const std::byte*>(block), block_bytes);
+  const auto parameters = lifemodel::decode(bytes);
   if (!parameters) {
+    if (bytes.size() >= lifemodel::kBlockBytes + 4 &&
+        lifemodel::ByteReader(bytes.subspan(lifemodel::kBlockBytes)).u32() ==
+            lifemodel::kExtensionMagic) {
+      return "it has an extension, which the C interface does not evaluate: pack a model without";
+    }
     return lifemodel::to_string(parameters.error());
   }
   new (estimator->storage) One({*parameters});

@@ -47,7 +47,8 @@ typedef struct lm_reading {
   uint32_t damage_ppb;       /* total damage in 1e-9, rounded down; 2^32 - 1 at most */
 } lm_reading;
 
-/* Takes a parameter block into use. NULL, or the reason for which the block is refused. */
+/* Takes a parameter block into use. NULL, or the reason for which the block is refused: one with an
+ * extension is. Give all bytes that there are, also those beyond LM_PARAMETER_BLOCK_BYTES. */
 const char* lm_init(lm_estimator* estimator, const void* block, size_t block_bytes);
 
 /* One sample of input tension in steps of 2^-29 of the ultimate tension. May interrupt lm_settle

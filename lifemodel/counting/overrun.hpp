@@ -26,17 +26,20 @@ class Overrun {
   /// Consumer: the same.
   [[nodiscard]] bool running() const { return length_.acquire() != 0; }
   /// The extreme of the current run on the side where it began: what is known to follow the queue.
-  [[nodiscard]] Tension first_extreme() const { return began_low_ ? run_lowest_ : run_highest_; }
+  [[nodiscard]] Tension first_extreme() const {
+    return (began_low_.relaxed() ? run_lowest_ : run_highest_).relaxed();
+  }
 
   void leave_out(Tension turning_point, bool is_low) {
     if (length_.own() == 0) {
-      began_low_ = is_low;
-      run_lowest_ = run_highest_ = turning_point;
+      began_low_.set_plain(is_low);
+      run_lowest_.set_plain(turning_point);
+      run_highest_.set_plain(turning_point);
     }
-    run_lowest_ = std::min(run_lowest_, turning_point);
-    run_highest_ = std::max(run_highest_, turning_point);
-    lowest_ = std::min(lowest_, turning_point);
-    highest_ = std::max(highest_, turning_point);
+    run_lowest_.set_plain(std::min(run_lowest_.own(), turning_point));
+    run_highest_.set_plain(std::max(run_highest_.own(), turning_point));
+    lowest_.set_plain(std::min(lowest_.own(), turning_point));
+    highest_.set_plain(std::max(highest_.own(), turning_point));
     length_.release(length_.own() + 1);
   }
 
@@ -46,7 +49,7 @@ class Overrun {
     const Tension first = first_extreme();
     put(first);
     if (length_.own() > 1) {
-      put(began_low_ ? run_highest_ : run_lowest_);
+      put((began_low_.own() ? run_highest_ : run_lowest_).own());
     }
     if (length_.own() > 2) {
       if (length_.own() % 2 != 0) {
@@ -58,8 +61,8 @@ class Overrun {
   }
 
   [[nodiscard]] std::uint32_t owed() const { return owed_.acquire(); }
-  [[nodiscard]] Tension lowest() const { return lowest_; }
-  [[nodiscard]] Tension highest() const { return highest_; }
+  [[nodiscard]] Tension lowest() const { return lowest_.relaxed(); }
+  [[nodiscard]] Tension highest() const { return highest_.relaxed(); }
 
   /// The whole state as plain words, for storage.
   struct State {
@@ -69,8 +72,13 @@ class Overrun {
     std::int32_t run_lowest, run_highest, lowest, highest;
   };
   [[nodiscard]] State state() const {
-    return {length_.own(),      owed_.own(),   began_low_ ? 1u : 0u, run_lowest_.raw(),
-            run_highest_.raw(), lowest_.raw(), highest_.raw()};
+    return {length_.own(),
+            owed_.own(),
+            began_low_.own() ? 1u : 0u,
+            run_lowest_.own().raw(),
+            run_highest_.own().raw(),
+            lowest_.own().raw(),
+            highest_.own().raw()};
   }
   /// Whether such a state can arise, where `paid` of the owed cycles have been counted.
   static constexpr bool plausible(const State& s, std::uint32_t paid) {
@@ -97,21 +105,21 @@ class Overrun {
   void restore(const State& s) {
     length_.set_relaxed(s.length);
     owed_.set_relaxed(s.owed);
-    began_low_ = s.began_low != 0;
-    run_lowest_ = Tension::from_raw(s.run_lowest);
-    run_highest_ = Tension::from_raw(s.run_highest);
-    lowest_ = Tension::from_raw(s.lowest);
-    highest_ = Tension::from_raw(s.highest);
+    began_low_.set_plain(s.began_low != 0);
+    run_lowest_.set_plain(Tension::from_raw(s.run_lowest));
+    run_highest_.set_plain(Tension::from_raw(s.run_highest));
+    lowest_.set_plain(Tension::from_raw(s.lowest));
+    highest_.set_plain(Tension::from_raw(s.highest));
   }
 
  private:
   SharedWord<std::uint32_t> length_;
   SharedWord<std::uint32_t> owed_;
-  bool began_low_ = false;
-  Tension run_lowest_;
-  Tension run_highest_;
-  Tension lowest_ = Tension::highest();
-  Tension highest_ = Tension::lowest();
+  SharedWord<bool> began_low_;
+  SharedWord<Tension> run_lowest_;
+  SharedWord<Tension> run_highest_;
+  SharedWord<Tension> lowest_{Tension::highest()};
+  SharedWord<Tension> highest_{Tension::lowest()};
 };
 
 }  // namespace lifemodel

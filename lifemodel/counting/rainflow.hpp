@@ -91,7 +91,8 @@ class Residue {
   }
 
   /// Reports what would be open if `candidate` were the last turning point, without taking it in:
-  /// every full cycle that it would close, and every half cycle of what remains.
+  /// every full cycle that it would close, and every half cycle of what remains. Without points it
+  /// comes from no tension.
   template <class Sink>
   constexpr void open(Tension candidate, Sink&& sink) const {
     std::size_t size = size_;
@@ -102,9 +103,7 @@ class Residue {
     for (std::size_t i = 1; i < size; ++i) {
       sink.half(points_[i - 1], points_[i]);
     }
-    if (size != 0) {
-      sink.half(points_[size - 1], candidate);
-    }
+    sink.half(size != 0 ? points_[size - 1] : Tension{}, candidate);
   }
 
   [[nodiscard]] constexpr std::span<const Tension> points() const {

@@ -66,6 +66,16 @@ class TurningPoints {
 
   /// True once there is a candidate beside a confirmed turning point.
   [[nodiscard]] bool directed() const { return phase_.relaxed() == kDirected; }
+  /// The sample furthest from no tension, where none has a direction yet; no tension before the
+  /// first and once there is one.
+  [[nodiscard]] Tension held() const {
+    if (phase_.relaxed() != kUndirected) {
+      return {};
+    }
+    const std::int32_t highest = extremum_.relaxed();
+    const std::int32_t lowest = lowest_.relaxed();
+    return Tension::from_raw(highest > -lowest ? highest : lowest);
+  }
   /// Precondition: directed().
   [[nodiscard]] Run run() const { return {mirror_.relaxed(), extremum_.relaxed()}; }
   /// Precondition: directed().
@@ -82,7 +92,7 @@ class TurningPoints {
     std::int32_t lowest;
   };
   [[nodiscard]] State state() const {
-    return {phase_.own(), mirror_.own(), extremum_.own(), lowest_};
+    return {phase_.own(), mirror_.own(), extremum_.own(), lowest_.own()};
   }
   static constexpr bool directed(const State& s) { return s.phase == kDirected; }
   /// Whether push() could have left this state.
@@ -96,7 +106,7 @@ class TurningPoints {
   void restore(const State& s) {
     phase_.set_relaxed(s.phase);
     set_run({s.mirror, s.extremum});
-    lowest_ = s.lowest;
+    lowest_.set_plain(s.lowest);
   }
 
  private:
@@ -110,10 +120,10 @@ class TurningPoints {
     if (value > highest) {
       extremum_.set_relaxed(value);
       if (spread() >= hysteresis.raw()) {
-        direct({0, value}, lowest_, confirmed);
+        direct({0, value}, lowest_.own(), confirmed);
       }
-    } else if (value < lowest_) {
-      lowest_ = value;
+    } else if (value < lowest_.own()) {
+      lowest_.set_plain(value);
       if (spread() >= hysteresis.raw()) {
         direct({-1, -value}, highest, confirmed);
       }
@@ -121,15 +131,15 @@ class TurningPoints {
   }
 
   void start(std::int32_t value) {
-    phase_.set_relaxed(kUndirected);
     extremum_.set_relaxed(value);
-    lowest_ = value;
+    lowest_.set_plain(value);
+    phase_.set_relaxed(kUndirected);
   }
 
   template <class Confirmed>
   void direct(Run run, std::int32_t first, Confirmed&& confirmed) {
-    lowest_ = 0;
     lock_.begin();
+    lowest_.set_plain(0);
     set_run(run);
     phase_.set_relaxed(kDirected);
     confirmed(Tension::from_raw(first));
@@ -137,14 +147,14 @@ class TurningPoints {
   }
 
   [[nodiscard]] std::uint32_t spread() const {
-    return static_cast<std::uint32_t>(extremum_.own()) - static_cast<std::uint32_t>(lowest_);
+    return static_cast<std::uint32_t>(extremum_.own()) - static_cast<std::uint32_t>(lowest_.own());
   }
 
   TurnLock lock_;
   SharedWord<std::uint32_t> phase_{kEmpty};
   SharedWord<std::int32_t> mirror_;
   SharedWord<std::int32_t> extremum_;  ///< of the run; the maximum before the first direction
-  std::int32_t lowest_ = 0;            ///< the minimum before the first direction
+  SharedWord<std::int32_t> lowest_;    ///< the minimum before the first direction
 };
 
 }  // namespace lifemodel

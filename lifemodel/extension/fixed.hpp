@@ -56,6 +56,12 @@ constexpr std::int32_t log2_of(std::uint32_t value) {
   return numeric::log2({(value << shift) >> 5, 31 - shift});
 }
 
+/// share * of + (1 - share) * other; each part is rounded down, which keeps order.
+constexpr std::int32_t weighted(std::int32_t share, std::int32_t of, std::int32_t other) {
+  return static_cast<std::int32_t>((std::int64_t{of} * share) >> kFactorBits) +
+         static_cast<std::int32_t>((std::int64_t{other} * (kOne - share)) >> kFactorBits);
+}
+
 /// log2 of an effective tension that does no damage, Q26.
 inline constexpr std::int32_t kNoDamage = -(30 << numeric::kLogBits);
 

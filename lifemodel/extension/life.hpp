@@ -8,15 +8,14 @@
 
 namespace lifemodel::extension {
 
-/// The damage of one cycle by an extended life law: CycleLaw with another effective tension.
+/// The damage of one cycle by an extended life law: CycleLaw with another effective tension. With
+/// any effects it never falls as the cycle widens, on which a reading that never falls rests.
 /// Relative error of the damage at most 1e-5 for gamma <= 12, but within 1 % of an endurance limit.
 struct ExtendedLaw {
   CycleLaw nominal;
-  bool has_mean_stress = false;
-  bool has_bending_fatigue = false;
+  MeanStress mean_stress;          ///< without a share where there is none
+  BendingFatigue bending_fatigue;  ///< the same
   bool has_endurance_limit = false;
-  MeanStress mean_stress;
-  BendingFatigue bending_fatigue;
   EnduranceLimit endurance_limit;
 
   /// As CycleLaw: what reaches the ultimate tension uses up a whole life. Precondition: x != y.
@@ -26,13 +25,7 @@ struct ExtendedLaw {
 
   /// The same where neither is known to reach the ultimate tension.
   [[nodiscard]] constexpr CycleDamage below_ultimate(Tension x, Tension y) const {
-    std::int32_t log2_effective = CycleLaw::log2_effective(x, y);
-    if (has_mean_stress) {
-      log2_effective = mean_stress.log2_effective(log2_effective, x, y);
-    }
-    if (has_bending_fatigue) {
-      log2_effective = bending_fatigue.log2_effective(log2_effective, x, y);
-    }
+    std::int32_t log2_effective = bending_fatigue.log2_effective(mean_stress, x, y);
     if (has_endurance_limit) {
       log2_effective = endurance_limit.log2_effective(log2_effective);
     }
@@ -48,13 +41,17 @@ struct LifeParameters : Parameters {
 
 constexpr LifeParameters life_parameters(const Parameters& nominal, const Extension& extension) {
   LifeParameters result{nominal, {}};
-  result.law = {.nominal = nominal.law,
-                .has_mean_stress = extension.has(Effect::mean_stress),
-                .has_bending_fatigue = extension.has(Effect::bending_fatigue),
-                .has_endurance_limit = extension.has(Effect::endurance_limit),
-                .mean_stress = extension.mean_stress,
-                .bending_fatigue = extension.bending_fatigue,
-                .endurance_limit = extension.endurance_limit};
+  result.law.nominal = nominal.law;
+  if (extension.has(Effect::mean_stress)) {
+    result.law.mean_stress = extension.mean_stress;
+  }
+  if (extension.has(Effect::bending_fatigue)) {
+    result.law.bending_fatigue = extension.bending_fatigue;
+  }
+  if (extension.has(Effect::endurance_limit)) {
+    result.law.has_endurance_limit = true;
+    result.law.endurance_limit = extension.endurance_limit;
+  }
   return result;
 }
 

@@ -9,9 +9,59 @@
 
 namespace lifemodel::extension {
 
+/// The laws of mean stress, with something added to the amplitude: `twice_more` is twice that, Q29.
+/// log2 T_eff, Q26. None falls as the cycle widens, with one `twice_more`: near the ultimate
+/// tension those of Gerber and Goodman would, as the mean that falls saves more than the amplitude
+/// costs beside a large addition. There the addition alone, about the point that is furthest out,
+/// does more, and counts. Preconditions: x != y, neither reaches the ultimate tension.
+namespace mean_law {
+
+inline constexpr std::uint32_t kTwo = 2u << Tension::kFractionBits;
+inline constexpr std::int32_t kScale = Tension::kFractionBits << numeric::kLogBits;
+inline constexpr std::int32_t kHalf = 1 << numeric::kLogBits;
+
+/// T_a/(1 - (T_m/T_u)^2)
+constexpr std::int32_t gerber(Tension x, Tension y, std::uint32_t twice_more) {
+  const std::int32_t sum = x.raw() + y.raw();
+  std::uint32_t twice_amplitude = distance(x, y).raw() + twice_more;
+  auto twice_mean = static_cast<std::uint32_t>(sum < 0 ? -sum : sum);
+  // With T the furthest out, more (T + T_m) > 1 - T^2 is more/(1 - T^2) > (T_a + more)/(1 - T_m^2).
+  const std::uint32_t twice_furthest =
+      2 * static_cast<std::uint32_t>(sum < 0 ? -std::min(x, y).raw() : std::max(x, y).raw());
+  if (std::uint64_t{twice_more} * (twice_furthest + twice_mean) >
+      std::uint64_t{kTwo - twice_furthest} * (kTwo + twice_furthest)) {
+    twice_amplitude = twice_more;
+    twice_mean = twice_furthest;
+  }
+  numeric::Normal ratio =
+      numeric::quotient(twice_amplitude, std::uint64_t{kTwo - twice_mean} * (kTwo + twice_mean));
+  ratio.exponent += Tension::kFractionBits + 1;
+  return numeric::log2(ratio);
+}
+
+/// T_a/(1 - T_m/T_u)
+constexpr std::int32_t goodman(Tension x, Tension y, std::uint32_t twice_more) {
+  const std::uint32_t left = kTwo - static_cast<std::uint32_t>(2 * std::max(x, y).raw());
+  return numeric::log2(
+      twice_more > left ? numeric::quotient(twice_more, left)
+                        : numeric::quotient(distance(x, y).raw() + twice_more,
+                                            kTwo - static_cast<std::uint32_t>(x.raw() + y.raw())));
+}
+
+/// (T_m + T_a)^(1-w) T_a^w; no damage where T_m + T_a is not above 0.
+constexpr std::int32_t walker(Tension x, Tension y, std::uint32_t twice_more, std::int32_t w) {
+  const std::int64_t twice_highest = 2 * std::int64_t{std::max(x, y).raw()} + twice_more;
+  if (twice_highest <= 0) {
+    return kNoDamage;
+  }
+  return weighted(w, log2_of(distance(x, y).raw() + twice_more) - kScale - kHalf,
+                  log2_of(static_cast<std::uint32_t>(twice_highest)) - kScale - kHalf);
+}
+
+}  // namespace mean_law
+
 /// Another mean-stress law in place of Gerber's, by a share:
-/// T_eff = T_Gerber^(1 - share) T_law^share with Walker's (T_m + T_a)^(1-w) T_a^w, or where w is 0
-/// Goodman's T_a/(1 - T_m/T_u).
+/// T_eff = T_Gerber^(1 - share) T_law^share with Walker's law, or where w is 0 Goodman's.
 struct MeanStress {
   std::int32_t share = 0;   ///< Q28, 0 .. 1
   std::int32_t walker = 0;  ///< w, Q28, 0 .. 1
@@ -25,35 +75,17 @@ struct MeanStress {
     word(walker);
   }
 
-  /// log2 T_eff from that of Gerber, Q26. Never falls as the cycle widens. Precondition: x != y,
-  /// neither reaches the ultimate tension.
-  [[nodiscard]] constexpr std::int32_t log2_effective(std::int32_t gerber, Tension x,
-                                                      Tension y) const {
-    return weighted(share, walker != 0 ? log2_walker(x, y) : log2_goodman(x, y), gerber);
-  }
-
- private:
-  /// share * of + (1 - share) * other; each part is rounded down, which keeps order.
-  static constexpr std::int32_t weighted(std::int32_t share, std::int32_t of, std::int32_t other) {
-    return static_cast<std::int32_t>((std::int64_t{of} * share) >> kFactorBits) +
-           static_cast<std::int32_t>((std::int64_t{other} * (kOne - share)) >> kFactorBits);
-  }
-
-  [[nodiscard]] constexpr std::int32_t log2_walker(Tension x, Tension y) const {
-    const Tension highest = std::max(x, y);
-    if (highest.raw() <= 0) {
-      return kNoDamage;
+  /// See mean_law. Without a share it is Gerber's.
+  [[nodiscard]] constexpr std::int32_t log2_effective(Tension x, Tension y,
+                                                      std::uint32_t twice_more) const {
+    const std::int32_t gerber = mean_law::gerber(x, y, twice_more);
+    if (share == 0) {
+      return gerber;
     }
-    constexpr std::int32_t kScale = Tension::kFractionBits << numeric::kLogBits;
-    constexpr std::int32_t kHalf = 1 << numeric::kLogBits;
-    const std::int32_t amplitude = log2_of(distance(x, y).raw()) - kScale - kHalf;
-    return weighted(walker, amplitude, log2_of(static_cast<std::uint32_t>(highest.raw())) - kScale);
-  }
-
-  static constexpr std::int32_t log2_goodman(Tension x, Tension y) {
-    constexpr std::uint32_t kTwo = 2u << Tension::kFractionBits;
-    const auto sum = static_cast<std::uint32_t>(x.raw() + y.raw());
-    return numeric::log2(numeric::quotient(distance(x, y).raw(), kTwo - sum));
+    return weighted(share,
+                    walker != 0 ? mean_law::walker(x, y, twice_more, walker)
+                                : mean_law::goodman(x, y, twice_more),
+                    gerber);
   }
 };
 

@@ -4,28 +4,43 @@
 #include "lifemodel/quantity/count.hpp"
 #include "lifemodel/state/flags.hpp"
 #include "lifemodel/support/bytes.hpp"
+#include "lifemodel/support/shared_word.hpp"
 
 namespace lifemodel {
 
-/// What push() has noticed about the samples of one tendon.
+/// What push() has noticed about the samples of one tendon. A reading may be taken meanwhile.
 struct Intake {
   Flags flags;
-  Events gaps;
-  MissingSamples missing_samples;
+  SharedWord<Events> gaps;
+  SharedWord<MissingSamples> missing_samples;
+
+  void miss(std::uint32_t samples) {
+    flags.raise(Flag::gap);
+    add(gaps, 1);
+    add(missing_samples, samples);
+  }
 
   static constexpr std::size_t kWords = 3;
   constexpr void store(ByteWriter& out) const {
     out.u32(flags.bits());
-    out.u32(gaps.raw());
-    out.u32(missing_samples.raw());
+    out.u32(gaps.own().raw());
+    out.u32(missing_samples.own().raw());
   }
   /// False if nothing could have stored it.
   constexpr bool load(ByteReader& in) {
     const std::uint32_t bits = in.u32();
     flags = Flags::from_bits(bits);
-    gaps = Events::from_raw(in.u32());
-    missing_samples = MissingSamples::from_raw(in.u32());
+    gaps = SharedWord(Events::from_raw(in.u32()));
+    missing_samples = SharedWord(MissingSamples::from_raw(in.u32()));
     return (bits & ~kAllFlags) == 0;
+  }
+
+ private:
+  template <class Counter>
+  void add(SharedWord<Counter>& counter, std::uint32_t n) {
+    Counter grown = counter.own();
+    grown.add(n, flags);
+    counter.set_plain(grown);
   }
 };
 

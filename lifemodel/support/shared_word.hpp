@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <type_traits>
 
 namespace lifemodel {
 
@@ -32,6 +33,14 @@ class SharedWord {
 
   [[nodiscard]] T relaxed() const { return ref().load(std::memory_order_relaxed); }
   void set_relaxed(T value) { ref().store(value, std::memory_order_relaxed); }
+  /// The same for a word that nothing waits for: with one core a plain store.
+  constexpr void set_plain(T value) {
+    if (!kSeveralCores || std::is_constant_evaluated()) {
+      value_ = value;
+    } else {
+      set_relaxed(value);
+    }
+  }
 
   [[nodiscard]] T acquire() const {
     if constexpr (kSeveralCores) {

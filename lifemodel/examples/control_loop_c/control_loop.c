@@ -5,14 +5,15 @@
 static lm_estimator estimator;
 
 int main(int argc, char** argv) {
-  unsigned char block[LM_PARAMETER_BLOCK_BYTES];
+  unsigned char block[LM_PARAMETER_BLOCK_BYTES + 4]; /* lm_init refuses what is longer */
   FILE* file = argc > 1 ? fopen(argv[1], "rb") : NULL;
-  if (file == NULL || fread(block, 1, sizeof block, file) != sizeof block) {
+  if (file == NULL) {
     fprintf(stderr, "usage: control_loop_c PARAMETER_BLOCK\n");
     return 2;
   }
+  size_t bytes = fread(block, 1, sizeof block, file);
   fclose(file);
-  const char* refused = lm_init(&estimator, block, sizeof block);
+  const char* refused = lm_init(&estimator, block, bytes);
   if (refused != NULL) {
     fprintf(stderr, "parameter block refused: %s\n", refused);
     return 1;
