@@ -66,7 +66,7 @@ class App {
         listener_(config.node),
         reporter_(book_, bins_, conditions_),
         speaker_(devices_.can, config.node),
-        node_(devices_, config_, book_, keeper_),
+        node_(devices_, config_, book_, keeper_, intake_, estimator_),
         endpoint_(node_, config.node, config.key) {}
   App(const App&) = delete;
   App& operator=(const App&) = delete;
@@ -227,9 +227,16 @@ class App {
       if (!parameters_[tendon]) {
         continue;
       }
+      const bool new_wire = intake_.forgetting(tendon);
+      RainflowBins& bins = bins_[tendon];
       devices_.hold.hold();
-      const lifemodel::Reading reading = estimator_.reading(tendon, BinCycles{&bins_[tendon]});
+      bins.begin_reading();
+      lifemodel::Reading reading =
+          estimator_.reading(tendon, BinReadCycles{&bins, true}, BinReadCycles{&bins, false});
       devices_.hold.release();
+      if (new_wire) {
+        reading.flags = {};  // the next reading has those that count
+      }
       book_.take(now, tendon, reading);
     }
   }
@@ -308,8 +315,8 @@ class App {
   Listener listener_;
   Reporter<kTendons> reporter_;
   Speaker<typename Devices::Can> speaker_;
-  Node<kTendons, Devices> node_;
-  protocol::uds::Endpoint<Node<kTendons, Devices>> endpoint_;
+  Node<kTendons, Devices, LayoutT> node_;
+  protocol::uds::Endpoint<Node<kTendons, Devices, LayoutT>> endpoint_;
   StatusLight light_;
   Liveness liveness_;
   hal::Time next_reading_{};

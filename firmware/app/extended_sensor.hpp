@@ -37,8 +37,10 @@ class ExtendedSensor {
       corrector.gap();
     }
   }
-  /// What became of the samples of a tendon so far.
-  [[nodiscard]] lifemodel::Flags isr_flags(std::size_t tendon) const { return flags_[tendon]; }
+  /// What became of the samples of a tendon since the last call.
+  [[nodiscard]] lifemodel::Flags isr_flags(std::size_t tendon) {
+    return std::exchange(flags_[tendon], {});
+  }
 
   /// The cycles that the sheath of a tendon has seen.
   void start_at(std::size_t tendon, std::uint64_t cycles) {

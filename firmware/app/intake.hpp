@@ -32,8 +32,21 @@ class Intake {
   /// A tendon without parameters is left out.
   void leave_out(std::size_t tendon) { left_out_[tendon] = true; }
 
+  /// Flags of the samples of a tendon so far are not those of its new wire: they go before its next
+  /// sample is taken in, because only the interrupt may write them.
+  void forget_flags(std::size_t tendon) {
+    if (!forgetting(tendon)) {
+      asked_.release(asked_.own() ^ (std::uint32_t{1} << tendon));
+    }
+  }
+  /// True until they are gone.
+  [[nodiscard]] bool forgetting(std::size_t tendon) const {
+    return (((asked_.own() ^ done_.acquire()) >> tendon) & 1u) != 0;
+  }
+
   template <hal::Sensor SensorT>
   void isr_sample(SensorT& sensor, Estimator& estimator) {
+    isr_forget(estimator);
     for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
       if (left_out_[tendon]) {
         continue;
@@ -56,6 +69,7 @@ class Intake {
   }
 
   void isr_missed(std::uint32_t periods, Estimator& estimator) {
+    isr_forget(estimator);
     for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
       if (!left_out_[tendon]) {
         estimator.push_missing(tendon, periods);
@@ -78,6 +92,20 @@ class Intake {
   }
 
  private:
+  void isr_forget(Estimator& estimator) {
+    const std::uint32_t asked = asked_.acquire();
+    const std::uint32_t open = asked ^ done_.own();
+    if (open == 0) [[likely]] {
+      return;
+    }
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      if (((open >> tendon) & 1u) != 0) {
+        estimator.input_flags(tendon) = {};
+      }
+    }
+    done_.release(asked);
+  }
+
   static void push(Estimator& estimator, std::size_t tendon, const OutputTension& sample) {
     estimator.push(tendon, sample.tension, sample.direction, sample.bend);
   }
@@ -86,7 +114,11 @@ class Intake {
     estimator.push(tendon, sample);
   }
 
+  static_assert(kTendons <= 32, "a bit each");
+
   std::array<bool, kTendons> left_out_{};
+  lifemodel::SharedWord<std::uint32_t> asked_;  ///< changes its bit to have flags forgotten
+  lifemodel::SharedWord<std::uint32_t> done_;   ///< follows
   std::array<lifemodel::SharedWord<std::uint32_t>, kTendons> without_{};
   lifemodel::SharedWord<std::uint32_t> periods_;
   lifemodel::SharedWord<std::uint32_t> missed_;

@@ -9,6 +9,7 @@
 #include "firmware/storage/save_policy.hpp"
 #include "firmware/storage/store.hpp"
 #include "lifemodel/damage/damage.hpp"
+#include "lifemodel/support/saturating.hpp"
 
 namespace app {
 
@@ -59,7 +60,7 @@ class Keeper {
 
   /// False from a save that failed until one that did not.
   [[nodiscard]] bool ok() const { return ok_; }
-  /// What a power cut now would lose, of the tendon that would lose most; rounded up.
+  /// What a power cut now would lose, of the tendon that would lose most; rounded up, stops.
   [[nodiscard]] std::uint32_t unsaved_ppb() const { return unsaved_ppb_; }
   [[nodiscard]] std::uint32_t worst_unsaved_ppb() const { return worst_unsaved_ppb_; }
 
@@ -70,7 +71,8 @@ class Keeper {
       const auto unsaved =
           lifemodel::Damage::difference(records[tendon].lifetime_damage, saved_[tendon]);
       const bool none = unsaved == lifemodel::Damage{};
-      const std::uint32_t ppb = unsaved.parts_per_billion() + (none ? 0 : 1);
+      const std::uint32_t ppb =
+          lifemodel::saturating_add(unsaved.parts_per_billion(), none ? 0u : 1u);
       worst_ppb = ppb > worst_ppb ? ppb : worst_ppb;
     }
     return worst_ppb;

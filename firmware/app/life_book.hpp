@@ -11,6 +11,7 @@
 #include "firmware/app/tendon_life.hpp"
 #include "firmware/storage/life_record.hpp"
 #include "lifemodel/block/parameters.hpp"
+#include "lifemodel/support/saturating.hpp"
 
 namespace app {
 
@@ -107,20 +108,27 @@ class LifeBook {
   [[nodiscard]] std::uint32_t cycles() const {
     std::uint64_t sum = 0;
     for (const storage::LifeRecord& record : records_) {
-      if (__builtin_add_overflow(sum, record.epoch_cycles, &sum)) {
-        return std::numeric_limits<std::uint32_t>::max();
-      }
+      sum = lifemodel::saturating_add(sum, record.epoch_cycles);
     }
     constexpr std::uint64_t kHighest = std::numeric_limits<std::uint32_t>::max();
     return static_cast<std::uint32_t>(sum < kHighest ? sum : kHighest);
   }
+  /// Of all tendons that have parameters; Cycles::kUnknownRate until it is known of each of them.
   [[nodiscard]] std::uint16_t cycles_per_min() const {
+    constexpr std::uint16_t kUnknown = protocol::detail::Cycles::kUnknownRate;
     std::uint32_t sum = 0;
-    for (const Rates& rates : rates_) {
-      sum += rates.cycles_per_min();
+    bool known = false;
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      if (!distributions_[tendon]) {
+        continue;
+      }
+      if (!rates_[tendon].known()) {
+        return kUnknown;
+      }
+      known = true;
+      sum += rates_[tendon].cycles_per_min();
     }
-    constexpr std::uint32_t kHighest = std::numeric_limits<std::uint16_t>::max();
-    return static_cast<std::uint16_t>(sum < kHighest ? sum : kHighest);
+    return known ? below(kUnknown, sum) : kUnknown;
   }
 
  private:

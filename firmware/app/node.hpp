@@ -3,28 +3,37 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 
 #include "firmware/app/config.hpp"
 #include "firmware/app/extending_sensor.hpp"
+#include "firmware/app/intake.hpp"
 #include "firmware/app/keeper.hpp"
 #include "firmware/app/life_book.hpp"
 #include "firmware/protocol/schema/plan.hpp"
 #include "firmware/protocol/uds/identity.hpp"
 #include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/estimator.hpp"
 
 namespace app {
 
 /// The node as its diagnostic server sees it (protocol::uds::Device).
-template <std::size_t kTendons, class Devices>
+template <std::size_t kTendons, class Devices, class LayoutT>
 class Node {
  public:
   using Store = typename Devices::Store;
+  using Estimator = lifemodel::Estimator<kTendons, LayoutT>;
 
   Node(Devices& devices, const Config& config, LifeBook<kTendons>& book,
-       Keeper<kTendons, Store>& keeper)
-      : devices_(devices), config_(config), book_(book), keeper_(keeper) {}
+       Keeper<kTendons, Store>& keeper, Intake<kTendons, LayoutT>& intake, Estimator& estimator)
+      : devices_(devices),
+        config_(config),
+        book_(book),
+        keeper_(keeper),
+        intake_(intake),
+        estimator_(estimator) {}
 
   [[nodiscard]] protocol::uds::Identity identity() const {
     return {config_.serial, protocol::schema::kSchemaVersion, kFirmwareVersion};
@@ -54,13 +63,21 @@ class Node {
     return devices_.store.log(number);
   }
 
-  /// A new wire: its epoch begins at the last reading. Cycles of a sheath are those of its wire.
+  /// A new wire: its epoch begins at the last reading, its flags with the next sample. Cycles of a
+  /// sheath are those of its wire.
   hal::Error open_epoch(std::uint8_t tendon) {
     auto records = book_.records();
+    if (records[tendon].epoch == std::numeric_limits<std::uint16_t>::max()) {
+      return hal::Error::full;
+    }
     records[tendon] = book_.next_epoch(tendon);
     const hal::Error error = keeper_.save(devices_.clock.now(), records);
     if (error == hal::Error::none) {
       book_.open(tendon, records[tendon]);
+      devices_.hold.hold();
+      estimator_.forget_flags(tendon);
+      devices_.hold.release();
+      intake_.forget_flags(tendon);
       if constexpr (ExtendingSensor<typename Devices::Sensor>) {
         devices_.sensor.start_at(tendon, 0);  // the sheath is changed with the wire
       }
@@ -85,6 +102,8 @@ class Node {
   const Config& config_;
   LifeBook<kTendons>& book_;
   Keeper<kTendons, Store>& keeper_;
+  Intake<kTendons, LayoutT>& intake_;
+  Estimator& estimator_;
 };
 
 }  // namespace app

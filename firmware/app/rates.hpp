@@ -3,13 +3,19 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 
+#include "firmware/protocol/messages.hpp"
 #include "hal/clock.hpp"
 #include "lifemodel/damage/damage.hpp"
 #include "lifemodel/life/weibull.hpp"
 
 namespace app {
+
+/// A value for a field whose highest value stands for unknown; stops below that.
+template <class Field>
+constexpr Field below(Field unknown, std::uint64_t value) {
+  return value < unknown ? static_cast<Field>(value) : static_cast<Field>(unknown - 1);
+}
 
 /// Damage and cycles of one tendon over the last minute, from readings since the start, which never
 /// fall.
@@ -34,22 +40,24 @@ class Rates {
 
   /// False until a whole minute has passed.
   [[nodiscard]] bool known() const { return marked_ == kSlots; }
-  [[nodiscard]] lifemodel::Damage damage_per_min() const {
-    return lifemodel::Damage::difference(newest_.damage, oldest_.damage);
-  }
+  /// Cycles::kUnknownRate until it is known; stops below.
   [[nodiscard]] std::uint16_t cycles_per_min() const {
-    const std::uint64_t cycles = newest_.cycles - oldest_.cycles;
-    constexpr std::uint64_t kHighest = std::numeric_limits<std::uint16_t>::max();
-    return static_cast<std::uint16_t>(cycles < kHighest ? cycles : kHighest);
+    using protocol::detail::Cycles;
+    return known() ? below(Cycles::kUnknownRate, newest_.cycles - oldest_.cycles)
+                   : Cycles::kUnknownRate;
   }
+  /// DamageRate::kUnknownRate until it is known; stops below.
   [[nodiscard]] std::uint32_t damage_ppb_per_h() const {
-    return times(damage_per_min(), 60).parts_per_billion();
+    using protocol::detail::DamageRate;
+    return known()
+               ? below(DamageRate::kUnknownRate, times(damage_per_min(), 60).parts_per_billion())
+               : DamageRate::kUnknownRate;
   }
   /// Tenths of an hour until `end` at this rate; the highest value where there is no rate, or
   /// longer than can be told.
   [[nodiscard]] std::uint16_t remaining_dh(const lifemodel::Damage& used,
                                            lifemodel::LifePoint end) const {
-    constexpr std::uint32_t kUnknown = std::numeric_limits<std::uint16_t>::max();
+    constexpr std::uint16_t kUnknown = protocol::detail::RemainingLife::kUnknown;
     if (!known()) {
       return kUnknown;
     }
@@ -64,6 +72,10 @@ class Rates {
     lifemodel::Damage damage;
     std::uint64_t cycles = 0;
   };
+
+  [[nodiscard]] lifemodel::Damage damage_per_min() const {
+    return lifemodel::Damage::difference(newest_.damage, oldest_.damage);
+  }
 
   static lifemodel::Damage times(const lifemodel::Damage& damage, std::uint32_t n) {
     lifemodel::Damage sum;

@@ -18,9 +18,7 @@ class Safety {
     const auto asserted = devices_.emergency_stop.asserted();
     pulled_ = !asserted || *asserted;
     locked_ = locked_ || pulled_;
-    if (locked_ != applied_ || !obeyed_) {
-      apply();
-    }
+    apply();
   }
 
   /// The controller is going down: drive off, brake on.
@@ -31,22 +29,18 @@ class Safety {
 
   [[nodiscard]] bool pulled() const { return pulled_; }
   [[nodiscard]] bool locked() const { return locked_; }
-  /// False while the lines do not do what they have to; it is tried again at each check.
+  /// False while the lines do not do what they have to; they are set again at each check.
   [[nodiscard]] bool obeyed() const { return obeyed_; }
 
  private:
   void apply() {
-    // Off before the brake closes, on after it has opened.
-    const hal::Error first = locked_ ? devices_.drive_enable.set(false) : devices_.brake.set(false);
-    const hal::Error second = locked_ ? devices_.brake.set(true) : devices_.drive_enable.set(true);
-    obeyed_ = first == hal::Error::none && second == hal::Error::none;
-    applied_ = locked_;
+    obeyed_ = hal::set_motion(devices_.drive_enable, !locked_, devices_.brake, locked_) ==
+              hal::Error::none;
   }
 
   Devices& devices_;
   bool pulled_ = false;
   bool locked_ = false;
-  bool applied_ = true;
   bool obeyed_ = false;
 };
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <optional>
 
 #include "firmware/app/bus_budget.hpp"
@@ -10,6 +9,7 @@
 #include "firmware/protocol/e2e.hpp"
 #include "firmware/protocol/messages.hpp"
 #include "hal/can_port.hpp"
+#include "lifemodel/support/saturating.hpp"
 
 namespace app {
 
@@ -149,9 +149,7 @@ class Speaker {
 
   void count_late_detail(hal::Time now) {
     if (now >= next_detail_ + kDetailPeriod) {
-      if (dropped_ != std::numeric_limits<std::uint8_t>::max()) {
-        ++dropped_;
-      }
+      dropped_ = lifemodel::saturating_add(dropped_, 1);
       // A page that was asked for is late rather than left out.
       page_ = selected_ ? page_ : next_page();
       next_detail_ = after(next_detail_, kDetailPeriod, now);

@@ -4,6 +4,7 @@
 
 #include "firmware/storage/life_record.hpp"
 #include "lifemodel/damage/damage.hpp"
+#include "lifemodel/support/saturating.hpp"
 #include "lifemodel/tendon.hpp"
 
 namespace app {
@@ -43,10 +44,7 @@ class TendonLife {
       now.epoch_damage.add(lifemodel::Damage::difference(total_, total_at_opening_), flags);
     }
     now.lifetime_damage.add(total_, flags);
-    const std::uint64_t since = cycles_ - cycles_at_opening_;
-    if (__builtin_add_overflow(now.epoch_cycles, since, &now.epoch_cycles)) {
-      now.epoch_cycles = ~std::uint64_t{0};
-    }
+    now.epoch_cycles = lifemodel::saturating_add(now.epoch_cycles, cycles_ - cycles_at_opening_);
     now.flags = static_cast<std::uint8_t>(flags.bits());
     return now;
   }

@@ -63,15 +63,17 @@ struct Identity {
 };
 struct Cycles {
   static constexpr std::uint8_t kPage = 1;
-  std::uint32_t cycles = 0;          ///< closed, all tendons, this epoch; stops at 2^32 - 1
-  std::uint16_t cycles_per_min = 0;  ///< over the last minute
+  static constexpr std::uint16_t kUnknownRate = 0xffff;  ///< no minute was seen yet
+  std::uint32_t cycles = 0;  ///< closed, all tendons, this epoch; stops at 2^32 - 1
+  std::uint16_t cycles_per_min = kUnknownRate;  ///< over the last minute; stops at 0xfffe
 
   friend constexpr bool operator==(const Cycles&, const Cycles&) = default;
 };
 struct DamageRate {
   static constexpr std::uint8_t kPage = 2;
-  std::uint32_t ppb_per_h = 0;    ///< worst tendon, over the last minute
-  std::uint16_t unsaved_ppb = 0;  ///< what a power cut now would lose
+  static constexpr std::uint32_t kUnknownRate = 0xffff'ffff;  ///< no minute was seen yet
+  std::uint32_t ppb_per_h = kUnknownRate;  ///< worst tendon, over the last minute; stops below
+  std::uint16_t unsaved_ppb = 0;           ///< what a power cut now would lose; stops
 
   friend constexpr bool operator==(const DamageRate&, const DamageRate&) = default;
 };

@@ -16,6 +16,7 @@
 #include "firmware/storage/store.hpp"
 #include "firmware/storage/succession.hpp"
 #include "hal/non_volatile.hpp"
+#include "lifemodel/support/saturating.hpp"
 
 namespace storage {
 
@@ -37,8 +38,8 @@ class FlashStore {
       lost_[tendon] = record ? record->past_lost : life_.damaged();
     }
     sequence_ = life_.highest();
-    attempted_ = plus(sequence_, life_.spent());
-    parameter_writes_ = plus(parameters_.highest(), parameters_.spent());
+    attempted_ = lifemodel::saturating_add(sequence_, life_.spent());
+    parameter_writes_ = lifemodel::saturating_add(parameters_.highest(), parameters_.spent());
   }
 
   [[nodiscard]] std::optional<LifeRecord> load(std::size_t tendon) const {
@@ -108,11 +109,6 @@ class FlashStore {
   [[nodiscard]] std::optional<LogEntry> log(std::uint32_t i) { return log_.entry(i); }
 
  private:
-  static constexpr std::uint32_t plus(std::uint32_t a, std::uint32_t b) {
-    constexpr std::uint32_t kHighest = std::numeric_limits<std::uint32_t>::max();
-    return b < kHighest - a ? a + b : kHighest;
-  }
-
   hal::Error save_one(std::size_t tendon, const LifeRecord& given) {
     const LifeRecord record = successor(given, committed_[tendon], lost_[tendon], attempted_);
     const hal::Error error = life_.append(encode(record));

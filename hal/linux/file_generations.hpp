@@ -15,6 +15,7 @@
 #include "hal/linux/file_error.hpp"
 #include "hal/linux/file_image.hpp"
 #include "hal/linux/file_io.hpp"
+#include "lifemodel/support/saturating.hpp"
 
 namespace hal::linux_os {
 
@@ -58,7 +59,7 @@ class FileGenerations {
     if (before.image) {
       result.image = *before.image;
       // The damaged file was one save ahead.
-      result.image.sequence += damaged_ ? 1 : 0;
+      result.image.sequence = lifemodel::saturating_add(result.image.sequence, damaged_ ? 1u : 0u);
     } else if (damaged_ || before.damage) {
       result.image.lost.fill(true);
     }
@@ -107,7 +108,7 @@ class FileGenerations {
     if (file.error() != 0) {
       return failure(path, "open", file.error());
     }
-    const auto read = read_all(calls_, file.get(), 2 * file_image::size(kTendons) + 4'096);
+    const auto read = read_up_to(calls_, file.get(), file_image::kMostBytes + 1);
     if (const Errno* error = std::get_if<Errno>(&read)) {
       return failure(path, "read", *error);
     }

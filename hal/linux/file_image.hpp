@@ -41,6 +41,8 @@ inline constexpr std::uint32_t kLost = 4;
 constexpr std::size_t size(std::size_t tendons) {
   return kHeaderBytes + tendons * kTendonBytes + 4;
 }
+/// Of any controller: more tendons than these have no place on the bus.
+inline constexpr std::size_t kMostBytes = size(32);
 
 }  // namespace file_image
 
@@ -84,6 +86,10 @@ template <std::size_t kTendons>
 std::variant<FileImage<kTendons>, ImageFault> decode_image(std::span<const std::byte> bytes) {
   using namespace file_image;
   lifemodel::ByteReader in(bytes);
+  if (bytes.size() > kMostBytes) {
+    return ImageFault{false, "longer than a life file, " + std::to_string(kMostBytes) +
+                                 " bytes at most; accepted: a whole life file"};
+  }
   if (in.u32() != kMagic) {
     return ImageFault{false, "not a life file; accepted: a file that this controller wrote"};
   }
@@ -98,7 +104,12 @@ std::variant<FileImage<kTendons>, ImageFault> decode_image(std::span<const std::
     return ImageFault{
         true, "schema " + std::to_string(schema) + "; accepted: schema " + std::to_string(kSchema)};
   }
-  if (tendons != kTendons || bytes.size() != size(kTendons)) {
+  if (bytes.size() != size(tendons)) {
+    return ImageFault{false, std::to_string(bytes.size()) + " bytes for " +
+                                 std::to_string(tendons) +
+                                 " tendons; accepted: " + std::to_string(size(tendons))};
+  }
+  if (tendons != kTendons) {
     return ImageFault{true, "it holds the life of " + std::to_string(tendons) +
                                 " tendons; accepted: as many as are configured, " +
                                 std::to_string(kTendons)};

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstddef>
@@ -65,13 +66,14 @@ Errno write_all(Calls& calls, int fd, std::span<const std::byte> bytes, off_t at
   return 0;
 }
 
-/// All bytes of a file from where it stands; EFBIG past `limit`.
+/// The bytes of a file from where it stands, the first `most` of them.
 template <FileCalls Calls>
-std::variant<std::vector<std::byte>, Errno> read_all(Calls& calls, int fd, std::size_t limit) {
+std::variant<std::vector<std::byte>, Errno> read_up_to(Calls& calls, int fd, std::size_t most) {
   std::vector<std::byte> bytes;
   std::array<std::byte, 4096> part;
   for (;;) {
-    const ssize_t count = calls.read(fd, part.data(), part.size());
+    const std::size_t wanted = std::min(part.size(), most - bytes.size());
+    const ssize_t count = wanted == 0 ? 0 : calls.read(fd, part.data(), wanted);
     if (count == 0) {
       return bytes;
     }
@@ -82,9 +84,6 @@ std::variant<std::vector<std::byte>, Errno> read_all(Calls& calls, int fd, std::
       return errno;
     }
     bytes.insert(bytes.end(), part.begin(), part.begin() + count);
-    if (bytes.size() > limit) {
-      return EFBIG;
-    }
   }
 }
 

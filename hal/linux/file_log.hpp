@@ -25,7 +25,8 @@ namespace hal::linux_os {
 
 /// The log as a file of entries, each synced. What an append that was cut has left at the end,
 /// never more than an entry, is ignored, and the next append overwrites it; a damaged entry before
-/// it is passed over and stays.
+/// it is passed over and stays. No append leaves a file longer than kCapacity entries: in such a
+/// one the next append overwrites all that comes after the last entry that can be read.
 template <FileCalls Calls>
 class FileLog {
  public:
@@ -41,7 +42,7 @@ class FileLog {
     if (log.file_.error() != 0) {
       return FileError{path, std::string("cannot open it: ") + std::strerror(log.file_.error())};
     }
-    const auto read = read_all(calls, log.file_.get(), (kCapacity + 1) * storage::kEntryBytes);
+    const auto read = read_up_to(calls, log.file_.get(), kCapacity * storage::kEntryBytes + 1);
     if (const Errno* error = std::get_if<Errno>(&read)) {
       return FileError{path, std::string("cannot read it: ") + std::strerror(*error)};
     }
@@ -75,22 +76,45 @@ class FileLog {
   void take(std::span<const std::byte> bytes, const std::string& path,
             std::vector<FileError>& notices) {
     constexpr std::size_t kEntry = storage::kEntryBytes;
-    bool tail = false;
-    for (std::size_t at = 0; at + kEntry <= bytes.size(); at += kEntry) {
-      const auto entry = storage::decode_entry(bytes.subspan(at).template first<kEntry>());
+    const bool grown = bytes.size() > kCapacity * kEntry;
+    std::size_t places = bytes.size() / kEntry;
+    std::vector<std::size_t> damaged;
+    for (std::size_t place = 0; place < places; ++place) {
+      const auto entry =
+          storage::decode_entry(bytes.subspan(place * kEntry).template first<kEntry>());
       if (entry) {
         entries_.push_back(*entry);
-      } else if (at + kEntry < bytes.size()) {
-        notices.push_back({path, "entry " + std::to_string(at / kEntry) +
-                                     " is damaged and was passed over; accepted: entries of " +
-                                     std::to_string(kEntry) + " bytes whose CRC-32 fits"});
       } else {
-        tail = true;
+        damaged.push_back(place);
       }
     }
-    const std::size_t whole = bytes.size() / kEntry - (tail ? 1 : 0);
-    end_ = static_cast<off_t>(whole * kEntry);
-    if (tail || bytes.size() % kEntry != 0) {
+    // What nobody has written, or one entry that was cut.
+    bool cut = !grown && bytes.size() % kEntry != 0;
+    while (!damaged.empty() && damaged.back() + 1 == places && (grown || !cut)) {
+      damaged.pop_back();
+      --places;
+      cut = true;
+    }
+    end_ = static_cast<off_t>(places * kEntry);
+    for (std::size_t i = 0; i < damaged.size();) {
+      std::size_t run = 1;
+      while (i + run < damaged.size() && damaged[i + run] == damaged[i] + run) {
+        ++run;
+      }
+      const std::string first = std::to_string(damaged[i]);
+      notices.push_back(
+          {path, (run == 1 ? "entry " + first + " is damaged and was"
+                           : "entries " + first + " to " + std::to_string(damaged[i + run - 1]) +
+                                 " are damaged and were") +
+                     " passed over; accepted: entries of " + std::to_string(kEntry) +
+                     " bytes whose CRC-32 fits"});
+      i += run;
+    }
+    if (grown) {
+      notices.push_back({path, "longer than the " + std::to_string(kCapacity) +
+                                   " entries of a log; all from entry " + std::to_string(places) +
+                                   " on is ignored"});
+    } else if (cut) {
       notices.push_back({path, "its last entry was cut while it was written, and is ignored"});
     }
   }

@@ -14,17 +14,22 @@ class SampleTiming {
   std::uint32_t isr_period(std::uint32_t now_us, std::uint32_t period_us) {
     const std::uint32_t elapsed_us = now_us - last_us_;
     last_us_ = now_us;
+    in_time_ = false;
     if (!started_) {
       started_ = true;
       return 0;
     }
     const std::uint32_t periods = (elapsed_us + period_us / 2) / period_us;
     const std::uint32_t due_us = periods * period_us;
+    in_time_ = periods == 1;
     note(elapsed_us > due_us ? elapsed_us - due_us : due_us - elapsed_us);
     const std::uint32_t missed = periods > 1 ? periods - 1 : 0;
     missed_ += missed;
     return missed;
   }
+
+  /// The last call came one period after the one before it, to half a period.
+  [[nodiscard]] bool isr_in_time() const { return in_time_; }
 
   /// Periods missed so far.
   [[nodiscard]] std::uint32_t missed() const { return missed_; }
@@ -61,6 +66,7 @@ class SampleTiming {
   }
 
   bool started_ = false;
+  bool in_time_ = false;
   std::uint32_t last_us_ = 0;
   std::uint32_t worst_us_ = 0;
   std::uint32_t missed_ = 0;

@@ -25,7 +25,9 @@ class ShuntConverters {
                   AdcCommonRegisters<W>& common)
       : amplifiers_(amplifiers), adc1_(adc1), adc2_(adc2), common_(common) {}
 
-  /// Brings all up and arms the trigger; no interrupt yet.
+  /// Brings all up, arms the trigger, which runs, and takes the first conversions away: they may be
+  /// wrong, or of channel 0 (ES0431 2.5.7, 2.5.8). From then on ADC2 asks for its interrupt once
+  /// all three are converted.
   Error start(const MicrosecondClock<W>& clock) {
     start_amplifiers();
     // While both converters are off (RM0440 21.7.2).
@@ -36,13 +38,17 @@ class ShuntConverters {
       }
     }
     configure();
+    // While no injected conversion may start (RM0440 21.6.2).
+    adc2_.ier.write(adc::kInjectedSequenceInterrupt);
     command(adc1_, adc::kInjectedStart);
     command(adc2_, adc::kInjectedStart);
+    if (wait_until(adc2_.isr, adc::kInjectedSequence, adc::kInjectedSequence, kTriggerPolls) !=
+        Error::none) {
+      return Error::failed;
+    }
+    (void)isr_take();
     return Error::none;
   }
-
-  /// Lets ADC2 interrupt once all three are converted.
-  void enable_interrupt() { adc2_.ier.write(adc::kInjectedSequenceInterrupt); }
 
   /// True once all three are converted, since the last isr_take().
   [[nodiscard]] bool isr_ready() const { return (adc2_.isr.read() & adc::kInjectedSequence) != 0; }
@@ -57,6 +63,8 @@ class ShuntConverters {
  private:
   static constexpr std::uint32_t kRegulatorStart_us = 20;  ///< DS12589, t_ADCVREG_SETUP
   static constexpr std::uint32_t kPolls = 100'000;
+  /// Reads that take more than many periods of the trigger, and less than the watchdog allows.
+  static constexpr std::uint32_t kTriggerPolls = 1'000'000;
 
   void start_amplifiers() {
     constexpr std::uint32_t kSetup = opamp::kInput0 | opamp::kProgrammableGain | opamp::kHighSpeed |

@@ -14,7 +14,8 @@ inline constexpr std::size_t kTendons = 1;
 using Store = storage::FlashStore<Hardware::Memory, kTendons, kStoreLayout>;
 using Devices =
     app::Devices<decltype(Hardware::can), decltype(Hardware::sensor), decltype(Hardware::clock),
-                 Store, Hardware::Output, Hardware::Output, Hardware::Output, Hardware::Stop,
+                 Store, Hardware::Lock::Drive, Hardware::Lock::Brake,
+                 decltype(Hardware::status_light), Hardware::Lock::Stop,
                  decltype(Hardware::watchdog), decltype(Hardware::entropy), SettleHold>;
 
 using App = app::App<kTendons, Devices>;

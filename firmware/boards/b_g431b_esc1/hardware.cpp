@@ -12,10 +12,10 @@ hal::Error Hardware::start() {
   if (!tree.start() || hal::stm32g4::enable_peripherals(registers::rcc()) != hal::Error::none) {
     return hal::Error::failed;
   }
-  drive_enable.start(false);
-  brake.start(true);
+  lines.drive_enable.start(false);
+  lines.brake.start(true);
+  lines.emergency_stop.start(hal::stm32g4::Pull::up);
   status_light.start(false);
-  emergency_stop.start(hal::stm32g4::Pull::up);
   clock.start(hal::stm32g4::kCore_Hz);
   entropy.start();
   constexpr std::uint32_t kWatchdog_ms = 250;
@@ -37,7 +37,6 @@ hal::Error Hardware::start_sensor() {
   }
   // Broken amplifiers leave a sensor that fails, which the application tells.
   (void)sensor.calibrate_at_rest();
-  converters.enable_interrupt();
   return hal::Error::none;
 }
 

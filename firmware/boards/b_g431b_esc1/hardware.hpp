@@ -1,9 +1,11 @@
 #pragma once
 
 #include "firmware/boards/b_g431b_esc1/board_flash.hpp"
+#include "firmware/boards/b_g431b_esc1/control_loop.hpp"
 #include "firmware/boards/b_g431b_esc1/flash_map.hpp"
 #include "firmware/boards/b_g431b_esc1/pins.hpp"
 #include "firmware/boards/b_g431b_esc1/priorities.hpp"
+#include "firmware/boards/interlock.hpp"
 #include "hal/stm32g4/can_controller.hpp"
 #include "hal/stm32g4/current_sensor.hpp"
 #include "hal/stm32g4/debounced_input.hpp"
@@ -16,27 +18,35 @@
 
 namespace board {
 
-inline constexpr std::uint32_t kLoop_Hz = 10'000;
-inline constexpr std::uint32_t kLoopPeriod_us = 1'000'000 / kLoop_Hz;
+/// The lines that keep people safe; of the control loop alone.
+struct SafetyLines {
+  using Output = hal::stm32g4::OutputPin<registers::Register>;
+
+  Output drive_enable{pins::drive_enable(), hal::stm32g4::Active::high};
+  /// Asserted, the brake holds: the coil that opens it is without current.
+  Output brake{pins::brake_release(), hal::stm32g4::Active::low};
+  /// A contact to ground that opens: a broken wire stops too.
+  hal::stm32g4::DebouncedInput<registers::Register, kStopSamples> emergency_stop{
+      pins::emergency_stop(), hal::stm32g4::Active::high};
+};
 
 /// The devices of the board.
 struct Hardware {
   using Register = registers::Register;
   using Memory = hal::stm32g4::FlashMemory<BoardFlash>;
-  using Stop = hal::stm32g4::DebouncedInput<Register, 2 * kLoop_Hz / 1000>;  ///< 2 ms
-  using Output = hal::stm32g4::OutputPin<Register>;
+  using Lock = Interlock<SafetyLines, kPeriodsInTime>;
 
   hal::stm32g4::MicrosecondClock<Register> clock{registers::tim2()};
   hal::stm32g4::ShuntConverters<Register> converters{registers::opamp(), registers::adc1(),
                                                      registers::adc2(), registers::adc12_common()};
   hal::stm32g4::CurrentSensor<Register> sensor{converters};
   hal::stm32g4::CanController<Register> can{registers::fdcan1(), registers::message_ram()};
-  Output drive_enable{pins::drive_enable(), hal::stm32g4::Active::high};
-  /// Asserted, the brake holds: the coil that opens it is without current.
-  Output brake{pins::brake_release(), hal::stm32g4::Active::low};
-  Output status_light{pins::status_light(), hal::stm32g4::Active::high};
-  /// A contact to ground that opens: a broken wire stops too.
-  Stop emergency_stop{pins::emergency_stop(), hal::stm32g4::Active::high};
+  SafetyLines lines;
+  Lock interlock{lines};
+  Lock::Drive drive_enable{interlock};
+  Lock::Brake brake{interlock};
+  Lock::Stop emergency_stop{interlock};
+  hal::stm32g4::OutputPin<Register> status_light{pins::status_light(), hal::stm32g4::Active::high};
   hal::stm32g4::IndependentWatchdog<Register> watchdog{registers::iwdg()};
   hal::stm32g4::RandomGenerator<Register> entropy{registers::rng()};
   BoardFlash flash;
@@ -47,7 +57,8 @@ struct Hardware {
 
   /// Clocks, safety lines and watchdog; failed, where the board cannot run.
   hal::Error start();
-  /// Current measurement and with it the trigger of the control loop, while the drive is off.
+  /// Current measurement and with it the trigger of the control loop, while the drive is off;
+  /// failed, where it does not come.
   hal::Error start_sensor();
   /// Joins the bus.
   hal::Error start_can(std::uint8_t node);

@@ -22,8 +22,9 @@ NodeSettings read_settings(Hardware& devices) {
   return decode_node(bytes).value_or(kNoSettings);
 }
 
-/// RM0440 14.3; the control loop is never kept away.
-void enable_interrupts() {
+/// RM0440 14.3; the control loop is never kept away. Its first interrupt is of a trigger yet to
+/// come.
+void enable_interrupts(Hardware& devices) {
   auto& system = registers::system_control();
   hal::stm32g4::replace_bits(system.shpr[2], 0xFFu << hal::stm32g4::core::kPendSvShift,
                              kSettlePriority << hal::stm32g4::core::kPendSvShift);
@@ -31,6 +32,8 @@ void enable_interrupts() {
   constexpr unsigned kShift = 8 * (kLoop % 4);
   hal::stm32g4::replace_bits(registers::interrupts().ipr[kLoop / 4], 0xFFu << kShift,
                              kLoopPriority << kShift);
+  (void)devices.converters.isr_take();
+  registers::interrupts().icpr[kLoop / 32].write(hal::stm32g4::bit(kLoop % 32));
   registers::interrupts().iser[kLoop / 32].write(hal::stm32g4::bit(kLoop % 32));
 }
 
@@ -51,8 +54,9 @@ protocol::detail::Timing timing_of(const hal::stm32g4::SampleTiming& timing) {
   // Without a bus the life is counted all the same.
   (void)devices.start_can(settings.node);
   App& app = make_application(devices, {settings.node, settings.key, unique_id()});
+  devices.interlock.isr_apply(false);
   app.start();
-  enable_interrupts();
+  enable_interrupts(devices);
   while (true) {
     app.timing(timing_of(devices.timing));
     app.poll();

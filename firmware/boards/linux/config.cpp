@@ -6,6 +6,7 @@
 #include <string>
 
 #include "firmware/boards/linux/text_file.hpp"
+#include "firmware/boards/linux/toml_depth.hpp"
 #include "firmware/boards/linux/toml_table.hpp"
 #include "host_sim/io/input_error.hpp"
 
@@ -197,6 +198,11 @@ class ConfigReader {
 };
 
 toml::table parse(std::string_view text, std::string_view name) {
+  if (const auto at = TomlDepth(text).first_too_deep()) {
+    throw host_sim::InputError(name, at->line, at->column,
+                               fmt::format("more than {} levels", kMostTomlDepth),
+                               fmt::format("TOML of at most {} levels", kMostTomlDepth));
+  }
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {

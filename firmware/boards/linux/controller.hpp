@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "firmware/app/app.hpp"
+#include "firmware/boards/interlock.hpp"
 #include "firmware/boards/linux/board_can.hpp"
 #include "firmware/boards/linux/board_clock.hpp"
-#include "firmware/boards/linux/interlock.hpp"
 #include "firmware/boards/linux/lines.hpp"
 #include "firmware/boards/linux/real_time_setup.hpp"
 #include "firmware/boards/linux/report.hpp"
@@ -50,7 +50,7 @@ class Controller {
 
   /// Runs until `stop` is set or the profile is at its end.
   Report run(const std::atomic<bool>& stop) {
-    interlock_.isr_apply();
+    interlock_.isr_apply(false);
     app_.start();
     if (setup_.virtual_clock) {
       run_virtually(stop);
@@ -68,7 +68,9 @@ class Controller {
   }
 
  private:
-  using Lock = Interlock<SafetyLines>;
+  /// So many periods in time, one after the other, let the drive go.
+  static constexpr std::uint32_t kPeriodsInTime = 10;
+  using Lock = Interlock<SafetyLines, kPeriodsInTime>;
   using Store = hal::linux_os::FileStore<kTendons>;
   using Devices =
       app::Devices<BoardCan, SensorT, BoardClock, Store, Lock::Drive, Lock::Brake, OptionalOutput,
@@ -103,7 +105,7 @@ class Controller {
 
   // One period of the control loop. False at the end of a profile.
   bool isr_period(std::uint32_t missed) {
-    interlock_.isr_apply();
+    interlock_.isr_apply(missed == 0);
     if (missed != 0) {
       app_.isr_missed(missed);
     }

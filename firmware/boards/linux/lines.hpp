@@ -23,38 +23,32 @@ class SafetyLines {
   explicit SafetyLines(const std::optional<GpioConfig>& config) {
     if (config) {
       const std::array lines{spec_of(config->drive_enable), spec_of(config->brake)};
-      lines_.emplace(*config, lines);
+      outputs_.emplace(config->chip, lines);
+      stop_.emplace(config->chip, spec_of(config->emergency_stop), config->debounce);
     }
   }
+  SafetyLines(const SafetyLines&) = delete;
+  SafetyLines& operator=(const SafetyLines&) = delete;
 
-  /// Off before the brake closes, on after it has opened.
-  hal::Error set(bool drive, bool brake) {
-    if (!lines_) {
-      return hal::Error::none;
-    }
-    const hal::Error first = drive ? set(kBrake, brake) : set(kDrive, drive);
-    const hal::Error second = drive ? set(kDrive, drive) : set(kBrake, brake);
-    return first != hal::Error::none ? first : second;
-  }
-  hal::Result<bool> stop_asserted() {
-    return lines_ ? lines_->stop.asserted() : hal::Result<bool>(false);
-  }
+  struct Output {
+    hal::Error set(bool on) { return outputs ? outputs->set(index, on) : hal::Error::none; }
 
- private:
-  enum Output : std::size_t { kDrive, kBrake };
+    std::optional<hal::linux_os::GpioOutputs>& outputs;
+    std::size_t index;
+  };
+  struct Stop {
+    hal::Result<bool> asserted() { return stop ? stop->asserted() : hal::Result<bool>(false); }
 
-  struct Lines {
-    Lines(const GpioConfig& config, std::span<const hal::linux_os::LineSpec> specs)
-        : outputs(config.chip, specs),
-          stop(config.chip, spec_of(config.emergency_stop), config.debounce) {}
-
-    hal::linux_os::GpioOutputs outputs;
-    hal::linux_os::GpioEmergencyStop stop;
+    std::optional<hal::linux_os::GpioEmergencyStop>& stop;
   };
 
-  hal::Error set(Output output, bool on) { return lines_->outputs.set(output, on); }
+  Output drive_enable{outputs_, 0};
+  Output brake{outputs_, 1};
+  Stop emergency_stop{stop_};
 
-  std::optional<Lines> lines_;
+ private:
+  std::optional<hal::linux_os::GpioOutputs> outputs_;
+  std::optional<hal::linux_os::GpioEmergencyStop> stop_;
 };
 
 /// An output that need not be there.

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <limits>
 #include <span>
 
 #include "firmware/protocol/authority/backoff.hpp"
 #include "firmware/protocol/authority/command.hpp"
 #include "hal/clock.hpp"
+#include "lifemodel/support/saturating.hpp"
 
 namespace protocol::authority {
 
@@ -17,8 +17,8 @@ enum class Verdict : std::uint8_t {
   locked_out,     ///< within the backoff after failures
   nonce_used,     ///< no nonce is open: none was issued, or it was used
   nonce_expired,  ///< older than kNonceLife
-  wrong_counter,  ///< the storage counter is not that of the node
   wrong_mac,
+  wrong_counter,  ///< it is proven, but for a storage counter that the node did not have meanwhile
 };
 
 /// The reason in words.
@@ -34,10 +34,10 @@ constexpr const char* to_string(Verdict verdict) {
       return "no nonce is open: read a fresh one for each command";
     case Verdict::nonce_expired:
       return "the nonce is older than 5 s";
-    case Verdict::wrong_counter:
-      return "the storage counter is not that of the node";
     case Verdict::wrong_mac:
       return "the code does not prove the command";
+    case Verdict::wrong_counter:
+      return "the storage counter is not that of the node";
   }
   return "unknown";
 }
@@ -46,8 +46,12 @@ inline constexpr hal::Time kNonceLife = hal::seconds(5);
 
 /// Decides who may do what cannot be undone.
 ///
-/// A nonce serves one command, granted or not. Every verdict but granted, disabled and locked_out
-/// is a failure; a grant forgives them all. What holds off guessing is backoff().
+/// A nonce serves one command, granted or not. What does not prove that it comes from who holds the
+/// key is a failure; a grant forgives them all. What holds off guessing is backoff().
+///
+/// A node saves when it has to, also while a client makes its command. So each storage counter
+/// proves that the node has had since it issued the nonce, or that it told before, at most
+/// kNonceLife ago.
 class Gate {
  public:
   constexpr Gate(Node node, const Key& key) : key_(key), node_(node) {}
@@ -58,12 +62,20 @@ class Gate {
     locked_until_ = now + backoff(failures);
   }
 
+  /// The storage counter was read.
+  constexpr void tell(std::uint32_t storage_counter, hal::Time now) {
+    told_counter_ = storage_counter;
+    told_until_ = now + kNonceLife;
+  }
+
   /// Opens a fresh nonce, in place of the one before. False, and none is open, where it is the same
   /// as that: its source is broken.
-  [[nodiscard]] constexpr bool issue(const Nonce& nonce, hal::Time now) {
+  [[nodiscard]] constexpr bool issue(const Nonce& nonce, std::uint32_t storage_counter,
+                                     hal::Time now) {
     open_ = nonce != nonce_;
     nonce_ = nonce;
     issued_ = now;
+    first_counter_ = now < told_until_ ? told_counter_ : storage_counter;
     return open_;
   }
 
@@ -80,8 +92,8 @@ class Gate {
     open_ = false;
     if (verdict == Verdict::granted) {
       failures_ = 0;
-    } else {
-      failures_ += failures_ < std::numeric_limits<std::uint32_t>::max() ? 1u : 0u;
+    } else if (verdict != Verdict::wrong_counter) {
+      failures_ = lifemodel::saturating_add(failures_, 1u);
       locked_until_ = now + backoff(failures_);
     }
     return verdict;
@@ -105,16 +117,21 @@ class Gate {
     if (now - issued_ >= kNonceLife) {
       return Verdict::nonce_expired;
     }
-    if (command.storage_counter != storage_counter) {
-      return Verdict::wrong_counter;
+    if (!equal(mac(key_, node_, command, nonce_), code)) {
+      return Verdict::wrong_mac;
     }
-    return equal(mac(key_, node_, command, nonce_), code) ? Verdict::granted : Verdict::wrong_mac;
+    const bool had =
+        command.storage_counter >= first_counter_ && command.storage_counter <= storage_counter;
+    return had ? Verdict::granted : Verdict::wrong_counter;
   }
 
   Key key_;
   Nonce nonce_{};
   hal::Time issued_{};
   hal::Time locked_until_{};
+  hal::Time told_until_{};
+  std::uint32_t told_counter_ = 0;
+  std::uint32_t first_counter_ = 0;  ///< that proves with the open nonce
   std::uint32_t failures_ = 0;
   Node node_;
   bool open_ = false;

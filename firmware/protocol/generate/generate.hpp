@@ -23,10 +23,10 @@ std::string dbc_template();
 /// An ES module without dependencies for browsers and Node.js: decode(id, data), Receiver and plan.
 std::string javascript();
 
-/// The frame table of README.md in Markdown, with an end of line.
+/// The frame table of firmware/protocol/README.md in Markdown, with an end of line.
 std::string table();
 
-/// The table of services of README.md in Markdown, with an end of line.
+/// The table of services of firmware/protocol/README.md in Markdown, with an end of line.
 std::string services();
 
 }  // namespace protocol::generate

@@ -52,9 +52,10 @@ int run(int argc, char** argv) {
   nodes->excludes(one);
   auto* const javascript =
       app.add_subcommand("js", "ES module for browsers and Node.js: decode(id, data)");
-  auto* const table = app.add_subcommand("table", "frame table of README.md in Markdown");
-  auto* const services =
-      app.add_subcommand("services", "table of diagnostic services of README.md in Markdown");
+  auto* const table =
+      app.add_subcommand("table", "frame table of firmware/protocol/README.md in Markdown");
+  auto* const services = app.add_subcommand(
+      "services", "table of diagnostic services of firmware/protocol/README.md in Markdown");
   for (CLI::App* const verb : {dbc, javascript, table, services}) {
     verb->add_option("--out", out, "file to write, - for standard output")->capture_default_str();
   }

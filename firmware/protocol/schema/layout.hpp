@@ -34,6 +34,23 @@ struct Layout;
 template <class Message>
 inline constexpr std::size_t kFieldCount = std::tuple_size_v<decltype(Layout<Message>::kFields)>;
 
+/// The signal of a member.
+template <class Message, class Member>
+constexpr Signal signal_of(Member Message::*member) {
+  Signal found;
+  std::apply(
+      [&](const auto&... fields) {
+        const auto look_at = [&]<class Other>(const Field<Message, Other>& field) {
+          if constexpr (std::is_same_v<Member, Other>) {
+            found = field.member == member ? field.signal : found;
+          }
+        };
+        (look_at(fields), ...);
+      },
+      Layout<Message>::kFields);
+  return found;
+}
+
 /// Whether the message is a page of its frame.
 template <class Message>
 inline constexpr bool kIsPage = requires {

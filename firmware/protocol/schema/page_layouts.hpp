@@ -44,12 +44,15 @@ struct Layout<detail::Cycles> : PageLayout {
             {.name = "Cycles",
              .start_bit = 16,
              .bits = 32,
-             .comment = "closed in this epoch, stops at the end of its range"}),
+             .comment = "closed in this epoch, stops at the end of its range",
+             .stops = true}),
       field(&detail::Cycles::cycles_per_min, {.name = "CycleRate",
                                               .start_bit = 48,
                                               .bits = 16,
                                               .unit = "1/min",
-                                              .comment = "over the last minute"}),
+                                              .comment = "over the last minute, stops at 65534",
+                                              .values = kCycleRateUnknown,
+                                              .stops = true}),
   };
 };
 
@@ -58,17 +61,22 @@ struct Layout<detail::DamageRate> : PageLayout {
   static constexpr std::string_view kName = "DamageRate";
   static constexpr std::string_view kComment = "how fast the worst tendon wears";
   static constexpr std::tuple kFields{
-      field(&detail::DamageRate::ppb_per_h, {.name = "DamageRate",
-                                             .start_bit = 16,
-                                             .bits = 32,
-                                             .factor = "0.000000001",
-                                             .unit = "1/h",
-                                             .comment = "over the last minute"}),
-      field(&detail::DamageRate::unsaved_ppb, {.name = "UnsavedDamage",
-                                               .start_bit = 48,
-                                               .bits = 16,
-                                               .factor = "0.000000001",
-                                               .comment = "what a power cut now would lose"}),
+      field(&detail::DamageRate::ppb_per_h,
+            {.name = "DamageRate",
+             .start_bit = 16,
+             .bits = 32,
+             .factor = "0.000000001",
+             .unit = "1/h",
+             .comment = "over the last minute, stops at 4.294967294",
+             .values = kDamageRateUnknown,
+             .stops = true}),
+      field(&detail::DamageRate::unsaved_ppb,
+            {.name = "UnsavedDamage",
+             .start_bit = 48,
+             .bits = 16,
+             .factor = "0.000000001",
+             .comment = "what a power cut now would lose, stops at the end of its range",
+             .stops = true}),
   };
 };
 
@@ -84,7 +92,8 @@ struct Layout<detail::TendonDamage> : PageLayout {
              .start_bit = 24,
              .bits = 32,
              .factor = "0.000000001",
-             .comment = "1 is its characteristic life, stops at the end of its range"}),
+             .comment = "1 is its characteristic life, stops at the end of its range",
+             .stops = true}),
       field(&detail::TendonDamage::state, {.name = "TendonLifeState",
                                            .start_bit = 56,
                                            .bits = 4,
@@ -115,7 +124,8 @@ struct Layout<detail::RainflowBin> : PageLayout {
             {.name = "BinCycles",
              .start_bit = 32,
              .bits = 32,
-             .comment = "since the start, stops at the end of its range"}),
+             .comment = "since the start, stops at the end of its range",
+             .stops = true}),
   };
 };
 
@@ -156,13 +166,15 @@ struct Layout<detail::Storage> : PageLayout {
       field(&detail::Storage::sequence, {.name = "StorageSequence",
                                          .start_bit = 16,
                                          .bits = 24,
-                                         .comment = "of the last record, stops at the end"}),
+                                         .comment = "of the last record, stops at the end",
+                                         .stops = true}),
       field(&detail::Storage::worst_unsaved_ppb,
             {.name = "WorstUnsavedDamage",
              .start_bit = 40,
              .bits = 24,
              .factor = "0.000000001",
-             .comment = "since the start, stops at the end of its range"}),
+             .comment = "since the start, stops at the end of its range",
+             .stops = true}),
   };
 };
 
@@ -175,14 +187,19 @@ struct Layout<detail::Timing> : PageLayout {
                                                .start_bit = 16,
                                                .bits = 16,
                                                .unit = "us",
-                                               .comment = "since the start"}),
+                                               .comment = "since the start",
+                                               .stops = true}),
       field(&detail::Timing::p99_jitter_us, {.name = "P99Jitter",
                                              .start_bit = 32,
                                              .bits = 16,
                                              .unit = "us",
-                                             .comment = "99 % of the periods were better"}),
-      field(&detail::Timing::missed_deadlines,
-            {.name = "MissedDeadlines", .start_bit = 48, .bits = 16, .comment = "since the start"}),
+                                             .comment = "99 % of the periods were better",
+                                             .stops = true}),
+      field(&detail::Timing::missed_deadlines, {.name = "MissedDeadlines",
+                                                .start_bit = 48,
+                                                .bits = 16,
+                                                .comment = "since the start",
+                                                .stops = true}),
   };
 };
 
@@ -202,16 +219,19 @@ struct Layout<detail::Bus> : PageLayout {
       field(&detail::Bus::bus_offs, {.name = "BusOffs",
                                      .start_bit = 32,
                                      .bits = 8,
-                                     .comment = "how often the node was off the bus"}),
+                                     .comment = "how often the node was off the bus",
+                                     .stops = true}),
       field(&detail::Bus::dropped, {.name = "DroppedPages",
                                     .start_bit = 40,
                                     .bits = 8,
-                                    .comment = "pages that found no room"}),
+                                    .comment = "pages that found no room",
+                                    .stops = true}),
       field(&detail::Bus::refused,
             {.name = "Refused",
              .start_bit = 48,
              .bits = 16,
-             .comment = "frames that failed the integrity check, and commands refused"}),
+             .comment = "frames that failed the integrity check, and commands refused",
+             .stops = true}),
   };
 };
 

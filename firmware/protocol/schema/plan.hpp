@@ -13,20 +13,21 @@
 #include "firmware/protocol/schema/status_layouts.hpp"
 
 /// The frame plan: the one place that says what lies where. The codec, the DBC files, the
-/// JavaScript decoder and the table in README.md follow from it.
+/// JavaScript decoder and the table in firmware/protocol/README.md follow from it.
 ///
 /// To add a signal to a message: give the struct in messages.hpp a member, and its Layout a field()
-/// in bits that are free. Receivers refuse bits that they do not know, so count up kSchemaVersion.
+/// in bits that are free. Receivers refuse bits that they do not know, so count up kSchemaVersion;
+/// so, too, where a value takes on another meaning.
 /// To add a page: a struct with the next kPage in messages.hpp, its Layout in page_layouts.hpp, and
 /// its name in AllMessages below.
 /// To add a frame: a Frame in frames.hpp with a free base id and, if protected, an id_list of its
 /// own; a struct, its Layout, its name in AllMessages and the frame in kFrames.
-/// Then let protocol_generate write the table of README.md anew. What contradicts itself does not
-/// compile: see checks.hpp.
+/// Then let protocol_generate write the table of firmware/protocol/README.md anew. What contradicts
+/// itself does not compile: see checks.hpp.
 namespace protocol::schema {
 
 /// Version of this plan, told in detail::Identity.
-inline constexpr std::uint8_t kSchemaVersion = 1;
+inline constexpr std::uint8_t kSchemaVersion = 2;
 
 template <class... Messages>
 struct MessageList {};

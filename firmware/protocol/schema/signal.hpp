@@ -23,12 +23,23 @@ struct Signal {
   std::string_view unit = {};     ///< of the physical value; empty where it has none
   std::string_view comment = {};  ///< what it tells
   std::span<const ValueName> values = {};
+  bool stops = false;      ///< what is larger is told as the largest value, which means "or more"
   bool is_closed = false;  ///< only named values may appear; set by field() from the member's type
 };
 
 /// The largest raw value that `bits` hold.
 constexpr std::uint32_t largest(std::uint8_t bits) {
   return bits >= 32 ? 0xffff'ffffu : (std::uint32_t{1} << bits) - 1;
+}
+
+/// Whether a raw value stands for itself or more: the end of a range that stops, or, where that has
+/// a name, the value before it.
+constexpr bool is_at_least(const Signal& signal, std::uint32_t raw) {
+  std::uint32_t end = largest(signal.bits);
+  for (const ValueName& value : signal.values) {
+    end -= value.value == largest(signal.bits) ? 1u : 0u;
+  }
+  return signal.stops && raw == end;
 }
 
 /// The bits of a payload that the signal takes, byte 0 lowest.

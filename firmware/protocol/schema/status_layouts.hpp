@@ -41,7 +41,8 @@ struct Layout<LifeStatus> {
                                       .bits = 32,
                                       .factor = "0.000000001",
                                       .comment = "of the worst tendon, 1 is its characteristic "
-                                                 "life, stops at the end of its range"}),
+                                                 "life, stops at the end of its range",
+                                      .stops = true}),
       field(&LifeStatus::worst_tendon, {.name = "WorstTendon",
                                         .start_bit = 48,
                                         .bits = 5,
@@ -94,7 +95,8 @@ struct Layout<Emergency> {
                                      .bits = 24,
                                      .factor = "0.000001",
                                      .comment = "of the worst tendon, 1 is its characteristic "
-                                                "life, stops at the end of its range"}),
+                                                "life, stops at the end of its range",
+                                     .stops = true}),
   };
 };
 

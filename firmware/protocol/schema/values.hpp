@@ -55,6 +55,14 @@ inline constexpr std::array kCommandCodes{
     name_of(CommandCode::burst, "burst"),
 };
 
+inline constexpr std::array kCycleRateUnknown{
+    ValueName{.value = detail::Cycles::kUnknownRate, .name = "unknown"},
+};
+
+inline constexpr std::array kDamageRateUnknown{
+    ValueName{.value = detail::DamageRate::kUnknownRate, .name = "unknown"},
+};
+
 inline constexpr std::array kRemainingLifeUnknown{
     ValueName{.value = detail::RemainingLife::kUnknown, .name = "unknown"},
 };

@@ -10,6 +10,7 @@
 #include "firmware/storage/store.hpp"
 #include "hal/clock.hpp"
 #include "lifemodel/support/inlining.hpp"
+#include "lifemodel/support/saturating.hpp"
 
 namespace protocol::uds {
 
@@ -99,7 +100,12 @@ constexpr void write_log(Answer& out, const storage::LogEntry& entry) {
   out.u32(entry.detail);
 }
 
-/// What the authority has seen. Numbers stop at 2^32 - 1.
+/// Numbers of the authority stop at 2^32 - 1.
+constexpr void count(std::uint32_t& number) {
+  number = lifemodel::saturating_add(number, 1u);
+}
+
+/// What the authority has seen.
 struct AuthorityCounts {
   std::uint32_t granted = 0;   ///< and done, since the start
   std::uint32_t refused = 0;   ///< for whatever reason, since the start

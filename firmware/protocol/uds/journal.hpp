@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <optional>
 
+#include "firmware/protocol/authority/backoff.hpp"
+#include "firmware/protocol/uds/data.hpp"
 #include "firmware/protocol/uds/device.hpp"
 #include "firmware/storage/store.hpp"
 #include "hal/error.hpp"
@@ -18,7 +20,8 @@ inline constexpr std::uint32_t kRefusalLines = 64;
 /// What is done leaves its line before it is done; without a line it is not done. Every refusal of
 /// a command that was judged leaves a line. A refusal that costs its sender nothing (wrong form, no
 /// key, locked out) leaves one for each kind, until something is done or the next lock begins. Past
-/// kRefusalLines refusals are only counted.
+/// kRefusalLines refusals are only counted, but for the first failure since something was done: its
+/// line stands for as many as there may have been, so that no restart forgets them.
 template <Device DeviceT>
 class Journal {
  public:
@@ -34,9 +37,13 @@ class Journal {
       }
       if (is_deed(entry->event)) {
         failures = 0;
+        stands_for_all_ = false;
       } else if (entry->event != storage::Event::not_done) {
+        if (is_failure(entry->event)) {
+          stands_for_all_ = refusals_ >= kRefusalLines;
+          failures += stands_for_all_ ? authority::kMostFailures : 1u;
+        }
         ++refusals_;
-        failures += is_failure(entry->event) ? 1u : 0u;
       }
     }
   }
@@ -46,6 +53,7 @@ class Journal {
     const hal::Error error = device_.log(event, tendon, configuration);
     if (error == hal::Error::none) {
       told_ = 0;
+      stands_for_all_ = false;
     }
     return error;
   }
@@ -55,19 +63,21 @@ class Journal {
   }
 
   void refused(storage::Event event, std::uint8_t tendon, std::uint16_t routine) {
-    if (is_failure(event)) {
+    if (is_judged(event)) {
       told_ &= ~bit(storage::Event::locked_out);
     } else if ((told_ & bit(event)) != 0) {
-      ++unlogged_;
+      count(unlogged_);
       return;
     }
-    if (refusals_ >= kRefusalLines) {
-      ++unlogged_;
+    const bool past = refusals_ >= kRefusalLines;
+    if (past && (stands_for_all_ || !is_failure(event))) {
+      count(unlogged_);
       return;
     }
     told_ |= bit(event);
     if (write(event, tendon, routine)) {
       ++refusals_;
+      stands_for_all_ = past;
     }
   }
 
@@ -83,19 +93,23 @@ class Journal {
   }
   static constexpr bool is_failure(storage::Event event) {
     return event == storage::Event::wrong_mac || event == storage::Event::nonce_reused ||
-           event == storage::Event::nonce_expired || event == storage::Event::counter_rolled_back;
+           event == storage::Event::nonce_expired;
+  }
+  static constexpr bool is_judged(storage::Event event) {
+    return is_failure(event) || event == storage::Event::counter_rolled_back;
   }
   bool write(storage::Event event, std::uint8_t tendon, std::uint32_t detail) {
     if (device_.log(event, tendon, detail) == hal::Error::none) {
       return true;
     }
-    ++unlogged_;
+    count(unlogged_);
     return false;
   }
 
   DeviceT& device_;
   std::uint32_t refusals_ = 0;
   std::uint32_t told_ = 0;  ///< bits of the events that are not told again
+  bool stands_for_all_ = false;
   std::uint32_t unlogged_ = 0;
 };
 

@@ -82,6 +82,7 @@ class Reader {
         answer.u32(device_.configuration(tendon));
         return Nrc::none;
       case kStorageCounter.first:
+        gate_.tell(device_.storage_counter(), now);
         answer.u32(device_.storage_counter());
         return Nrc::none;
       case kNonce.first:
@@ -110,7 +111,8 @@ class Reader {
   /// A source that fails or repeats itself issues nothing.
   Nrc write_nonce(hal::Time now, Answer& answer) {
     authority::Nonce nonce{};
-    if (device_.random(nonce) != hal::Error::none || !gate_.issue(nonce, now)) {
+    if (device_.random(nonce) != hal::Error::none ||
+        !gate_.issue(nonce, device_.storage_counter(), now)) {
       return Nrc::conditions_not_correct;
     }
     answer.bytes(nonce);

@@ -34,9 +34,9 @@ inline constexpr std::uint8_t kSuppress = 0x80;
 ///   0x13  wrong length
 ///   0x37  locked out
 ///   0x24  the nonce was used or has expired
-///   0x22  the storage counter is another, or the log is full
 ///   0x35  wrong code
-///   0x36  in place of 0x24, 0x22 and 0x35, where the failure begins a lock
+///   0x22  the storage counter is another, which is no failure, or the log is full
+///   0x36  in place of 0x24 and 0x35, where the failure begins a lock
 ///   0x72  the change, or its line in the log, could not be written
 template <Device DeviceT>
 class Starter {
@@ -139,20 +139,20 @@ class Starter {
                 Deed deed) {
     const hal::Error logged = log_.about_to(event, target.tendon, configuration);
     if (logged != hal::Error::none) {
-      ++refused_;
+      count(refused_);
       return logged == hal::Error::full ? Nrc::conditions_not_correct : Nrc::programming_failure;
     }
     if (deed() != hal::Error::none) {
-      ++refused_;
+      count(refused_);
       log_.not_done(target.tendon, target.routine);
       return Nrc::programming_failure;
     }
-    ++granted_;
+    count(granted_);
     return Nrc::none;
   }
 
   Nrc refuse(Nrc nrc, storage::Event event, const Target& target) {
-    ++refused_;
+    count(refused_);
     log_.refused(event, target.tendon, target.routine);
     return nrc;
   }

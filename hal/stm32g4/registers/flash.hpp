@@ -38,7 +38,7 @@ inline constexpr std::uint32_t kAnyError = kOperationError | kProgramError | kWr
                                            kMissError | kFastError | kReadProtected | kOptionError;
 // CR, 5.7.6
 inline constexpr std::uint32_t kProgram = bit(0), kPageErase = bit(1), kStart = bit(16);
-inline constexpr std::uint32_t kPageMask = 0x7Fu << 3, kLock = bit(31);
+inline constexpr std::uint32_t kLock = bit(31);
 constexpr std::uint32_t page(std::uint32_t number) {
   return number << 3;
 }
