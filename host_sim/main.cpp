@@ -1,7 +1,12 @@
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <iostream>
+#include <streambuf>
 
 #include "host_sim/io/input_error.hpp"
 #include "host_sim/io/interruption.hpp"
@@ -19,6 +24,34 @@ int fail(const std::exception& error) {
   return kBadInput;
 }
 
+/// A descriptor that is closed would be that of the next file which is opened.
+void take_standard_descriptors() {
+  for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(descriptor, F_GETFD) < 0) {
+      ::open("/dev/null", descriptor == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+    }
+  }
+}
+
+/// What people read has to arrive as well: while it lives, std::cout remembers why it could not.
+class StandardOutput {
+ public:
+  StandardOutput() : file_("-"), before_(std::cout.rdbuf(file_.stream().rdbuf())) {}
+  StandardOutput(const StandardOutput&) = delete;
+  StandardOutput& operator=(const StandardOutput&) = delete;
+  ~StandardOutput() {
+    std::cout.flush();
+    std::cout.rdbuf(before_);
+  }
+
+  /// @throws OutputError
+  void finish() { file_.commit(); }
+
+ private:
+  host_sim::OutputFile file_;
+  std::streambuf* before_;
+};
+
 int run(int argc, char** argv) {
   CLI::App app{"Life of tendons from recorded profiles, through the code that runs on the board"};
   app.name("host_sim");
@@ -32,7 +65,9 @@ int run(int argc, char** argv) {
       ".\n"
       "Example: host_sim replay --help");
   int status = 0;
+  take_standard_descriptors();
   host_sim::watch_for_interruption();
+  StandardOutput output;
   host_sim::add_replay(app, status);
   host_sim::add_calibrate(app, status);
   host_sim::add_diagnose(app, status);
@@ -44,9 +79,12 @@ int run(int argc, char** argv) {
   host_sim::add_completion(app, status);
   host_sim::add_manual(app, status);
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : kUsage;
+    try {
+      app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+      status = app.exit(error) == 0 ? 0 : kUsage;
+    }
+    output.finish();
   } catch (const host_sim::InputError& error) {
     return fail(error);
   } catch (const host_sim::Interruption& error) {
@@ -54,6 +92,8 @@ int run(int argc, char** argv) {
     return kInterrupted;
   } catch (const host_sim::OutputError& error) {
     return fail(error);
+  } catch (const std::filesystem::filesystem_error& error) {
+    return fail(host_sim::OutputError(error.path1().string(), error.code().message()));
   } catch (const std::exception& error) {
     std::cerr << "host_sim: ";
     return fail(error);

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "host_sim/campaign/campaign.hpp"
-#include "host_sim/life_law/life_data.hpp"
+#include "host_sim/life_law/life_fit.hpp"
 #include "host_sim/statistics/common_shape.hpp"
 #include "host_sim/statistics/goodness_of_fit.hpp"
 

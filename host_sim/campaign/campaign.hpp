@@ -90,4 +90,14 @@ struct Level {
 /// where bend angle and both tensions are equal.
 std::vector<Level> levels_of(const Campaign& campaign);
 
+/// Whether `folder` is a campaign: a folder that holds a campaign.toml.
+bool is_campaign(const std::filesystem::path& folder);
+
+/// The campaigns directly below `folder`, sorted by name; none is no error.
+/// @throws InputError where `folder` is not a folder that can be read
+std::vector<std::filesystem::path> list_campaigns(const std::filesystem::path& folder);
+
+/// Whether a campaign has this file, be it one that can be read or not.
+bool is_there(const std::filesystem::path& file);
+
 }  // namespace host_sim

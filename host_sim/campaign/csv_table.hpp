@@ -8,13 +8,25 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/campaign/place.hpp"
 #include "host_sim/io/byte_source.hpp"
+#include "host_sim/io/input_error.hpp"
 #include "host_sim/io/line_buffer.hpp"
 #include "host_sim/io/number_range.hpp"
 #include "host_sim/io/text_place.hpp"
 
 namespace host_sim {
+
+/// A place in a file, counted from 1 in characters.
+struct Place {
+  std::string file;
+  std::uint64_t line = 0;
+  std::uint64_t column = 0;
+
+  /// @throws InputError
+  [[noreturn]] void fail(std::string_view found, std::string_view accepted) const {
+    throw InputError(file, line, column, found, accepted);
+  }
+};
 
 /// A column that a table may hold.
 struct CsvColumn {
@@ -80,5 +92,11 @@ class CsvTable {
   Place header_end_;
   std::uint64_t line_ = 0;
 };
+
+/// A name of the kind that its column says: visible characters, at least one. @throws InputError
+std::string name_in_row(const CsvTable& table, std::size_t column);
+
+/// A number of cycles: above 0. @throws InputError
+double cycles_in_row(const CsvTable& table, std::size_t column);
 
 }  // namespace host_sim

@@ -1,12 +1,12 @@
 #include "host_sim/diagnose/diagnosis.hpp"
 #include "host_sim/diagnose/tension/diagnose_recorded.hpp"
-#include "host_sim/recording/fault_summary.hpp"
+#include "host_sim/recording/recording.hpp"
 
 namespace host_sim::diagnose {
 namespace {
 
 bool has_recordings(const Campaign& campaign) {
-  return std::filesystem::exists(campaign.folder / "sessions.csv");
+  return is_there(campaign.folder / "sessions.csv");
 }
 
 }  // namespace

@@ -18,6 +18,31 @@ std::string_view word_of(Verdict verdict) {
   return "";
 }
 
+bool gains(const Gain& gain) {
+  const auto error = std::ranges::find(gain.metrics, "rmse_N", &Metric::name);
+  if (error != gain.metrics.end()) {
+    return error->after < error->before;
+  }
+  const auto density = std::ranges::find(gain.metrics, "log_predictive_density", &Metric::name);
+  return density != gain.metrics.end() && density->after > density->before;
+}
+
+bool withdraw_what_does_not_gain(Findings& findings) {
+  const bool withdrawn = findings.verdict == Verdict::named && !gains(findings.gain);
+  if (withdrawn) {
+    findings.verdict = Verdict::ambiguous;
+    findings.extensions.clear();
+  }
+  return withdrawn;
+}
+
+std::string no_gain_words(const Findings& findings) {
+  return findings.gain.metrics.empty() || gains(findings.gain)
+             ? ""
+             : " In the model it would not gain on data that the fit never saw: nothing was "
+               "extended.";
+}
+
 Verdict Diagnosis::verdict() const {
   Verdict verdict = Verdict::none;
   if (tension) {

@@ -71,6 +71,10 @@ struct Gain {
   std::vector<Metric> metrics;
 };
 
+/// Whether the error on such data becomes less; its density larger where there is no error. What
+/// does not gain is no extension, however probable it is.
+[[nodiscard]] bool gains(const Gain& gain);
+
 /// One effect of the catalogue more in the model, beside those of the steps before it.
 struct Step {
   FoundEffect effect;  ///< with its probability should the catalogue hold all that there is, and
@@ -100,6 +104,14 @@ struct Findings {
   std::vector<Extension> extensions;  ///< to be written into the model; empty unless named
   std::string words;                  ///< the verdict in a few sentences
 };
+
+/// Of what is named and does not gain, nothing is left to be written: it is ambiguous.
+/// @return whether that is so
+bool withdraw_what_does_not_gain(Findings& findings);
+
+/// Why nothing was extended, as a sentence behind others; empty where that is not for want of a
+/// gain.
+[[nodiscard]] std::string no_gain_words(const Findings& findings);
 
 /// Output tension of one session over time, and the loop T_in to T_out, thinned for a picture.
 struct TracePicture {

@@ -10,20 +10,38 @@ namespace {
 
 using reference::MeanAmplitude;
 
-double mean_stress_N(const Extension& effect, double ultimate_N, const MeanAmplitude& input,
-                     double gerber_N) {
-  const double share = value_of(effect, "mean_stress_share");
-  const double walker = value_of(effect, "walker_exponent");
-  const double highest_N = std::max(0.0, input.mean_N + input.amplitude_N);
-  const double law_N = walker > 0
-                           ? std::pow(highest_N, 1 - walker) * std::pow(input.amplitude_N, walker)
-                           : input.amplitude_N / (1 - input.mean_N / ultimate_N);
-  return std::pow(gerber_N, 1 - share) * std::pow(law_N, share);
+/// A cycle with the bend in its amplitude. Where the bend is large the laws of Gerber and Goodman
+/// fall near the ultimate tension as the cycle widens, and `bend_alone`, about the tension that is
+/// furthest out, does more: it is the least law above them that does not fall.
+double gerber_N(double ultimate_N, const MeanAmplitude& cycle, double bend_N) {
+  const double furthest_N = std::abs(cycle.mean_N) + cycle.amplitude_N;
+  const double bend_alone = reference::gerber_effective_tension({furthest_N, bend_N}, ultimate_N);
+  return std::max(bend_alone, reference::gerber_effective_tension(
+                                  {cycle.mean_N, cycle.amplitude_N + bend_N}, ultimate_N));
 }
 
-double bending_fatigue_N(const Extension& effect, const MeanAmplitude& input, double effective_N) {
-  return effective_N * std::pow(1 + *bending_amplitude_N(effect) / input.amplitude_N,
-                                value_of(effect, "bending_share"));
+double goodman_N(double ultimate_N, const MeanAmplitude& cycle, double bend_N) {
+  const double bend_alone = bend_N / (1 - (cycle.mean_N + cycle.amplitude_N) / ultimate_N);
+  return std::max(bend_alone, (cycle.amplitude_N + bend_N) / (1 - cycle.mean_N / ultimate_N));
+}
+
+double walker_N(double walker, const MeanAmplitude& cycle, double bend_N) {
+  const double amplitude_N = cycle.amplitude_N + bend_N;
+  return std::pow(std::max(0.0, cycle.mean_N + amplitude_N), 1 - walker) *
+         std::pow(amplitude_N, walker);
+}
+
+double mean_stress_N(const Extension* effect, double ultimate_N, const MeanAmplitude& cycle,
+                     double bend_N) {
+  const double share = effect != nullptr ? value_of(*effect, "mean_stress_share") : 0;
+  const double nominal_N = gerber_N(ultimate_N, cycle, bend_N);
+  if (share == 0) {
+    return nominal_N;
+  }
+  const double walker = value_of(*effect, "walker_exponent");
+  const double law_N =
+      walker > 0 ? walker_N(walker, cycle, bend_N) : goodman_N(ultimate_N, cycle, bend_N);
+  return std::pow(nominal_N, 1 - share) * std::pow(law_N, share);
 }
 
 double endurance_N(const Extension& effect, double effective_N) {
@@ -53,14 +71,17 @@ reference::EffectiveTension extended_effective_tension(const Model& model) {
   if (effect("mean_stress") == nullptr && !bends && !ends) {
     return {};
   }
-  return [model, bends, ends](const MeanAmplitude& input, double gerber_N) {
-    double effective_N = gerber_N;
-    if (const Extension* const law = extension_of(model.extensions, "mean_stress")) {
-      effective_N = mean_stress_N(*law, model.cable.ultimate_tension_N, input, effective_N);
-    }
-    if (bends && effective_N > 0) {
+  return [model, bends, ends](const MeanAmplitude& input, double) {
+    const auto mean_N = [&](double bend_N) {
+      return mean_stress_N(extension_of(model.extensions, "mean_stress"),
+                           model.cable.ultimate_tension_N, input, bend_N);
+    };
+    double effective_N = mean_N(0);
+    if (bends) {
+      const Extension& fatigue = *extension_of(model.extensions, "bending_fatigue");
+      const double share = value_of(fatigue, "bending_share");
       effective_N =
-          bending_fatigue_N(*extension_of(model.extensions, "bending_fatigue"), input, effective_N);
+          std::pow(effective_N, 1 - share) * std::pow(mean_N(*bending_amplitude_N(fatigue)), share);
     }
     if (ends && effective_N > 0) {
       effective_N = endurance_N(*extension_of(model.extensions, "endurance_limit"), effective_N);

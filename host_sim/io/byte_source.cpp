@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "host_sim/io/input_error.hpp"
+#include "host_sim/io/interruption.hpp"
 #include "host_sim/io/system_error_text.hpp"
 
 namespace host_sim {
@@ -29,15 +30,17 @@ class DescriptorSource final : public ByteSource {
       close();
       fail("is a directory");
     }
-    if (S_ISREG(status.st_mode)) {
-      total_ = static_cast<std::uint64_t>(status.st_size);
-    }
+    blocks_ = !S_ISREG(status.st_mode);
+    total_ = blocks_ ? 0 : static_cast<std::uint64_t>(status.st_size);
   }
 
   ~DescriptorSource() override { close(); }
 
   std::size_t read(std::span<char> buffer) override {
     for (;;) {
+      if (blocks_) {
+        wait_to_read(descriptor_);
+      }
       const ssize_t count = ::read(descriptor_, buffer.data(), buffer.size());
       if (count >= 0) {
         return static_cast<std::size_t>(count);
@@ -64,6 +67,7 @@ class DescriptorSource final : public ByteSource {
 
   int descriptor_;
   bool owned_;
+  bool blocks_ = false;
   std::string name_;
   std::string accepted_;
   std::uint64_t total_ = 0;
@@ -93,10 +97,12 @@ std::unique_ptr<ByteSource> open_source(const std::filesystem::path& path,
   if (path == "-") {
     return std::make_unique<DescriptorSource>(STDIN_FILENO, false, "standard input", accepted);
   }
-  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  // The first read waits for a writer of a FIFO.
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
   if (descriptor < 0) {
     throw InputError(path.string(), 0, 0, "cannot be opened: " + reason_of(errno), accepted);
   }
+  ::fcntl(descriptor, F_SETFL, 0);
   return std::make_unique<DescriptorSource>(descriptor, true, path.string(), accepted);
 }
 

@@ -6,14 +6,19 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
+#include <climits>
 #include <cstdio>
+#include <functional>
 #include <optional>
 #include <streambuf>
 #include <system_error>
 #include <utility>
 
+#include "host_sim/io/interruption.hpp"
 #include "host_sim/io/printable.hpp"
 #include "host_sim/io/system_error_text.hpp"
 
@@ -26,6 +31,8 @@ class DescriptorBuffer final : public std::streambuf {
  public:
   DescriptorBuffer(int descriptor, std::string path)
       : descriptor_(descriptor), path_(std::move(path)) {
+    struct stat status {};
+    blocks_ = ::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode);
     setp(bytes_.data(), bytes_.data() + bytes_.size());
   }
 
@@ -48,7 +55,12 @@ class DescriptorBuffer final : public std::streambuf {
   void flush() {
     const char* at = pbase();
     while (at != pptr()) {
-      const ssize_t count = ::write(descriptor_, at, static_cast<std::size_t>(pptr() - at));
+      auto most = static_cast<std::size_t>(pptr() - at);
+      if (blocks_) {
+        wait_to_write(descriptor_);
+        most = std::min<std::size_t>(most, PIPE_BUF);
+      }
+      const ssize_t count = ::write(descriptor_, at, most);
       if (count >= 0) {
         at += count;
       } else if (errno != EINTR) {
@@ -60,6 +72,7 @@ class DescriptorBuffer final : public std::streambuf {
 
   int descriptor_;
   std::string path_;
+  bool blocks_;
   std::array<char, 65536> bytes_{};
 };
 
@@ -71,11 +84,17 @@ struct Destination {
   fs::path target;
 };
 
-Destination open_directly(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC);
+Destination open_directly(const fs::path& path, bool fifo) {
+  constexpr std::chrono::milliseconds kUntilAReaderComes{20};
+  int descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+  while (descriptor < 0 && errno == ENXIO && fifo) {
+    wait_for(kUntilAReaderComes);
+    descriptor = ::open(path.c_str(), O_WRONLY | O_CLOEXEC | O_NONBLOCK);
+  }
   if (descriptor < 0) {
     throw OutputError(path.string(), reason_of(errno));
   }
+  ::fcntl(descriptor, F_SETFL, 0);
   return {descriptor, true, {}, path};
 }
 
@@ -104,13 +123,17 @@ Destination open_destination(const fs::path& path) {
   if (!path.has_filename()) {
     throw OutputError(path.string(), "it names no file");
   }
+  if (const std::size_t bytes = path.filename().native().size(); bytes > NAME_MAX) {
+    throw OutputError(path.string(),
+                      fmt::format("its name has {} bytes; accepted: {} at most", bytes, NAME_MAX));
+  }
   struct stat status {};
   const bool exists = ::stat(path.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) {
     throw OutputError(path.string(), reason_of(EISDIR));
   }
   if (exists && !S_ISREG(status.st_mode)) {
-    return open_directly(path);
+    return open_directly(path, S_ISFIFO(status.st_mode));
   }
   std::error_code failure;
   const fs::path target = exists ? fs::canonical(path, failure) : path;
@@ -120,8 +143,7 @@ Destination open_destination(const fs::path& path) {
   if (exists && ::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0) {
     throw OutputError(path.string(), reason_of(errno));
   }
-  fs::path partial = target;
-  partial += fmt::format(".partial-{}", ::getpid());
+  fs::path partial = partial_of(target);
   const int descriptor = open_partial(partial, path);
   if (exists) {
     static_cast<void>(::fchmod(descriptor, status.st_mode & 07777));
@@ -136,6 +158,30 @@ OutputError::OutputError(std::string_view path, std::string_view reason)
           fmt::format("{}: cannot be written: {}", printable(path), printable(reason))),
       path_(printable(path)),
       reason_(printable(reason)) {}
+
+fs::path partial_of(const fs::path& path) {
+  std::string name = path.filename().string();
+  std::string end = fmt::format(".partial-{}", ::getpid());
+  if (name.size() + end.size() > NAME_MAX) {
+    end = fmt::format(".{:x}{}", std::hash<std::string>()(name), end);
+    name.resize(NAME_MAX - end.size());
+  }
+  return path.parent_path() / (name + end);
+}
+
+void sync_folder_of(const fs::path& path) {
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) {
+    return;  // a folder may be written without being read
+  }
+  const int error = ::fsync(descriptor) == 0 ? 0 : errno;
+  ::close(descriptor);
+  // Some file systems have no such call for a folder.
+  if (error != 0 && error != EINVAL && error != ENOTSUP) {
+    throw OutputError(path.string(), reason_of(error));
+  }
+}
 
 class OutputFile::Impl {
  public:
@@ -169,6 +215,7 @@ class OutputFile::Impl {
         throw OutputError(name_, reason_of(errno));
       }
       destination_.partial.clear();
+      sync_folder_of(destination_.target);
     }
     if (std::exchange(destination_.owned, false) && ::close(destination_.descriptor) != 0) {
       throw OutputError(name_, reason_of(errno));

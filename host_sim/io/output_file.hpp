@@ -22,10 +22,16 @@ class OutputError : public std::runtime_error {
   std::string reason_;
 };
 
-/// A file that appears whole or not at all. It is written to `path.partial-<pid>` in the same
-/// folder; commit() renames it, and without commit() it is removed and an earlier file of the name
-/// stays as it was. `-` is standard output; what is not a regular file (a pipe, a device) is
-/// written directly.
+/// The name under which `path` is written before it is whole: `path.partial-<pid>` in the same
+/// folder, its end cut off where that is too long a name.
+std::filesystem::path partial_of(const std::filesystem::path& path);
+
+/// What was renamed to `path` has its name after a power cut too. @throws OutputError
+void sync_folder_of(const std::filesystem::path& path);
+
+/// A file that appears whole or not at all. It is written to partial_of(path); commit() renames it,
+/// and without commit() it is removed and an earlier file of the name stays as it was. `-` is
+/// standard output; what is not a regular file (a pipe, a device) is written directly.
 class OutputFile {
  public:
   /// Throws OutputError if `path` cannot be written.

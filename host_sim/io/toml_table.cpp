@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/boards/linux/toml_depth.hpp"
 #include "host_sim/io/input_error.hpp"
 #include "host_sim/io/printable.hpp"
 #include "host_sim/io/unit_suffix.hpp"
@@ -28,6 +29,11 @@ bool is_known(std::string_view name, std::span<const NumberKey> numbers,
 }  // namespace
 
 toml::table parse_toml(std::string_view text, std::string_view file) {
+  if (const auto at = board::TomlDepth(text).first_too_deep()) {
+    throw InputError(file, at->line, at->column,
+                     fmt::format("more than {} levels", board::kMostTomlDepth),
+                     fmt::format("TOML of at most {} levels", board::kMostTomlDepth));
+  }
   try {
     return toml::parse(text);
   } catch (const toml::parse_error& error) {

@@ -1,9 +1,103 @@
 #include "host_sim/life_law/life_design.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <span>
+#include <vector>
 
 namespace host_sim::life_law {
+namespace {
+
+/// Loads closer together are one load that was rounded: x is zero for all.
+constexpr double kNarrowest = 1e-6;
+constexpr double kNoSpread = std::numeric_limits<double>::infinity();
+
+double mean_of_failures(std::span<const LifeDatum> data) {
+  double sum = 0;
+  double failures = 0;
+  for (const LifeDatum& datum : data) {
+    if (datum.failed) {
+      sum += std::log(datum.blocks.back().effective_tension_N);
+      failures += 1;
+    }
+  }
+  return failures > 0 ? sum / failures : 0;
+}
+
+}  // namespace
+
+double LogTensionFrame::x(double effective_tension_N) const {
+  return (std::log(effective_tension_N) - centre) / spread;
+}
+
+LogTensionFrame frame_of(std::span<const LifeDatum> data) {
+  const double centre = mean_of_failures(data);
+  double widest = 0;
+  for (const LifeDatum& datum : data) {
+    for (const LifeDatum::Block& block : datum.blocks) {
+      widest = std::max(widest, std::abs(std::log(block.effective_tension_N) - centre));
+    }
+  }
+  return {.centre = centre, .spread = widest > kNarrowest ? widest : kNoSpread};
+}
+
+namespace {
+
+std::size_t levels_in(std::span<const LifeDatum> data) {
+  std::size_t levels = 0;
+  for (const LifeDatum& datum : data) {
+    if (datum.level != LifeDatum::kNoLevel) {
+      levels = std::max(levels, datum.level + 1);
+    }
+  }
+  return levels;
+}
+
+}  // namespace
+
+bool has_levels(LifeForm form) {
+  return form.scale == LifeForm::Scale::free || form.shape == LifeForm::Shape::free;
+}
+
+Participation::Participation(std::span<const LifeDatum> data, LifeForm form)
+    : by_level_(has_levels(form)) {
+  std::vector<bool> part(levels_in(data), form.scale != LifeForm::Scale::free);
+  for (const LifeDatum& datum : data) {
+    if (datum.level != LifeDatum::kNoLevel && datum.failed) {
+      part[datum.level] = true;
+    }
+  }
+  number(part);
+}
+
+Participation::Participation(const LifeFit& fit) : by_level_(has_levels(fit.form)) {
+  std::vector<bool> part;
+  if (fit.form.scale == LifeForm::Scale::free) {
+    for (const double ln_scale : fit.scale) {
+      part.push_back(std::isfinite(ln_scale));
+    }
+  } else if (by_level_) {
+    part.assign(fit.shape.size(), true);
+  }
+  number(part);
+}
+
+void Participation::number(const std::vector<bool>& part) {
+  for (const bool takes : part) {
+    columns_of_levels_.push_back(takes ? columns_++ : LifeDatum::kNoLevel);
+  }
+}
+
+bool Participation::takes_part(const LifeDatum& datum) const {
+  if (!by_level_) {
+    return true;
+  }
+  return datum.level < columns_of_levels_.size() &&
+         columns_of_levels_[datum.level] != LifeDatum::kNoLevel;
+}
+
 namespace {
 
 class RowMaker {
@@ -162,6 +256,94 @@ LifeDesign design_of(std::span<const LifeDatum> data, LifeForm form, const LogTe
     }
   }
   return design;
+}
+
+namespace {
+
+void append_levels(std::span<const double> by_level, const Participation& participation,
+                   std::vector<double>& out) {
+  for (std::size_t level = 0; level < participation.levels(); ++level) {
+    if (participation.column(level) != LifeDatum::kNoLevel) {
+      out.push_back(level < by_level.size() ? by_level[level]
+                                            : std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+}
+
+std::vector<double> by_level(std::span<const double> columns, const Participation& participation,
+                             double missing) {
+  std::vector<double> levels(participation.levels(), missing);
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    if (participation.column(level) != LifeDatum::kNoLevel) {
+      levels[level] = columns[participation.column(level)];
+    }
+  }
+  return levels;
+}
+
+void append_scale(const LifeFit& fit, const LogTensionFrame& frame,
+                  const Participation& participation, std::vector<double>& out) {
+  if (fit.form.scale == LifeForm::Scale::free) {
+    append_levels(fit.scale, participation, out);
+    return;
+  }
+  const double shift = frame.centre - fit.centre_ln_N;
+  const double curvature = fit.form.scale == LifeForm::Scale::curved ? fit.scale[2] : 0;
+  out.push_back(fit.scale[0] - fit.scale[1] * shift + curvature * shift * shift);
+  out.push_back((fit.scale[1] - 2 * curvature * shift) * frame.spread);
+  if (fit.form.scale == LifeForm::Scale::curved) {
+    out.push_back(curvature * frame.spread * frame.spread);
+  }
+}
+
+void append_shape(const LifeFit& fit, const LogTensionFrame& frame,
+                  const Participation& participation, std::vector<double>& out) {
+  if (fit.form.shape == LifeForm::Shape::free) {
+    append_levels(fit.shape, participation, out);
+    return;
+  }
+  const double growth = fit.form.shape == LifeForm::Shape::growing ? fit.shape[1] : 0;
+  out.push_back(fit.shape[0] + growth * (frame.centre - fit.centre_ln_N));
+  if (fit.form.shape == LifeForm::Shape::growing) {
+    out.push_back(growth * frame.spread);
+  }
+}
+
+std::vector<double> in_powers_of_log_tension(std::span<const double> powers, double spread) {
+  std::vector<double> out;
+  double unit = 1;
+  for (const double coefficient : powers) {
+    out.push_back(coefficient / unit);
+    unit *= spread;
+  }
+  return out;
+}
+
+}  // namespace
+
+Eigen::VectorXd design_coefficients(const LifeFit& fit, const LogTensionFrame& frame,
+                                    const Participation& participation) {
+  std::vector<double> all;
+  append_scale(fit, frame, participation, all);
+  append_shape(fit, frame, participation, all);
+  return Eigen::Map<const Eigen::VectorXd>(all.data(), static_cast<Eigen::Index>(all.size()));
+}
+
+void set_coefficients(LifeFit& fit, const Eigen::VectorXd& coefficients,
+                      const LogTensionFrame& frame, const Participation& participation) {
+  const bool free_scale = fit.form.scale == LifeForm::Scale::free;
+  const bool free_shape = fit.form.shape == LifeForm::Shape::free;
+  const std::size_t curved = fit.form.scale == LifeForm::Scale::curved ? 3 : 2;
+  const std::span<const double> all(coefficients.data(),
+                                    static_cast<std::size_t>(coefficients.size()));
+  const std::size_t scales = free_scale ? participation.columns() : curved;
+  fit.centre_ln_N = frame.centre;
+  fit.scale = free_scale ? by_level(all.first(scales), participation,
+                                    std::numeric_limits<double>::infinity())
+                         : in_powers_of_log_tension(all.first(scales), frame.spread);
+  fit.shape = free_shape ? by_level(all.subspan(scales), participation,
+                                    std::numeric_limits<double>::quiet_NaN())
+                         : in_powers_of_log_tension(all.subspan(scales), frame.spread);
 }
 
 }  // namespace host_sim::life_law

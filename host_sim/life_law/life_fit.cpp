@@ -1,17 +1,101 @@
 #include "host_sim/life_law/life_fit.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
-#include "host_sim/life_law/coefficients.hpp"
 #include "host_sim/life_law/life_design.hpp"
 #include "host_sim/life_law/life_likelihood.hpp"
 #include "host_sim/life_law/newton.hpp"
-#include "host_sim/life_law/start.hpp"
+#include "host_sim/reference/equations.hpp"
 
 namespace host_sim::life_law {
+
+double LifeLaw::characteristic_life(double effective_tension_N) const {
+  return reference::ipl_life_cycles(effective_tension_N, scale, exponent);
+}
+
+double LifeLaw::mean_life(double effective_tension_N) const {
+  return characteristic_life(effective_tension_N) * reference::weibull_mean_damage(shape);
+}
+
+double LifeLaw::quantile(double p, double effective_tension_N) const {
+  return characteristic_life(effective_tension_N) * reference::weibull_life_damage(p, shape);
+}
+
 namespace {
+
+struct NormalEquations {
+  explicit NormalEquations(Eigen::Index size)
+      : matrix(Eigen::MatrixXd::Zero(size, size)), right(Eigen::VectorXd::Zero(size)) {}
+
+  /// Adds `number` values with one row.
+  void add(const Eigen::VectorXd& row, double number, double sum, double sum_of_squares) {
+    matrix += number * row * row.transpose();
+    right += sum * row;
+    squares += sum_of_squares;
+    count += number;
+  }
+
+  /// A little of the identity keeps what the data do not determine near zero.
+  [[nodiscard]] Eigen::VectorXd solve() const {
+    constexpr double kRidge = 1e-9;
+    const Eigen::Index size = right.size();
+    return (matrix + kRidge * count * Eigen::MatrixXd::Identity(size, size)).ldlt().solve(right);
+  }
+
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd right;
+  double squares = 0;
+  double count = 0;
+};
+
+double ln_sum(const Eigen::VectorXd& ln_parts) {
+  return std::log(ln_parts.array().exp().sum());
+}
+
+NormalEquations normal_equations(const LifeDesign& design) {
+  NormalEquations equations(design.scale_coefficients);
+  for (const LifeDesign::Constant& group : design.constant) {
+    double sum = 0;
+    double squares = 0;
+    for (const LifeDesign::Constant::Life& life : group.lives) {
+      sum += life.ln_cycles;
+      squares += life.ln_cycles * life.ln_cycles;
+    }
+    equations.add(group.scale_row, static_cast<double>(group.lives.size()), sum, squares);
+  }
+  for (const LifeDesign::InBlocks& specimen : design.in_blocks) {
+    const double ln_cycles = ln_sum(specimen.ln_cycles);
+    const Eigen::VectorXd shares = (specimen.ln_cycles.array() - ln_cycles).exp();
+    equations.add(specimen.scale_rows * shares, 1, ln_cycles, ln_cycles * ln_cycles);
+  }
+  return equations;
+}
+
+/// Coefficients to start from: least squares of ln cycles, as if the suspended had failed, with the
+/// shape that belongs to the spread of what is left.
+Eigen::VectorXd start_of(const LifeDesign& design) {
+  constexpr double kSmallestSpread = 0.01;
+  const NormalEquations equations = normal_equations(design);
+  const Eigen::VectorXd scale = equations.solve();
+  const double rest =
+      equations.squares - 2 * scale.dot(equations.right) + scale.dot(equations.matrix * scale);
+  const double spread = std::max(kSmallestSpread, std::sqrt(std::max(0.0, rest / equations.count)));
+  // ln of a Weibull life has the standard deviation pi / (sqrt(6) beta), and the mean ln alpha less
+  // Euler's constant over beta.
+  const double shape = std::numbers::pi / (std::sqrt(6.0) * spread);
+
+  Eigen::VectorXd start(design.coefficients());
+  start.head(design.scale_coefficients) =
+      scale + std::numbers::egamma / shape * design.scale_of_one;
+  start.tail(design.shape_coefficients) = std::log(shape) * design.shape_of_one;
+  return start;
+}
 
 using statistics::FitProblem;
 
@@ -105,6 +189,58 @@ double log_likelihood(std::span<const LifeDatum> data, const LifeFit& fit) {
   Expansion expansion;
   expand_log_likelihood(design, design_coefficients(fit, frame, participation), expansion);
   return expansion.value;
+}
+
+namespace {
+
+/// Minus half the sum of squares of the errors of exp(a - g x) against lives, and its derivatives
+/// with respect to (a, g).
+class SumOfSquares {
+ public:
+  SumOfSquares(const Eigen::VectorXd& x, const Eigen::VectorXd& lives) : x_(x), lives_(lives) {}
+
+  void operator()(const Eigen::VectorXd& at, Expansion& expansion) const {
+    expansion.reset(2);
+    for (Eigen::Index j = 0; j < x_.size(); ++j) {
+      const Eigen::Vector2d row(1, -x_[j]);
+      const double life = std::exp(row.dot(at));
+      const double error = lives_[j] - life;
+      expansion.value -= error * error / 2;
+      expansion.gradient += error * life * row;
+      expansion.hessian += (error - life) * life * row * row.transpose();
+    }
+  }
+
+ private:
+  const Eigen::VectorXd& x_;
+  const Eigen::VectorXd& lives_;
+};
+
+/// The straight line through the logarithms.
+Eigen::Vector2d line_through(const Eigen::VectorXd& x, const Eigen::VectorXd& lives) {
+  const Eigen::VectorXd ln_lives = lives.array().log();
+  return {ln_lives.mean(), -x.dot(ln_lives) / x.squaredNorm()};
+}
+
+}  // namespace
+
+LeastSquares fit_least_squares(std::span<const double> effective_tension_N,
+                               std::span<const double> characteristic_life) {
+  const auto count = static_cast<Eigen::Index>(effective_tension_N.size());
+  const Eigen::Map<const Eigen::VectorXd> tensions_N(effective_tension_N.data(), count);
+  const Eigen::Map<const Eigen::VectorXd> alphas(characteristic_life.data(), count);
+  const Eigen::VectorXd ln_tension = tensions_N.array().log();
+  const double centre = ln_tension.mean();
+  const double unit = alphas.mean();
+  const Eigen::VectorXd x = ln_tension.array() - centre;
+  const Eigen::VectorXd lives = alphas / unit;
+
+  const Maximum maximum = maximise(SumOfSquares(x, lives), line_through(x, lives));
+  const double exponent = maximum.at[1];
+  return {
+      .scale = unit * std::exp(maximum.at[0] + exponent * centre),
+      .exponent = exponent,
+      .rmse_cycles = unit * std::sqrt(-2 * maximum.expansion.value / static_cast<double>(count))};
 }
 
 }  // namespace host_sim::life_law

@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 
-#include "host_sim/life_law/expansion.hpp"
 #include "host_sim/life_law/life_design.hpp"
+#include "host_sim/life_law/newton.hpp"
 
 namespace host_sim::life_law {
 

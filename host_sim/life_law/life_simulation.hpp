@@ -3,8 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "host_sim/life_law/life_data.hpp"
-#include "host_sim/statistics/censoring.hpp"
+#include "host_sim/life_law/life_fit.hpp"
+#include "host_sim/statistics/bootstrap.hpp"
 #include "host_sim/statistics/random.hpp"
 
 namespace host_sim::life_law {

@@ -3,9 +3,20 @@
 #include <Eigen/Core>
 #include <functional>
 
-#include "host_sim/life_law/expansion.hpp"
-
 namespace host_sim::life_law {
+
+/// A function of several variables near a point: value, gradient and Hessian.
+struct Expansion {
+  double value = 0;
+  Eigen::VectorXd gradient;
+  Eigen::MatrixXd hessian;
+
+  void reset(Eigen::Index variables) {
+    value = 0;
+    gradient.setZero(variables);
+    hessian.setZero(variables, variables);
+  }
+};
 
 /// Fills in the expansion at a point; a value that is not finite stands for a point that is out of
 /// reach.

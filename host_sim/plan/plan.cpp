@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/plan/curvature.hpp"
+#include "host_sim/plan/outlook.hpp"
 
 namespace host_sim::plan {
 namespace {

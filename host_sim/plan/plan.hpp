@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <optional>
+#include <ostream>
 #include <string>
 #include <vector>
 
@@ -59,5 +60,11 @@ double days_of(double cycles, double cycles_per_minute);
 ///      above 0; specimens_max is at least twice the number of levels
 /// @throws Interruption
 PlanResult make_plan(const PlanRequest& request);
+
+/// The result as JSON. What is infinite or does not exist is null.
+std::string plan_json(const PlanRequest& request, const PlanResult& result);
+
+/// The result for people.
+void write_plan(std::ostream& out, const PlanRequest& request, const PlanResult& result);
 
 }  // namespace host_sim::plan

@@ -3,21 +3,109 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <numbers>
 #include <numeric>
 
 #include "host_sim/io/input_error.hpp"
 #include "host_sim/io/printable.hpp"
-#include "host_sim/recording/integral.hpp"
-#include "host_sim/recording/log_rate.hpp"
 #include "host_sim/recording/motion.hpp"
-#include "host_sim/recording/settled_friction.hpp"
-#include "host_sim/recording/smooth.hpp"
-#include "host_sim/recording/usable.hpp"
+#include "host_sim/recording/signal.hpp"
 #include "host_sim/reference/equations.hpp"
 
 namespace host_sim::recording {
+namespace {
+
+/// What the faults of its session leave of a recording. A constant channel counts as not recorded;
+/// any other fault takes its samples.
+struct Usable {
+  Channels channels;            ///< as recorded, empty where the channel is left out
+  std::vector<bool> touched;    ///< samples that a fault takes
+  std::vector<Stretch> motion;  ///< over which velocity was measured without a gap
+};
+
+void mark(std::vector<bool>& samples, const Fault& fault) {
+  const std::size_t end = std::min(fault.first + fault.count, samples.size());
+  for (std::size_t i = std::min(fault.first, end); i < end; ++i) {
+    samples[i] = true;
+  }
+}
+
+std::vector<Stretch> cut_at(const std::vector<Stretch>& stretches,
+                            const std::vector<bool>& begins_anew) {
+  std::vector<Stretch> pieces;
+  for (const Stretch& stretch : stretches) {
+    for (std::size_t i = stretch.first; i < stretch.end(); ++i) {
+      if (i == stretch.first || begins_anew[i]) {
+        pieces.push_back({i, 0});
+      }
+      ++pieces.back().count;
+    }
+  }
+  return pieces;
+}
+
+/// @param faults of any sessions; those of others do not matter
+Usable usable_part(const Recording& recording, const std::vector<Fault>& faults) {
+  const std::size_t samples = recording.samples();
+  Usable usable{recording.channels, std::vector<bool>(samples), {}};
+  std::vector<bool> no_velocity(samples);
+  std::vector<bool> after_gap(samples);
+  for (const Fault& fault : faults) {
+    if (fault.session != recording.session) {
+      continue;
+    }
+    if (fault.kind == Fault::Kind::constant) {
+      usable.channels[fault.channel].clear();
+      continue;
+    }
+    mark(usable.touched, fault);
+    if (fault.kind == Fault::Kind::gap && fault.first < samples) {
+      after_gap[fault.first] = true;
+    } else if (fault.channel == kTendonVelocity) {
+      mark(no_velocity, fault);
+    }
+  }
+  if (!usable.channels[kTendonVelocity].empty()) {
+    usable.motion = cut_at(stretches_of(no_velocity, false), after_gap);
+  }
+  return usable;
+}
+
+/// Of short strokes the settled samples are ends alone, and friction there speaks for no more.
+constexpr double kLeastShare = 0.25;
+
+}  // namespace
+
+SettledSums::SettledSums(const Covariates& covariates) {
+  double samples = 0;
+  double mean_x = 0;
+  double mean_y = 0;
+  for (std::size_t i = 0; i < covariates.samples(); ++i) {
+    if (covariates.travel_m[i] < kSettledTravel_m) {
+      continue;
+    }
+    const double x = -covariates.bend_angle_rad[i] * covariates.direction[i];
+    const double y = std::log(covariates.output_tension_N[i] / covariates.tension_in_N()[i]);
+    samples += 1;
+    const double off_x = x - mean_x;
+    mean_x += off_x / samples;
+    mean_y += (y - mean_y) / samples;
+    square += off_x * (x - mean_x);
+    product += off_x * (y - mean_y);
+  }
+  if (samples < kLeastShare * static_cast<double>(covariates.samples())) {
+    square = 0;
+    product = 0;
+  }
+}
+
+double settled_friction(const Covariates& covariates) {
+  const SettledSums sums(covariates);
+  return sums.square > 0 ? sums.product / sums.square : 0;
+}
+
 namespace {
 
 constexpr double kRadPerDeg = std::numbers::pi / 180;

@@ -5,7 +5,7 @@
 
 #include "host_sim/recording/recording.hpp"
 #include "host_sim/recording/sensor.hpp"
-#include "host_sim/recording/stretch.hpp"
+#include "host_sim/recording/signal.hpp"
 
 /// One rule for each kind of fault. All look at one session.
 namespace host_sim::recording {

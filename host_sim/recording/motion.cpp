@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "host_sim/recording/noise.hpp"
+#include "host_sim/recording/sensor.hpp"
 
 namespace host_sim::recording {
 namespace {

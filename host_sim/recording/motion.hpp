@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "host_sim/recording/stretch.hpp"
+#include "host_sim/recording/signal.hpp"
 
 namespace host_sim::recording {
 

@@ -40,6 +40,10 @@ struct Recording {
 ///   input tension nor motor current, or no output tension or no velocity
 std::vector<Recording> read_recordings(const std::filesystem::path& campaign_folder);
 
+/// Every file that reading a campaign reads, or would where it were there. Of a sessions.csv that
+/// cannot be trusted, no recordings.
+std::vector<std::filesystem::path> files_of_campaign(const std::filesystem::path& campaign_folder);
+
 /// What a sensor did that no tendon does.
 struct Fault {
   enum class Kind {
@@ -62,5 +66,19 @@ struct Fault {
 /// may be constant or stand still. Without a fault a recording may still hold too little:
 /// covariates leave out what they cannot use.
 std::vector<Fault> faults_of(const std::vector<Recording>& recordings);
+
+/// All faults of one kind in one channel, over all sessions.
+struct FaultSummary {
+  ProfileColumnId channel = kTime;
+  Fault::Kind kind = Fault::Kind::constant;
+  std::size_t sessions = 0;  ///< that have it
+  std::size_t faults = 0;
+  std::size_t samples = 0;  ///< that they touch
+  std::string words;        ///< those of the first fault, and how many more there are
+};
+
+/// @param faults of faults_of()
+/// @returns by channel, then by kind
+std::vector<FaultSummary> summary_of(const std::vector<Fault>& faults);
 
 }  // namespace host_sim::recording

@@ -62,12 +62,17 @@ Reading Reference::reading() const {
   CompensatedSum open;
   std::uint64_t half_cycles = 0;
   std::uint64_t overloads = 0;
-  const std::span<const double> residue_N = rainflow.residue();
-  for (std::size_t i = 1; i < residue_N.size(); ++i) {
-    const Cycle half{residue_N[i - 1], residue_N[i]};
+  const auto count_half = [&](const Cycle& half) {
     open.add(cycle_damage(half, constants_, effective_) / 2.0);
     ++half_cycles;
     overloads += is_overload(half, constants_) ? 1U : 0U;
+  };
+  const std::span<const double> residue_N = rainflow.residue();
+  for (std::size_t i = 1; i < residue_N.size(); ++i) {
+    count_half({residue_N[i - 1], residue_N[i]});
+  }
+  if (const Cycle up{0.0, peak_N_}; residue_N.empty() && is_overload(up, constants_)) {
+    count_half(up);
   }
 
   return {.damage = {.closed = closed.damage.value(),

@@ -23,7 +23,8 @@ struct Damage {
 
 /// What a signal has done so far, counted over its turning points and its unconfirmed last
 /// extremum: the closed cycles of the four-point count, and its residue as half cycles. Together
-/// they are the cycles and half cycles of ASTM E1049-85 clause 5.4.4.
+/// they are the cycles and half cycles of ASTM E1049-85 clause 5.4.4. A signal that reaches the
+/// ultimate tension before its first turning point has its way there from zero as a half cycle.
 struct Reading {
   Damage damage;
   std::uint64_t closed_cycles;

@@ -1,15 +1,115 @@
 #include "host_sim/replay/list_profiles.hpp"
 
+#include <algorithm>
+#include <cctype>
 #include <set>
+#include <string>
 #include <system_error>
 
 #include "host_sim/io/input_error.hpp"
-#include "host_sim/replay/profile_folder.hpp"
+#include "host_sim/io/interruption.hpp"
+#include "host_sim/io/natural_order.hpp"
 
 namespace host_sim {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* kModel = "model.toml";
+
+bool is_hidden(const fs::path& path) {
+  return path.filename().native().starts_with('.');
+}
+
+bool has_name_of_profile(const fs::path& path) {
+  std::string extension = path.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".csv";
+}
+
+/// What may be a file: one that is there, or a link that leads nowhere. No pipes and devices.
+bool may_be_file(const fs::directory_entry& entry) {
+  std::error_code ignored;
+  const fs::file_type type = entry.status(ignored).type();
+  return type == fs::file_type::regular || type == fs::file_type::not_found;
+}
+
+class Search {
+ public:
+  explicit Search(const fs::path& folder) : folder_(folder) {}
+
+  /// What is in the folder `place`, a path relative to the top. @return why it cannot be listed
+  std::error_code look_into(const fs::path& place) {
+    std::error_code error;
+    const fs::path itself = fs::canonical(folder_ / place, error);
+    // A link to a folder above would be followed without end.
+    if (std::find(above_.begin(), above_.end(), itself) != above_.end()) {
+      return {};
+    }
+    above_.push_back(itself);
+    fs::directory_iterator entry(folder_ / place, error);
+    while (!error && entry != fs::directory_iterator()) {
+      take(*entry, place / entry->path().filename());
+      entry.increment(error);
+    }
+    above_.pop_back();
+    return error;
+  }
+
+  std::vector<fs::path> sorted() && {
+    std::sort(found_.begin(), found_.end(), naturally_before);
+    return std::move(found_);
+  }
+
+ private:
+  void take(const fs::directory_entry& entry, const fs::path& place) {
+    stop_if_interrupted();
+    std::error_code ignored;
+    if (is_hidden(place)) {
+      return;
+    }
+    if (entry.is_directory(ignored)) {
+      if (look_into(place)) {
+        found_.push_back(place);
+      }
+    } else if (has_name_of_profile(place) && may_be_file(entry)) {
+      found_.push_back(place);
+    }
+  }
+
+  const fs::path& folder_;
+  std::vector<fs::path> above_;
+  std::vector<fs::path> found_;
+};
+
+/// The profiles in `folder` and below it: files `*.csv`, in natural order, relative to `folder`.
+/// Hidden files and folders (`.name`) are left out; symbolic links are followed. What cannot be
+/// read is in the list, be it a file or a folder, so that nobody misses it.
+/// @throws InputError where `folder` itself cannot be listed
+std::vector<fs::path> find_profiles(const fs::path& folder) {
+  Search search(folder);
+  if (const std::error_code error = search.look_into({})) {
+    throw InputError(folder.string(), 0, 0, "cannot be listed: " + error.message(),
+                     "a folder with profiles");
+  }
+  return std::move(search).sorted();
+}
+
+/// The `model.toml` in the folder of `profile` or nearest above it, relative to `folder` and not
+/// above that; empty where there is none.
+/// @param profile relative to `folder`
+fs::path nearest_model(const fs::path& folder, const fs::path& profile) {
+  std::error_code ignored;
+  for (fs::path place = profile; place.has_relative_path();) {
+    place = place.parent_path();
+    // One that cannot be read is no reason to take that of another cable.
+    if (fs::symlink_status(folder / place / kModel, ignored).type() != fs::file_type::not_found) {
+      return place / kModel;
+    }
+  }
+  return {};
+}
 
 /// @param shown the folder in names; empty where they are relative to it
 ListedProfile listed(const fs::path& folder, const fs::path& profile, const fs::path& shown) {

@@ -1,25 +1,30 @@
 #include "host_sim/replay/replay.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ostream.h>
 
 #include <array>
 #include <cmath>
 #include <limits>
+#include <ostream>
 #include <span>
 #include <stdexcept>
 
 #include "host_sim/extension/fixed.hpp"
 #include "host_sim/extension/life.hpp"
 #include "host_sim/io/input_error.hpp"
+#include "host_sim/io/model.hpp"
 #include "host_sim/replay/constants.hpp"
 #include "host_sim/replay/flag_names.hpp"
-#include "host_sim/replay/plots.hpp"
 #include "host_sim/replay/profile_input.hpp"
-#include "host_sim/replay/sample_clock.hpp"
-#include "host_sim/replay/trajectory_file.hpp"
+#include "host_sim/report/replay/plot_builders.hpp"
+#include "host_sim/report/replay/report_data.hpp"
+#include "lifemodel/block/parameters.hpp"
+#include "lifemodel/counting/turning_points.hpp"
 #include "lifemodel/estimator.hpp"
 #include "lifemodel/extension/life.hpp"
 #include "lifemodel/pack/pack.hpp"
+#include "lifemodel/tendon.hpp"
 
 namespace host_sim {
 namespace {
@@ -28,6 +33,99 @@ using lifemodel::CycleDamage;
 using lifemodel::Reading;
 using lifemodel::Tension;
 using lifemodel::pack::to_double;
+
+/// Gathers the plots of the report while the samples go by, in bounded memory.
+class Plots {
+ public:
+  Plots(const Model& model, const lifemodel::Parameters& parameters);
+
+  void sample(double time_s, lifemodel::Tension tension);
+  /// A counted cycle; `count` is 1 or 0.5.
+  void cycle(lifemodel::Tension from, lifemodel::Tension to, double count,
+             lifemodel::CycleDamage damage);
+  void damage(double time_s, double total) { trajectory_.push(time_s, total); }
+
+  /// Puts the plots into the report.
+  void finish(ReplayReport& report);
+
+ private:
+  [[nodiscard]] double newtons(lifemodel::Tension tension) const;
+
+  double ultimate_tension_N_;
+  lifemodel::TensionRange hysteresis_;
+  lifemodel::TurningPoints filter_;  ///< the estimator's filter once more, for the times
+  lifemodel::Tension candidate_;
+  double candidate_s_ = 0;
+  bool first_ = true;
+  EnvelopeBuilder envelope_;
+  TurningPointBuilder turning_points_;
+  RangeMeanBuilder range_mean_;
+  TrajectoryBuilder trajectory_;
+};
+
+Plots::Plots(const Model& model, const lifemodel::Parameters& parameters)
+    : ultimate_tension_N_(model.cable.ultimate_tension_N),
+      hysteresis_(parameters.hysteresis),
+      range_mean_(model.cable.ultimate_tension_N / 1024) {}
+
+double Plots::newtons(Tension tension) const {
+  return lifemodel::pack::to_double(tension) * ultimate_tension_N_;
+}
+
+void Plots::sample(double time_s, Tension tension) {
+  envelope_.push(time_s, newtons(tension));
+  if (first_) {
+    first_ = false;
+    candidate_s_ = time_s;
+  }
+  filter_.push(tension, hysteresis_,
+               [&](Tension confirmed) { turning_points_.push(candidate_s_, newtons(confirmed)); });
+  if (filter_.directed() && filter_.run().candidate() != candidate_) {
+    candidate_ = filter_.run().candidate();
+    candidate_s_ = time_s;
+  }
+}
+
+void Plots::cycle(Tension from, Tension to, double count, lifemodel::CycleDamage damage) {
+  range_mean_.push(newtons(from), newtons(to), count, lifemodel::pack::to_double(damage));
+}
+
+void Plots::finish(ReplayReport& report) {
+  if (filter_.directed()) {
+    turning_points_.push(candidate_s_, newtons(candidate_));
+  }
+  report.tension = envelope_.finish();
+  report.turning_points = turning_points_.finish();
+  report.range_mean = range_mean_.finish();
+  report.trajectory = trajectory_.finish();
+}
+
+/// A CSV file of readings over time: the life used, as the firmware would tell it.
+class TrajectoryFile {
+ public:
+  /// Writes the header. `ultimate_tension_N` turns tensions back into newtons.
+  TrajectoryFile(std::ostream& out, double ultimate_tension_N);
+
+  void write(double time_s, lifemodel::Tension tension, const lifemodel::Reading& reading);
+
+ private:
+  std::ostream& out_;
+  double ultimate_tension_N_;
+};
+
+TrajectoryFile::TrajectoryFile(std::ostream& out, double ultimate_tension_N)
+    : out_(out), ultimate_tension_N_(ultimate_tension_N) {
+  out_ << "time_s,input_tension_N,damage_closed,damage_open,damage_total,closed_cycles,"
+          "open_half_cycles\n";
+}
+
+void TrajectoryFile::write(double time_s, lifemodel::Tension tension,
+                           const lifemodel::Reading& reading) {
+  using lifemodel::pack::to_double;
+  fmt::print(out_, "{},{:.6f},{},{},{},{},{}\n", time_s, to_double(tension) * ultimate_tension_N_,
+             to_double(reading.closed), to_double(reading.open), to_double(reading.total),
+             reading.closed_cycles.raw(), reading.open_half_cycles.raw());
+}
 
 /// Hands counted cycles to the plots, where there are any.
 struct CyclesToPlots {

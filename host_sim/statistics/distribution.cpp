@@ -1,13 +1,53 @@
 #include "host_sim/statistics/distribution.hpp"
 
+#include <algorithm>
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "host_sim/statistics/normal_tail.hpp"
-
 namespace host_sim::statistics {
+namespace {
+
+constexpr double kSqrt2 = std::numbers::sqrt2;
+const double kHalfLogTwoPi = 0.5 * std::log(2 * std::numbers::pi);
+
+/// From here on erfc loses digits or underflows, and the continued fraction is short.
+constexpr double kFarTail = 10;
+
+/// Laplace's continued fraction z + 1/(z + 2/(z + 3/(z + ...))), Abramowitz and Stegun 26.2.14.
+double far_hazard(double z) {
+  constexpr int kTerms = 30;
+  double fraction = z;
+  for (int k = kTerms; k >= 1; --k) {
+    fraction = z + k / fraction;
+  }
+  return fraction;
+}
+
+}  // namespace
+
+double log_normal_density(double z) {
+  return -0.5 * z * z - kHalfLogTwoPi;
+}
+
+double log_normal_survival(double z) {
+  if (z >= kFarTail) {
+    return log_normal_density(z) - std::log(far_hazard(z));
+  }
+  if (z < 0) {
+    return std::log1p(-0.5 * std::erfc(-z / kSqrt2));
+  }
+  return std::log(0.5 * std::erfc(z / kSqrt2));
+}
+
+double normal_hazard(double z) {
+  if (z >= kFarTail) {
+    return far_hazard(z);
+  }
+  return 2 * std::exp(log_normal_density(z)) / std::erfc(z / kSqrt2);
+}
+
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -100,6 +140,36 @@ double log_likelihood(const Distribution& distribution, std::span<const Observat
         seen.failed ? distribution.log_density(seen.value) : distribution.log_survival(seen.value);
   }
   return sum;
+}
+
+bool rises_failures_first(const Observation& left, const Observation& right) {
+  return left.value < right.value || (left.value == right.value && left.failed && !right.failed);
+}
+
+void KaplanMeier::assign(std::span<const Observation> sample) {
+  sorted_.assign(sample.begin(), sample.end());
+  std::sort(sorted_.begin(), sorted_.end(), rises_failures_first);
+  assign_in_order(sorted_);
+}
+
+void KaplanMeier::assign_in_order(std::span<const Observation> sample) {
+  steps_.clear();
+  size_ = static_cast<double>(sample.size());
+  last_ = sample.empty() ? 0 : sample.back().value;
+  double at_risk = size_;
+  double survival = 1;
+  for (const Observation& seen : sample) {
+    if (seen.failed) {
+      const double before = 1 - survival;
+      survival *= (at_risk - 1) / at_risk;
+      if (!steps_.empty() && steps_.back().value == seen.value) {
+        steps_.back().after = 1 - survival;
+      } else {
+        steps_.push_back({.value = seen.value, .before = before, .after = 1 - survival});
+      }
+    }
+    --at_risk;
+  }
 }
 
 }  // namespace host_sim::statistics

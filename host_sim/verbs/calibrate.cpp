@@ -1,9 +1,10 @@
 #include <CLI/CLI.hpp>
-#include <cmath>
 #include <memory>
 
-#include "host_sim/calibrate/output/findings.hpp"
+#include "host_sim/calibrate/output/output.hpp"
+#include "host_sim/command_line/numbers.hpp"
 #include "host_sim/command_line/type_names.hpp"
+#include "host_sim/recording/recording.hpp"
 #include "host_sim/verbs/calibrate_arguments.hpp"
 #include "host_sim/verbs/fail_on.hpp"
 #include "host_sim/verbs/outputs.hpp"
@@ -36,26 +37,17 @@ void add_batch(CLI::App& verb, CalibrateArguments& arguments) {
 void add_computation(CLI::App& verb, CalibrateArguments& arguments) {
   verb.add_option("--seed", arguments.seed, "Of all random numbers")->capture_default_str();
   verb.add_option("--bootstraps", arguments.bootstraps, "Replicates for p-values and bands")
-      ->check(CLI::Range(std::size_t{1}, kMostBootstraps))
+      ->check(command_line::in_range(std::size_t{1}, kMostBootstraps))
       ->capture_default_str();
   verb.add_option("--threads", arguments.threads,
                   "How many threads; all cores without it. The result does not depend on it")
-      ->check(CLI::Range(1U, kMostThreads));
+      ->check(command_line::in_range(1U, kMostThreads));
   verb.add_option("--use-tension", arguments.use_tensions_N,
                   "Effective tensions in N that the life is wanted for")
       ->delimiter(',')
-      ->check(CLI::PositiveNumber);
+      ->check(command_line::above(0));
   verb.add_flag("--keep-all-levels", arguments.keep_all_levels,
                 "Fit the law also to levels whose shape is not that of the others");
-}
-
-std::string check(const CalibrateArguments& arguments) {
-  for (const double tension_N : arguments.use_tensions_N) {
-    if (!std::isfinite(tension_N)) {
-      return "--use-tension is no number";
-    }
-  }
-  return conflict_of(arguments.outputs());
 }
 
 }  // namespace
@@ -68,6 +60,19 @@ calibrate::CalibrateOptions CalibrateArguments::options() const {
   options.keep_all_levels = keep_all_levels;
   options.use_tensions_N = use_tensions_N;
   return options;
+}
+
+VerbFiles CalibrateArguments::files(std::span<const std::string> campaigns) const {
+  VerbFiles files{
+      .reads = {},
+      .writes = {{"--out", out}, {"--json", json}, {"--report", report}, {"--table", table}},
+      .fills = {}};
+  for (const std::string& campaign : campaigns) {
+    for (const NamedPath& read : named("CAMPAIGN", recording::files_of_campaign(campaign))) {
+      files.reads.push_back(read);
+    }
+  }
+  return files;
 }
 
 void add_calibrate(CLI::App& app, int& status) {
@@ -87,9 +92,9 @@ void add_calibrate(CLI::App& app, int& status) {
       "Example: host_sim calibrate host_sim/examples/tendon_alt --out model.toml --report "
       "calibration.html");
   verb->callback([arguments, &status] {
-    if (const std::string error = check(*arguments); !error.empty()) {
-      throw CLI::ValidationError("calibrate", error);
-    }
+    // The campaigns of a batch are listed later.
+    const std::span<const std::string> alone(&arguments->folder, arguments->batch ? 0 : 1);
+    check_files("calibrate", arguments->files(alone));
     status = arguments->batch ? calibrate_batch(*arguments) : calibrate_one(*arguments);
   });
 }

@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "host_sim/calibrate/calibrate.hpp"
+#include "host_sim/verbs/outputs.hpp"
 
 namespace host_sim {
 
@@ -25,6 +27,8 @@ struct CalibrateArguments {
   std::vector<std::string> fail_on;
 
   [[nodiscard]] std::array<std::string, 4> outputs() const { return {out, json, report, table}; }
+  /// @param campaigns that are read
+  [[nodiscard]] VerbFiles files(std::span<const std::string> campaigns) const;
   [[nodiscard]] calibrate::CalibrateOptions options() const;
 };
 

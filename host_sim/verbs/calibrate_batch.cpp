@@ -3,10 +3,8 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "host_sim/calibrate/output/findings.hpp"
-#include "host_sim/calibrate/output/json.hpp"
-#include "host_sim/calibrate/output/table_row.hpp"
-#include "host_sim/campaign/list_campaigns.hpp"
+#include "host_sim/calibrate/output/output.hpp"
+#include "host_sim/campaign/campaign.hpp"
 #include "host_sim/io/input_error.hpp"
 #include "host_sim/io/printable.hpp"
 #include "host_sim/verbs/batch_outputs.hpp"
@@ -71,6 +69,7 @@ int calibrate_batch(const CalibrateArguments& arguments) {
   batch.threads = arguments.threads;
   batch.list = [&] {
     std::vector<std::string> folders = folders_of(arguments.folder);
+    check_files("calibrate", arguments.files(folders));
     outputs.open(arguments.table, arguments.json);
     return folders;
   };

@@ -1,10 +1,7 @@
 #include <mutex>
 #include <optional>
 
-#include "host_sim/calibrate/output/findings.hpp"
-#include "host_sim/calibrate/output/json.hpp"
-#include "host_sim/calibrate/output/model_text.hpp"
-#include "host_sim/calibrate/output/summary.hpp"
+#include "host_sim/calibrate/output/output.hpp"
 #include "host_sim/campaign/nominal_model.hpp"
 #include "host_sim/io/interruption.hpp"
 #include "host_sim/io/progress.hpp"

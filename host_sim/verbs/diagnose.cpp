@@ -1,9 +1,12 @@
 #include <CLI/CLI.hpp>
 #include <array>
+#include <exception>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <stdexcept>
 
+#include "host_sim/command_line/numbers.hpp"
 #include "host_sim/command_line/type_names.hpp"
 #include "host_sim/diagnose/diagnosis.hpp"
 #include "host_sim/diagnose/output/extended_model.hpp"
@@ -15,6 +18,7 @@
 #include "host_sim/extension/read.hpp"
 #include "host_sim/io/interruption.hpp"
 #include "host_sim/io/progress.hpp"
+#include "host_sim/recording/recording.hpp"
 #include "host_sim/replay/constants.hpp"
 #include "host_sim/report/diagnose/html.hpp"
 #include "host_sim/verbs/outputs.hpp"
@@ -65,18 +69,30 @@ int run(const Arguments& arguments) {
   auto page = open_if_asked(arguments.report);
 
   const diagnose::Diagnosis diagnosis = with_progress(campaign, arguments.options);
+  // What was found is written also where no model can hold it.
+  std::exception_ptr no_model;
   if (out) {
-    out->write(checked_model(campaign, diagnosis, input, arguments.out));
+    try {
+      out->write(checked_model(campaign, diagnosis, input, arguments.out));
+      out->stream().flush();
+    } catch (const std::runtime_error&) {
+      no_model = std::current_exception();
+      out.reset();
+    }
   }
   if (json) {
-    json->write(diagnose::diagnosis_json(diagnosis,
-                                         {campaign.name, arguments.out, arguments.options.seed}));
+    json->write(diagnose::diagnosis_json(
+        diagnosis,
+        {campaign.name, no_model ? std::string() : arguments.out, arguments.options.seed}));
   }
   if (page) {
     write_diagnose_report(page->stream(), campaign.name, diagnosis, kProgramVersion);
   }
   commit_all({&out, &json, &page});
   diagnose::write_summary(summary_stream(arguments.outputs()), campaign.name, diagnosis);
+  if (no_model) {
+    std::rethrow_exception(no_model);
+  }
   const bool found = diagnosis.verdict() != diagnose::Verdict::none;
   return arguments.fail_on_discrepancy && found ? kFoundInData : 0;
 }
@@ -107,7 +123,7 @@ void add_computation(CLI::App& verb, diagnose::DiagnoseOptions& options) {
   verb.add_option("--seed", options.seed, "Of all random numbers")->capture_default_str();
   verb.add_option("--threads", options.threads,
                   "How many threads; all cores without it. The result does not depend on it")
-      ->check(CLI::Range(1U, kMostThreads));
+      ->check(command_line::in_range(1U, kMostThreads));
   verb.add_option("--without", options.without,
                   "Take this effect out of the catalogue: what it alone explains becomes unknown")
       ->allow_extra_args(false)
@@ -133,9 +149,12 @@ void add_diagnose(CLI::App& app, int& status) {
       "Example: host_sim synth --plan host_sim/examples/synth/crossed.toml --out crossed\n"
       "         host_sim diagnose crossed --out extended.toml --report diagnosis.html");
   verb->callback([arguments, &status] {
-    if (const std::string error = conflict_of(arguments->outputs()); !error.empty()) {
-      throw CLI::ValidationError("diagnose", error);
-    }
+    check_files("diagnose",
+                {.reads = named("CAMPAIGN", recording::files_of_campaign(arguments->folder)),
+                 .writes = {{"--out", arguments->out},
+                            {"--json", arguments->json},
+                            {"--report", arguments->report}},
+                 .fills = {}});
     status = run(*arguments);
   });
 }

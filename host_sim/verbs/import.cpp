@@ -1,10 +1,13 @@
+#include "host_sim/recording/import.hpp"
+
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
 
+#include "host_sim/command_line/numbers.hpp"
 #include "host_sim/command_line/type_names.hpp"
 #include "host_sim/io/byte_source.hpp"
-#include "host_sim/recording/import/davinci.hpp"
+#include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
 namespace host_sim {
@@ -20,6 +23,9 @@ struct ImportArguments {
 };
 
 void run(const ImportArguments& arguments) {
+  check_files(
+      "import",
+      {.reads = {{"FILE", arguments.file}}, .writes = {}, .fills = {{"--out", arguments.out}}});
   const recording::RecordedCampaign campaign = recording::import_davinci(
       open_source(arguments.file, "a CSV file of the da Vinci cable transmission"),
       arguments.file == "-" ? "standard input" : arguments.file, arguments.options);
@@ -44,7 +50,7 @@ void add_import(CLI::App& app, int&) {
   davinci
       ->add_option("--pulley-radius-mm", arguments->options.pulley_radius_mm,
                    "Turns torques into tensions")
-      ->check(CLI::Range(0.1, 1000.0))
+      ->check(command_line::in_range(0.1, 1000.0))
       ->capture_default_str();
   davinci->footer(kExample);
   davinci->callback([arguments] { run(*arguments); });

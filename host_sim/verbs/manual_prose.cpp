@@ -65,7 +65,7 @@ The header names the columns with their units; lines that begin with # are comme
 .I campaign.toml, specimens.csv, blocks.csv, sessions.csv
 A campaign, which is a folder: lives of specimens, recordings, or both.
 .TP
-.I @DOCUMENTS@/README.md
+.I @DOCUMENTS@/host_sim/README.md
 All of these, key by key and column by column.
 .TP
 .I @DOCUMENTS@/examples

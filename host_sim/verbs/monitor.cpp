@@ -18,6 +18,7 @@
 #include "host_sim/monitor/terminal/terminal.hpp"
 #include "host_sim/monitor/watch/watch.hpp"
 #include "host_sim/verbs/monitor_arguments.hpp"
+#include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
 #ifdef TENDONLIFE_MQTT
 #include "host_sim/monitor/mqtt/mqtt_observer.hpp"
@@ -25,6 +26,9 @@
 
 namespace host_sim {
 namespace {
+
+/// What was asked for beside the table, such as a record, was not done in full.
+constexpr int kNotDone = 1;
 
 using monitor::FleetView;
 using monitor::FrameSource;
@@ -45,9 +49,8 @@ std::string interface_in_lines(const MonitorArguments& arguments) {
 }
 
 bool needs_attention(const NodeView& node) {
-  const bool used_up = node.status && (node.status->value.state == protocol::LifeState::replace ||
-                                       node.status->value.state == protocol::LifeState::worn);
-  return used_up || node.vanished || node.integrity_failures() != 0;
+  return node.life_state() >= protocol::LifeState::replace || node.two_controllers ||
+         node.vanished || node.integrity_failures() != 0;
 }
 
 void print_table(const FleetView& view) {
@@ -126,6 +129,57 @@ std::vector<std::string> troubles_of(const std::vector<Observer*>& observers) {
   return troubles;
 }
 
+/// Reports on standard error what keeps the others from their work: when it has lasted a moment,
+/// when it changes, though not on and on, and when it is over.
+class TroubleReport final : public Observer {
+ public:
+  explicit TroubleReport(const std::vector<Observer*>& observers) {
+    for (const Observer* observer : observers) {
+      reports_.push_back({.observer = observer});
+    }
+  }
+
+  void update(const FleetView& /*view*/) override {
+    const Clock::time_point now = Clock::now();
+    for (Report& report : reports_) {
+      report.keep_up(now);
+    }
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds kMoment{500};  // what a broker needs to answer
+  static constexpr std::chrono::seconds kChangesApart{60};
+
+  struct Report {
+    const Observer* observer = nullptr;
+    std::string told = {};
+    Clock::time_point since = {};  ///< of a trouble that is not told yet, or of the last line
+    bool pending = false;
+
+    void keep_up(Clock::time_point now) {
+      const std::string trouble = observer->trouble();
+      if (trouble == told) {
+        pending = false;
+        return;
+      }
+      if (told.empty() && !std::exchange(pending, true)) {
+        since = now;
+      }
+      const bool due = trouble.empty() ||
+                       now - since >= (told.empty() ? Clock::duration(kMoment) : kChangesApart);
+      if (due) {
+        std::cerr << (trouble.empty() ? "it is over: " + told : trouble) << std::endl;
+        told = trouble;
+        since = now;
+        pending = false;
+      }
+    }
+  };
+
+  std::vector<Report> reports_;
+};
+
 int run(const MonitorArguments& arguments) {
   const auto source = open_source_of(arguments);
   monitor::Fleet fleet(arguments.bit_rate_bit_s);
@@ -134,10 +188,13 @@ int run(const MonitorArguments& arguments) {
   const bool on_terminal = !arguments.once && monitor::can_draw();
   {
     std::optional<monitor::Terminal> terminal;
+    TroubleReport report(observers);
     std::vector<Observer*> all = observers;
     if (on_terminal) {
       terminal.emplace([&observers] { return troubles_of(observers); });
       all.push_back(&*terminal);
+    } else {
+      all.push_back(&report);
     }
     std::optional<std::chrono::milliseconds> most;
     if (arguments.once && !arguments.interface.empty()) {
@@ -148,13 +205,17 @@ int run(const MonitorArguments& arguments) {
   if (!on_terminal) {
     print_table(fleet.view());
   }
-  for (const std::string& trouble : troubles_of(observers)) {
+  const std::vector<std::string> troubles = troubles_of(observers);
+  for (const std::string& trouble : troubles) {
     std::cerr << trouble << '\n';
   }
   const auto& nodes = fleet.view().nodes;
   const bool found = std::any_of(nodes.begin(), nodes.end(),
                                  [](const auto& node) { return needs_attention(node.second); });
-  return arguments.once && found ? kFoundInData : 0;
+  if (arguments.once && found) {
+    return kFoundInData;
+  }
+  return troubles.empty() ? 0 : kNotDone;
 }
 
 }  // namespace
@@ -169,10 +230,16 @@ void add_monitor(CLI::App& app, int& status) {
       "Example: host_sim monitor --interface can0 --record logs\n"
       "         host_sim monitor --interface can0 --http 127.0.0.1:8080\n"
       "         host_sim monitor --log run.log --replay-speed 10");
-  verb->callback([arguments, &status] {
+  verb->callback([verb, arguments, &status] {
     if (arguments->interface.empty() == arguments->log.empty()) {
       throw CLI::RequiredError("One of --interface and --log");
     }
+    if (const std::string error = without_effect(*verb, *arguments); !error.empty()) {
+      throw CLI::ValidationError("monitor", error);
+    }
+    check_files("monitor", {.reads = {{"--log", arguments->log}},
+                            .writes = {},
+                            .fills = {{"--record", arguments->record}}});
     status = run(*arguments);
   });
 }

@@ -33,4 +33,7 @@ struct MonitorArguments {
 /// Adds the options of `monitor`, which fill `arguments`.
 void add_monitor_options(CLI::App& verb, MonitorArguments& arguments);
 
+/// What of the command line would do nothing beside the rest of it, in words; empty where all does.
+std::string without_effect(const CLI::App& verb, const MonitorArguments& arguments);
+
 }  // namespace host_sim

@@ -1,11 +1,15 @@
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <string>
 
+#include "host_sim/command_line/numbers.hpp"
 #include "host_sim/command_line/type_names.hpp"
 #include "host_sim/verbs/monitor_arguments.hpp"
 
 namespace host_sim {
 namespace {
+
+constexpr const char* kTokenVariable = "TENDONLIFE_HTTP_TOKEN";
 
 std::string speed_error(const std::string& text, std::optional<double>& speed) {
   if (text == "max") {
@@ -48,7 +52,7 @@ void add_source_options(CLI::App& verb, MonitorArguments& arguments) {
       ->needs(log);
   verb.add_option("--bit-rate", arguments.bit_rate_bit_s,
                   "Of the bus in bit/s: what its load is a share of")
-      ->check(CLI::Range(1e3, 1e9))
+      ->check(command_line::in_range(1e3, 1e9))
       ->capture_default_str();
 }
 
@@ -62,7 +66,7 @@ void add_page_options(CLI::App& verb, MonitorArguments& arguments, CLI::Option* 
                   "What a browser has to bring, as ?token= or in the header Authorization: Bearer; "
                   "needed where others can reach the page")
       ->type_name("TOKEN")
-      ->envname("TENDONLIFE_HTTP_TOKEN");
+      ->envname(kTokenVariable);
 }
 
 void add_record_options(CLI::App& verb, MonitorArguments& arguments) {
@@ -75,11 +79,11 @@ void add_record_options(CLI::App& verb, MonitorArguments& arguments) {
   verb.add_option("--record-rotate", arguments.rotation.bytes,
                   "Size of a log: bytes, or with K, M or G")
       ->transform(CLI::AsSizeValue(false))
-      ->check(CLI::Range(std::uint64_t{1024}, std::uint64_t{1} << 40))
+      ->check(command_line::in_range(std::uint64_t{1024}, std::uint64_t{1} << 40))
       ->needs(record)
       ->default_str("64M");
   verb.add_option("--record-keep", arguments.rotation.keep, "Logs that are kept, the newest")
-      ->check(CLI::Range(1, 1'000'000))
+      ->check(command_line::in_range(1, 1'000'000))
       ->needs(record)
       ->capture_default_str();
 }
@@ -111,13 +115,22 @@ void add_monitor_options(CLI::App& verb, MonitorArguments& arguments) {
   CLI::Option* const once = verb.add_flag(
       "--once", arguments.once,
       "Print one table and end: when the log does, or after --listen. Exit with status 3 where a "
-      "node is to be replaced or worn, has vanished, or has frames that failed the integrity "
-      "check");
+      "node is to be replaced or worn, has vanished, has frames that failed the integrity check, "
+      "or "
+      "has its id in common with another, and with status 1 where a record is not complete");
   add_page_options(verb, arguments, once);
   verb.add_option("--listen", arguments.listen_s, "Seconds that --once listens to an interface")
-      ->check(CLI::Range(0.1, 1e6))
+      ->check(command_line::in_range(0.1, 1e6))
       ->needs(once)
       ->capture_default_str();
+}
+
+std::string without_effect(const CLI::App& verb, const MonitorArguments& arguments) {
+  if (verb.count("--listen") > 0 && arguments.interface.empty()) {
+    return "--listen requires --interface: a log ends by itself";
+  }
+  const bool told = verb.count("--http-token") > 0 && std::getenv(kTokenVariable) == nullptr;
+  return told && arguments.http.empty() ? "--http-token requires --http" : "";
 }
 
 }  // namespace host_sim

@@ -1,34 +1,191 @@
 #include "host_sim/verbs/outputs.hpp"
 
+#include <fmt/format.h>
+#include <sys/stat.h>
+#include <sys/sysmacros.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
 #include <algorithm>
-#include <filesystem>
 #include <iostream>
-#include <vector>
+#include <system_error>
+
+#include "host_sim/io/input_error.hpp"
+#include "host_sim/io/printable.hpp"
 
 namespace host_sim {
 namespace {
 
-// Of a relative path that does not exist, weakly_canonical alone makes no absolute one.
-std::string canonical_place(const std::filesystem::path& path) {
-  return std::filesystem::weakly_canonical(std::filesystem::absolute(path)).string();
+namespace fs = std::filesystem;
+
+constexpr const char* kSummary = "the summary";
+
+/// What stands at a path, or would: an inode, or a name in a folder that is one.
+struct Place {
+  enum class Kind { regular, folder, stream, nothing };
+
+  Kind kind;
+  dev_t device;
+  ino_t inode;
+  std::string name;  ///< only of nothing
+
+  friend bool operator==(const Place&, const Place&) = default;
+};
+
+Place place_in(const struct stat& status) {
+  const auto kind = S_ISREG(status.st_mode)   ? Place::Kind::regular
+                    : S_ISDIR(status.st_mode) ? Place::Kind::folder
+                                              : Place::Kind::stream;
+  return {kind, status.st_dev, status.st_ino, {}};
+}
+
+/// None where not even its folder is there.
+std::optional<Place> place_of(const fs::path& path, int standard_descriptor) {
+  struct stat status {};
+  if (path == "-") {
+    return ::fstat(standard_descriptor, &status) == 0 ? std::optional(place_in(status))
+                                                      : std::nullopt;
+  }
+  if (::stat(path.c_str(), &status) == 0) {
+    return place_in(status);
+  }
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (::stat(folder.c_str(), &status) != 0) {
+    return std::nullopt;
+  }
+  return Place{Place::Kind::nothing, status.st_dev, status.st_ino, path.filename().string()};
+}
+
+bool is_null_device(const fs::path& path) {
+  struct stat status {};
+  return path != "-" && ::stat(path.c_str(), &status) == 0 && S_ISCHR(status.st_mode) &&
+         status.st_rdev == makedev(1, 3);
+}
+
+/// A file and its place. Streams hold nothing that could be lost, but take one output alone.
+struct Placed {
+  NamedPath named;
+  std::optional<Place> place;
+
+  [[nodiscard]] bool is_same(const Placed& other) const { return place && place == other.place; }
+  [[nodiscard]] bool keeps() const { return place && place->kind != Place::Kind::stream; }
+};
+
+std::vector<Placed> placed(const std::vector<NamedPath>& files, int standard_descriptor) {
+  std::vector<Placed> all;
+  for (const NamedPath& named : files) {
+    if (!named.path.empty()) {
+      all.push_back({named, place_of(named.path, standard_descriptor)});
+    }
+  }
+  return all;
+}
+
+bool lies_in(const fs::path& path, const std::optional<Place>& folder) {
+  std::error_code error;
+  const fs::path absolute = fs::absolute(path, error);
+  const fs::path real = error ? fs::path() : fs::weakly_canonical(absolute, error);
+  if (error || !folder || path == "-") {
+    return false;
+  }
+  for (fs::path at = real; at != at.root_path(); at = at.parent_path()) {
+    if (place_of(at, -1) == folder) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// `/a/b/` as `/a/b`.
+fs::path without_end_slash(const fs::path& path) {
+  return path.has_filename() ? path : path.parent_path();
+}
+
+/// Of an output.
+std::string name_of(const fs::path& path) {
+  return path == "-" ? "standard output" : printable(path.string());
+}
+
+[[noreturn]] void refuse_overwriting(const NamedPath& written, const std::string& what) {
+  throw InputError(name_of(written.path), 0, 0, what, "an output with a name of its own");
+}
+
+std::string shown(const fs::path& path) {
+  return path == "-" ? "standard input" : in_quotes(path.string());
+}
+
+void check_reads(const Placed& output, const std::vector<Placed>& reads) {
+  for (const Placed& read : reads) {
+    if (output.keeps() && output.is_same(read)) {
+      refuse_overwriting(output.named,
+                         fmt::format("{} would overwrite {}, which {} reads", output.named.option,
+                                     shown(read.named.path), read.named.option));
+    }
+  }
+}
+
+void check_folder(const std::string& verb, const NamedPath& folder,
+                  const std::vector<Placed>& reads, const std::vector<Placed>& writes) {
+  const std::optional<Place> place = place_of(without_end_slash(folder.path), -1);
+  for (const Placed& read : reads) {
+    if (lies_in(read.named.path, place)) {
+      refuse_overwriting(folder, fmt::format("{} would overwrite {}, which {} reads", folder.option,
+                                             shown(read.named.path), read.named.option));
+    }
+  }
+  for (const Placed& written : writes) {
+    if (lies_in(written.named.path, place)) {
+      throw CLI::ValidationError(
+          verb, fmt::format("{} {} would lie in the folder of {}", written.named.option,
+                            shown(written.named.path), folder.option));
+    }
+  }
+}
+
+void check_two_outputs(const std::string& verb, const std::vector<Placed>& writes) {
+  for (auto one = writes.begin(); one != writes.end(); ++one) {
+    const auto other = std::find_if(one + 1, writes.end(), [&](const Placed& later) {
+      const bool whole = later.named.option != kSummary || later.keeps();
+      return whole && one->is_same(later) && !is_null_device(one->named.path);
+    });
+    if (other != writes.end()) {
+      throw CLI::ValidationError(
+          verb, fmt::format("two outputs go to '{}': {} and {}", name_of(one->named.path),
+                            one->named.option, other->named.option));
+    }
+  }
 }
 
 }  // namespace
 
-std::optional<OutputFile> open_if_asked(const std::string& path) {
-  return path.empty() ? std::nullopt : std::optional<OutputFile>(std::in_place, path);
-}
-
-std::string conflict_of(std::span<const std::string> paths) {
-  std::vector<std::string> places;
-  for (const std::string& path : paths) {
-    if (!path.empty()) {
-      places.push_back(path == "-" ? path : canonical_place(path));
+void check_files(const std::string& verb, const VerbFiles& files) {
+  std::vector<NamedPath> outputs = files.writes;
+  if (std::ranges::find(outputs, fs::path("-"), &NamedPath::path) == outputs.end()) {
+    outputs.push_back({kSummary, "-"});
+  }
+  const std::vector<Placed> reads = placed(files.reads, STDIN_FILENO);
+  const std::vector<Placed> writes = placed(outputs, STDOUT_FILENO);
+  for (const Placed& output : writes) {
+    check_reads(output, reads);
+  }
+  for (const NamedPath& folder : files.fills) {
+    if (!folder.path.empty()) {
+      check_folder(verb, folder, reads, writes);
     }
   }
-  std::sort(places.begin(), places.end());
-  const auto twice = std::adjacent_find(places.begin(), places.end());
-  return twice == places.end() ? "" : "two outputs go to '" + *twice + "'";
+  check_two_outputs(verb, writes);
+}
+
+std::vector<NamedPath> named(const std::string& option, std::span<const fs::path> paths) {
+  std::vector<NamedPath> all;
+  for (const fs::path& path : paths) {
+    all.push_back({option, path});
+  }
+  return all;
+}
+
+std::optional<OutputFile> open_if_asked(const std::string& path) {
+  return path.empty() ? std::nullopt : std::optional<OutputFile>(std::in_place, path);
 }
 
 void commit_all(std::initializer_list<std::optional<OutputFile>*> files) {

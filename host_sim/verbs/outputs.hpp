@@ -1,22 +1,44 @@
 #pragma once
 
+#include <filesystem>
 #include <initializer_list>
 #include <optional>
 #include <ostream>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "host_sim/io/output_file.hpp"
 
 namespace host_sim {
 
+/// What the command line says of files and folders, and the option that says it. A path that is
+/// empty was not asked for.
+struct NamedPath {
+  std::string option;
+  std::filesystem::path path;
+};
+
+/// All that a run of a verb reads and writes.
+struct VerbFiles {
+  std::vector<NamedPath> reads;   ///< files; `-` is standard input
+  std::vector<NamedPath> writes;  ///< files; `-` is standard output
+  std::vector<NamedPath> fills;   ///< folders that are made, replaced or added to
+};
+
+/// To be called before anything is read: no output takes the place of what is read, of another
+/// output, or of what lies in a folder that is written. Files are told apart by what they are, not
+/// by their names. The summary for people on standard output is an output as well.
+/// @throws InputError for what is read, CLI::ValidationError for two outputs
+void check_files(const std::string& verb, const VerbFiles& files);
+
+/// Names all these paths by one option.
+std::vector<NamedPath> named(const std::string& option,
+                             std::span<const std::filesystem::path> paths);
+
 /// The file at `path`, or none where the path is empty because nobody asked for it.
 /// @throws OutputError
 std::optional<OutputFile> open_if_asked(const std::string& path);
-
-/// Why these outputs cannot be written together: two into one file would leave only one of them.
-/// Empty where they can. Paths may be empty; `-` is standard output.
-std::string conflict_of(std::span<const std::string> paths);
 
 /// Puts the files in place that were asked for, when all of them are whole.
 /// @throws OutputError

@@ -14,6 +14,7 @@
 #include "host_sim/extension/value.hpp"
 #include "host_sim/io/output_file.hpp"
 #include "host_sim/replay/constants.hpp"
+#include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
 #include "lifemodel/block/extended_block.hpp"
 
@@ -41,6 +42,11 @@ std::string as_binary(const Block& block) {
 
 /// Without the effects that the controller has no inputs for.
 Model without(Model model, const std::vector<std::string>& ids) {
+  for (const std::string& id : ids) {
+    if (extension_of(model.extensions, id) == nullptr) {
+      std::cerr << "  " << id << ": not in the model, nothing to leave out\n";
+    }
+  }
   std::erase_if(model.extensions, [&](const Extension& extension) {
     return std::ranges::find(ids, extension.id) != ids.end();
   });
@@ -95,6 +101,9 @@ std::vector<std::string> extension_ids() {
 }
 
 void run(const PackArguments& arguments) {
+  check_files(
+      "pack",
+      {.reads = {{"MODEL", arguments.model}}, .writes = {{"--out", arguments.out}}, .fills = {}});
   const Model model = without(read_extended_model(arguments.model), arguments.without);
   const Block block = block_of(model, arguments.model);
   const std::string digest = model_digest(model);

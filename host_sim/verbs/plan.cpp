@@ -4,13 +4,14 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <utility>
 
+#include "host_sim/command_line/numbers.hpp"
 #include "host_sim/io/model.hpp"
 #include "host_sim/io/progress.hpp"
-#include "host_sim/plan/results.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/plan_diagnosis.hpp"
 #include "host_sim/verbs/verbs.hpp"
@@ -18,6 +19,7 @@
 namespace host_sim {
 namespace {
 
+using command_line::above;
 using plan::PlanRequest;
 
 struct PlanArguments {
@@ -28,18 +30,6 @@ struct PlanArguments {
 };
 
 constexpr int kMostSpecimens = 100'000;
-
-/// Accepts numbers above `least`.
-CLI::Validator above(double least) {
-  return {[least](const std::string& text) {
-            double value = 0;
-            const bool good =
-                CLI::detail::lexical_cast(text, value) && std::isfinite(value) && value > least;
-            return good ? std::string()
-                        : text + " is not a number above " + fmt::format("{}", least);
-          },
-          fmt::format("ABOVE {}", least)};
-}
 
 [[noreturn]] void refuse(const std::string& why) {
   throw CLI::ValidationError("plan", why);
@@ -109,6 +99,10 @@ void take_law_of_model(const std::string& path, PlanRequest& request) {
 
 int run(PlanArguments& arguments) {
   PlanRequest& request = arguments.request;
+  check_files("plan", {.reads = {{"--for-diagnosis", arguments.for_diagnosis},
+                                 {"--model", arguments.model}},
+                       .writes = {{"--json", arguments.json}},
+                       .fills = {}});
   if (!arguments.for_diagnosis.empty()) {
     return plan_for_diagnosis({arguments.for_diagnosis, arguments.json, request.simulation.seed,
                                request.simulation.threads});
@@ -163,12 +157,14 @@ void add_design_options(CLI::App& verb, PlanRequest& request) {
   verb.add_option("--suspend-at", request.conditions.suspend_at_cycles,
                   "Cycles at which a specimen that still lives is suspended")
       ->check(above(0));
-  verb.add_option("--specimens", request.specimens,
-                  "How many specimens each level has: says what this plan gives")
-      ->delimiter(',')
-      ->check(CLI::Range(0, kMostSpecimens));
+  CLI::Option* specimens =
+      verb.add_option("--specimens", request.specimens,
+                      "How many specimens each level has: says what this plan gives")
+          ->delimiter(',')
+          ->check(command_line::in_range(0, kMostSpecimens));
   verb.add_option("--specimens-max", request.specimens_max, "Most specimens of a plan, all levels")
-      ->check(CLI::Range(1, kMostSpecimens))
+      ->excludes(specimens)
+      ->check(command_line::in_range(1, kMostSpecimens))
       ->capture_default_str();
   verb.add_option("--cycles-per-minute", request.cycles_per_minute,
                   "Speed of a rig, to tell the time of a test")
@@ -184,7 +180,7 @@ void add_goal_options(CLI::App& verb, PlanRequest& request) {
       ->check(above(1));
   verb.add_option("--assurance", request.goal.assurance,
                   "Wanted in at least this share of campaigns")
-      ->check(CLI::Range(0.01, 0.999))
+      ->check(command_line::in_range(0.01, 0.999))
       ->capture_default_str();
   verb.add_option("--curvature", request.curvature_factor,
                   "The curvature to look for: life at the use is this many times less")
@@ -195,13 +191,13 @@ void add_goal_options(CLI::App& verb, PlanRequest& request) {
 void add_simulation_options(CLI::App& verb, PlanRequest& request) {
   verb.add_option("--simulations", request.simulation.simulations,
                   "Campaigns to simulate for each plan")
-      ->check(CLI::Range(100, 1'000'000))
+      ->check(command_line::in_range(100, 1'000'000))
       ->capture_default_str();
   verb.add_option("--seed", request.simulation.seed, "Of the random numbers")
       ->capture_default_str();
   verb.add_option("--threads", request.simulation.threads,
                   "0 is one for each core; the result does not depend on it")
-      ->check(CLI::Range(0, 1024))
+      ->check(command_line::in_range(0, 1024))
       ->capture_default_str();
 }
 
@@ -218,9 +214,11 @@ void add_plan(CLI::App& app, int& status) {
   add_design_options(*verb, arguments->request);
   add_goal_options(*verb, arguments->request);
   add_simulation_options(*verb, arguments->request);
-  for (const char* name : {"--model", "--scale", "--levels", "--use-tension", "--ratio",
-                           "--specimens", "--suspend-at", "--cycles-per-minute"}) {
-    for_diagnosis->excludes(verb->get_option(name));
+  const std::array<std::string, 4> for_both{"--help", "--for-diagnosis", "--seed", "--threads"};
+  for (CLI::Option* option : verb->get_options()) {
+    if (std::ranges::find(for_both, option->get_name()) == for_both.end()) {
+      for_diagnosis->excludes(option);
+    }
   }
   verb->add_option("--json", arguments->json, "Write the result as JSON; - is standard output");
   verb->footer(

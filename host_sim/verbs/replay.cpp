@@ -5,6 +5,7 @@
 #include <memory>
 #include <system_error>
 
+#include "host_sim/command_line/numbers.hpp"
 #include "host_sim/replay/flag_names.hpp"
 #include "host_sim/verbs/fail_on.hpp"
 #include "host_sim/verbs/outputs.hpp"
@@ -36,14 +37,14 @@ void add_outputs(CLI::App& verb, ReplayArguments& arguments) {
   verb.add_option("--trajectory", arguments.trajectory, "Write readings over time as CSV");
   verb.add_option("--trajectory-step", arguments.trajectory_step_s,
                   "Least time between two rows of the trajectory in seconds; 0 is every sample")
-      ->check(CLI::NonNegativeNumber)
+      ->check(command_line::not_negative())
       ->capture_default_str();
   verb.add_option("--report", arguments.report, "Write a page with plots as HTML");
   CLI::Option* can = verb.add_option(
       "--can", arguments.can,
       "Write what the firmware sends on the bus as candump -L does; time 0 is the first sample");
   verb.add_option("--node", arguments.node, "CANopen node id of the firmware")
-      ->check(CLI::Range(1, 127))
+      ->check(command_line::in_range(1, 127))
       ->needs(can)
       ->default_str("1");
 }
@@ -55,7 +56,7 @@ void add_table(CLI::App& verb, ReplayArguments& arguments) {
                   "How many profiles at once; all cores without it. The table does not depend on "
                   "it. Under mpirun its ranks share the profiles, where the program was built with "
                   "MPI")
-      ->check(CLI::Range(1U, kMostThreads));
+      ->check(command_line::in_range(1U, kMostThreads));
 }
 
 bool wants_table(const ReplayArguments& arguments) {
@@ -82,18 +83,32 @@ std::string conflict_in_table(const CLI::App& verb, const ReplayArguments& argum
   return {};
 }
 
+/// What has no effect without another option; empty where all has one.
+std::string conflict_of_one(const CLI::App& verb, const ReplayArguments& arguments) {
+  if (verb.count("--threads") > 0) {
+    return "--threads is for a table of profiles, not for one";
+  }
+  if (verb.count("--trajectory-step") > 0 && arguments.trajectory.empty()) {
+    return "--trajectory-step requires --trajectory";
+  }
+  return {};
+}
+
 int run(const CLI::App& verb, const ReplayArguments& arguments) {
   const bool table = wants_table(arguments);
   if (!table && arguments.model.empty()) {
     throw CLI::RequiredError("--model");
   }
-  std::string error = table ? conflict_in_table(verb, arguments) : std::string();
-  if (error.empty()) {
-    error = conflict_of(arguments.outputs());
-  }
+  const std::string error =
+      table ? conflict_in_table(verb, arguments) : conflict_of_one(verb, arguments);
   if (!error.empty()) {
     throw CLI::ValidationError("replay", error);
   }
+  VerbFiles files = arguments.files();
+  if (!table) {
+    files.reads.push_back({"PROFILE", arguments.profiles.front()});
+  }
+  check_files("replay", files);
   return table ? replay_many(arguments) : replay_one(arguments);
 }
 
@@ -107,7 +122,7 @@ void add_replay(CLI::App& app, int& status) {
   add_table(*verb, *arguments);
   verb->add_option("--start-cycle", arguments->start_cycle,
                    "Cycles that the sheath has seen before, for a model with friction_wear")
-      ->capture_default_str();
+      ->default_str("0");
   add_fail_on(*verb, arguments->fail_on, all_flag_names(),
               "Exit with status 3 if one of these flags is raised");
   verb->footer(

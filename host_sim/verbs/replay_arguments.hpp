@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "firmware/protocol/messages.hpp"
+#include "host_sim/verbs/outputs.hpp"
 
 namespace host_sim {
 
@@ -22,11 +24,21 @@ struct ReplayArguments {
   std::string report;
   std::string can;
   protocol::Node node = 1;
-  std::uint32_t start_cycle = 0;
+  std::optional<std::uint32_t> start_cycle;
   std::vector<std::string> fail_on;
 
   [[nodiscard]] std::array<std::string, 5> outputs() const {
     return {json, table, trajectory, report, can};
+  }
+  /// Without the profiles.
+  [[nodiscard]] VerbFiles files() const {
+    return {.reads = {{"--model", model}},
+            .writes = {{"--json", json},
+                       {"--table", table},
+                       {"--trajectory", trajectory},
+                       {"--report", report},
+                       {"--can", can}},
+            .fills = {}};
   }
 };
 

@@ -8,7 +8,7 @@
 #include "host_sim/extension/read.hpp"
 #include "host_sim/io/input_error.hpp"
 #include "host_sim/replay/constants.hpp"
-#include "host_sim/replay/table_row.hpp"
+#include "host_sim/replay/results.hpp"
 
 namespace host_sim {
 namespace {
@@ -36,17 +36,15 @@ void leave_out_tables(std::vector<ListedProfile>& profiles, const std::string& p
   }
 }
 
+/// Profiles, and models beside them.
 void refuse_overwriting(const std::vector<ListedProfile>& profiles,
                         const ReplayArguments& arguments) {
-  for (const std::string& output : {arguments.table, arguments.json}) {
-    std::error_code ignored;
-    for (const ListedProfile& profile : profiles) {
-      if (!output.empty() && fs::equivalent(profile.path, output, ignored)) {
-        throw InputError(output, 0, 0, "the output would overwrite a profile",
-                         "an output with a name of its own");
-      }
-    }
+  VerbFiles files = arguments.files();
+  for (const ListedProfile& profile : profiles) {
+    files.reads.push_back({"PROFILE", profile.path});
+    files.reads.push_back({"PROFILE", profile.model});
   }
+  check_files("replay", files);
 }
 
 /// One model for all of them, that everybody can use.

@@ -7,7 +7,6 @@
 #include "host_sim/io/printable.hpp"
 #include "host_sim/replay/replay.hpp"
 #include "host_sim/replay/results.hpp"
-#include "host_sim/replay/table_row.hpp"
 #include "host_sim/verbs/batch_outputs.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/replay_arguments.hpp"

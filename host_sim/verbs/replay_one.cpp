@@ -1,7 +1,9 @@
 #include <filesystem>
 
 #include "host_sim/extension/read.hpp"
+#include "host_sim/extension/value.hpp"
 #include "host_sim/io/candump.hpp"
+#include "host_sim/io/input_error.hpp"
 #include "host_sim/io/interruption.hpp"
 #include "host_sim/io/progress.hpp"
 #include "host_sim/replay/replay.hpp"
@@ -17,6 +19,11 @@ namespace host_sim {
 int replay_one(const ReplayArguments& arguments) {
   const std::string& path = arguments.profiles.front();
   const Model model = read_extended_model(arguments.model);
+  if (arguments.start_cycle && extension_of(model.extensions, "friction_wear") == nullptr) {
+    throw InputError(arguments.model, 0, 0,
+                     "no [extension.friction_wear], and --start-cycle is for a sheath that wears",
+                     "such a model, or none of --start-cycle");
+  }
   ProfileOptions profile_options;
   profile_options.input = input_kind_from(arguments.input);
   ProfileReader profile(path, profile_options);
@@ -31,7 +38,7 @@ int replay_one(const ReplayArguments& arguments) {
   options.trajectory_step_s = arguments.trajectory_step_s;
   options.report = page ? &report : nullptr;
   options.node = arguments.node;
-  options.start_cycle = arguments.start_cycle;
+  options.start_cycle = arguments.start_cycle.value_or(0);
   if (can) {
     options.can = [&log = can->stream()](hal::Time time, const hal::CanFrame& frame) {
       stop_if_interrupted();

@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "host_sim/command_line/numbers.hpp"
 #include "host_sim/command_line/type_names.hpp"
 #include "host_sim/io/progress.hpp"
 #include "host_sim/synth/campaign/folder.hpp"
@@ -30,17 +31,6 @@ struct SynthArguments {
 
   [[nodiscard]] std::array<std::string, 2> outputs() const { return {truth, json}; }
 };
-
-void check(const SynthArguments& arguments) {
-  if (const std::string why = conflict_of(arguments.outputs()); !why.empty()) {
-    throw CLI::ValidationError("synth", why);
-  }
-  for (const std::string& output : arguments.outputs()) {
-    if (!output.empty() && output != "-" && synth::lies_in(output, arguments.out)) {
-      throw CLI::ValidationError("synth", output + " would lie in the campaign's folder");
-    }
-  }
-}
 
 synth::Truth make(const SynthArguments& arguments, const synth::SynthPlan& plan,
                   const synth::StagedFolder& folder) {
@@ -66,7 +56,9 @@ std::string json_text(const SynthArguments& arguments, const synth::SynthPlan& p
 }
 
 int run(const SynthArguments& arguments) {
-  check(arguments);
+  check_files("synth", {.reads = {{"--plan", arguments.plan}},
+                        .writes = {{"--truth", arguments.truth}, {"--json", arguments.json}},
+                        .fills = {{"--out", arguments.out}}});
   const synth::SynthPlan plan = synth::read_synth_plan(arguments.plan);
   auto truth_file = open_if_asked(arguments.truth);
   auto json = open_if_asked(arguments.json);
@@ -105,7 +97,7 @@ void add_synth(CLI::App& app, int& status) {
   verb->add_flag("--force", arguments->force, "Replace a campaign that stands there");
   verb->add_option("--threads", arguments->threads,
                    "0 is one for each core; the files do not depend on it")
-      ->check(CLI::Range(0, 1024))
+      ->check(command_line::in_range(0, 1024))
       ->capture_default_str();
   verb->footer(
       "Example: host_sim synth --plan host_sim/examples/synth/crossed.toml --out crossed "

@@ -1,7 +1,7 @@
-#include "host_sim/calibrate/output/findings.hpp"
-
 #include <algorithm>
 #include <cmath>
+
+#include "host_sim/calibrate/output/output.hpp"
 
 namespace host_sim::calibrate {
 namespace {

@@ -1,10 +1,7 @@
-#include "host_sim/calibrate/output/json.hpp"
-
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "host_sim/calibrate/output/findings.hpp"
-#include "host_sim/calibrate/output/level_text.hpp"
+#include "host_sim/calibrate/output/output.hpp"
 
 namespace host_sim::calibrate {
 namespace {

@@ -1,8 +1,6 @@
-#include "host_sim/calibrate/output/model_text.hpp"
-
 #include <fmt/format.h>
 
-#include "host_sim/calibrate/output/number_text.hpp"
+#include "host_sim/calibrate/output/output.hpp"
 #include "host_sim/campaign/nominal_model.hpp"
 #include "host_sim/io/input_error.hpp"
 #include "host_sim/io/printable.hpp"

@@ -1,16 +1,143 @@
-#include "host_sim/calibrate/output/summary.hpp"
-
+#include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <algorithm>
+#include <cmath>
+#include <ostream>
 #include <string>
+#include <vector>
 
-#include "host_sim/calibrate/output/findings.hpp"
-#include "host_sim/calibrate/output/level_text.hpp"
-#include "host_sim/calibrate/output/number_text.hpp"
-#include "host_sim/calibrate/output/text_table.hpp"
+#include "host_sim/calibrate/output/output.hpp"
 #include "host_sim/io/printable.hpp"
 
 namespace host_sim::calibrate {
+namespace {
+
+/// Rows of cells in aligned columns for a terminal: the first column to the left, the others to the
+/// right.
+class TextTable {
+ public:
+  explicit TextTable(std::vector<std::string> head) : rows_{std::move(head)} {}
+
+  /// @pre as many cells as the head has
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+
+  void write(std::ostream& out) const;
+
+ private:
+  [[nodiscard]] std::vector<std::size_t> widths() const;
+
+  std::vector<std::vector<std::string>> rows_;
+};
+
+std::vector<std::size_t> TextTable::widths() const {
+  std::vector<std::size_t> widths(rows_.front().size());
+  for (const auto& row : rows_) {
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      widths[i] = std::max(widths[i], character_count(row[i]));
+    }
+  }
+  return widths;
+}
+
+void TextTable::write(std::ostream& out) const {
+  const std::vector<std::size_t> width = widths();
+  for (const auto& row : rows_) {
+    std::string line = "  ";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string padding(width[i] - character_count(row[i]), ' ');
+      line += i == 0 ? row[i] + padding : "  " + padding + row[i];
+    }
+    line.resize(line.find_last_not_of(' ') + 1);
+    out << line << '\n';
+  }
+}
+
+constexpr double kWholeBelow = 1e6;
+constexpr double kTenthsBelow = 100;
+
+std::string special(double value) {
+  return std::isnan(value) ? "-" : "no limit";
+}
+
+}  // namespace
+
+std::string figure(double value) {
+  return std::isfinite(value) ? fmt::format("{:.4g}", value) : special(value);
+}
+
+std::string figure(const statistics::Interval& interval) {
+  return fmt::format("{} .. {}", figure(interval.low), figure(interval.high));
+}
+
+std::string cycles_text(double cycles) {
+  if (!std::isfinite(cycles)) {
+    return special(cycles);
+  }
+  if (cycles < kTenthsBelow || cycles >= kWholeBelow) {
+    return fmt::format("{:.4g}", cycles);
+  }
+  return fmt::format("{:.0f}", cycles);
+}
+
+std::string cycles_text(const statistics::Interval& interval_cycles) {
+  return fmt::format("{} .. {}", cycles_text(interval_cycles.low),
+                     cycles_text(interval_cycles.high));
+}
+
+std::string p_text(double p) {
+  if (!std::isfinite(p)) {
+    return "-";
+  }
+  return p >= 0.001 || p == 0 ? fmt::format("{:.3f}", p) : fmt::format("{:.0e}", p);
+}
+
+std::string_view family_name(statistics::Family family) {
+  switch (family) {
+    case statistics::Family::normal:
+      return "normal";
+    case statistics::Family::lognormal:
+      return "lognormal";
+    case statistics::Family::weibull:
+      return "weibull";
+  }
+  return "";
+}
+
+std::string_view problem_name(statistics::FitProblem problem) {
+  switch (problem) {
+    case statistics::FitProblem::none:
+      return "";
+    case statistics::FitProblem::too_few_failures:
+      return "fewer than two failures";
+    case statistics::FitProblem::no_spread:
+      return "all failures at one life";
+    case statistics::FitProblem::not_identified:
+      return "the data do not determine it";
+    case statistics::FitProblem::not_converged:
+      return "the fit did not converge";
+  }
+  return "";
+}
+
+std::optional<statistics::Family> best_family(const LevelResult& level) {
+  const statistics::Fit* best = nullptr;
+  for (const statistics::Fit& fit : level.fits) {
+    if (fit.problem == statistics::FitProblem::none &&
+        (best == nullptr || fit.log_likelihood > best->log_likelihood)) {
+      best = &fit;
+    }
+  }
+  if (best == nullptr) {
+    return std::nullopt;
+  }
+  return best->distribution.family;
+}
+
+std::string validation_name(const CalibrateResult& result, const ValidationResult& validation) {
+  return validation.in_blocks ? "in blocks" : result.levels.at(validation.level).name();
+}
+
 namespace {
 
 using statistics::Family;

@@ -1,12 +1,10 @@
-#include "host_sim/calibrate/output/table_row.hpp"
-
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "host_sim/calibrate/output/findings.hpp"
+#include "host_sim/calibrate/output/output.hpp"
 #include "host_sim/io/csv_row.hpp"
 
 namespace host_sim::calibrate {

@@ -120,12 +120,15 @@ class Diagnostician {
     }
     if (findings.verdict == Verdict::named) {
       findings.gain = gain_of(sample_, extended().model, extended().fit, options_.threads);
+      if (withdraw_what_does_not_gain(findings)) {
+        findings.refitted.clear();  // beside the extension
+      }
     }
     report(0.9);
     if (findings.verdict == Verdict::ambiguous) {
       findings.next_experiment = experiment_for(findings.credible_set);
     }
-    findings.words = verdict_words(findings, before_, after_);
+    findings.words = verdict_words(findings, before_, after_) + no_gain_words(findings);
     const std::string validation =
         validation_words(campaign_, ModelView(sample_, prior_, {}), nominal_);
     findings.words += validation.empty() ? "" : " " + validation;

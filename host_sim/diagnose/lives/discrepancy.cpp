@@ -7,7 +7,7 @@
 #include "host_sim/diagnose/lives/looks.hpp"
 #include "host_sim/diagnose/lives/nominal.hpp"
 #include "host_sim/life_law/life_simulation.hpp"
-#include "host_sim/statistics/replicates.hpp"
+#include "host_sim/statistics/bootstrap.hpp"
 
 namespace host_sim::diagnose::lives {
 namespace {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "host_sim/diagnose/lives/tension.hpp"
-#include "host_sim/statistics/normal_tail.hpp"
+#include "host_sim/statistics/distribution.hpp"
 
 namespace host_sim::diagnose::lives {
 namespace {

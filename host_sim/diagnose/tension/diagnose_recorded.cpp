@@ -20,7 +20,7 @@
 #include "host_sim/diagnose/tension/steps.hpp"
 #include "host_sim/diagnose/tension/words.hpp"
 #include "host_sim/io/input_error.hpp"
-#include "host_sim/statistics/normal_tail.hpp"
+#include "host_sim/statistics/distribution.hpp"
 
 namespace host_sim::diagnose {
 namespace {
@@ -96,6 +96,7 @@ class Diagnoser {
     tell(0.7);
     if (findings.verdict == Verdict::named && evidence_.sessions.size() >= kLeastSessions) {
       findings.gain = measure_gain(evidence_, model, constants_);
+      withdraw_what_does_not_gain(findings);
     }
     if (findings.verdict == Verdict::unknown && !few() && options_.steps) {
       findings.steps = steps_of(evidence_, wanted_, dispersion_, constants_);
@@ -105,6 +106,7 @@ class Diagnoser {
     findings.next_experiment = next_experiment(findings, audited);
     findings.words = verdict_words(findings, evidence_.sessions.size());
     add_doubts(model, findings);
+    findings.words += no_gain_words(findings);
     if (few()) {
       findings.words += fmt::format(
           " {} of 4 sessions that it takes: the scatter between sessions is not known, and "

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "host_sim/diagnose/tension/fitted.hpp"
-#include "host_sim/statistics/normal_tail.hpp"
+#include "host_sim/statistics/distribution.hpp"
 
 namespace host_sim::diagnose {
 namespace {

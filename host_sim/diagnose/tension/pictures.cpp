@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "host_sim/diagnose/tension/fitted.hpp"
-#include "host_sim/statistics/normal_tail.hpp"
+#include "host_sim/statistics/distribution.hpp"
 
 namespace host_sim::diagnose {
 namespace {

@@ -1,6 +1,6 @@
 #include "host_sim/diagnose/tension/settled_friction.hpp"
 
-#include "host_sim/recording/settled_friction.hpp"
+#include "host_sim/recording/covariates.hpp"
 
 namespace host_sim::diagnose {
 namespace {

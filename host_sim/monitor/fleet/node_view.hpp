@@ -43,7 +43,16 @@ struct StreamView {
 
 /// One thing that happened to a node, for the timeline.
 struct Event {
-  enum class Kind : std::uint8_t { state, emergency, boot, vanished, back, epoch, integrity };
+  enum class Kind : std::uint8_t {
+    state,
+    emergency,
+    boot,
+    vanished,
+    back,
+    epoch,
+    integrity,
+    two_controllers
+  };
   Kind kind = Kind::state;
   std::int64_t time_ns = 0;
   std::string words;  ///< "inspect", "overload", "epoch opened: damage fell from 12.1 to 0 %"
@@ -67,10 +76,12 @@ struct NodeView {
 
   std::optional<Timed<protocol::NmtState>> heartbeat;
   std::optional<Timed<protocol::LifeStatus>> status;
-  /// Highest damage of this epoch that any genuine frame told: what is shown never falls but by a
-  /// new epoch. A new epoch is three statuses in a row that lie below it by more than a power cut
-  /// can have lost, after what the node told of that.
+  /// Highest damage and gravest state of this epoch that any genuine frame told: what is shown
+  /// never falls but for a proven new epoch (DamageWatch). So, too, for each tendon.
   std::uint32_t highest_damage_ppb = 0;
+  protocol::LifeState gravest_state = protocol::LifeState::normal;
+  /// Two controllers have told as this node at once. It stays so: what is shown is of both.
+  bool two_controllers = false;
   std::optional<Timed<protocol::detail::Identity>> identity;
   std::optional<Timed<protocol::detail::Cycles>> cycles;
   std::optional<Timed<protocol::detail::DamageRate>> rate;
@@ -91,6 +102,8 @@ struct NodeView {
   static constexpr std::size_t kMostPoints = 4000;
 
   [[nodiscard]] std::uint64_t integrity_failures() const;
+  /// The state to show.
+  [[nodiscard]] protocol::LifeState life_state() const;
 };
 
 /// The whole fleet, and the bus that it is on.

@@ -44,8 +44,14 @@ void NodeWatch::take(std::size_t kind, const hal::CanFrame& frame, std::int64_t 
   if (kFrames[kind]->sender != protocol::schema::Sender::node) {
     return;
   }
+  look_for_a_second_speaker(time_ns);
+  if (status == Status::initial || status == Status::wrong_sequence ||
+      (status == Status::repeated && !streams_[kind].is_the_same_again())) {
+    break_runs(kind);
+  }
   if (!protocol::e2e::is_usable(status)) {
     is_alive(time_ns);
+    take_of_two(kind, frame, time_ns);
     return;
   }
   known_ = known_ || kFrames[kind]->integrity.has_value();
@@ -71,8 +77,9 @@ void NodeWatch::take_heartbeat(const hal::CanFrame& frame, std::int64_t time_ns,
   known_ = ++heartbeats_ >= 2 || known_;
   view_.heartbeat = {heartbeat->state, time_ns};
   if (heartbeat->state == protocol::NmtState::boot_up) {
-    for (StreamWatch& other : streams_) {
-      other.begin_anew();
+    for (std::size_t kind = 0; kind < streams_.size(); ++kind) {
+      streams_[kind].begin_anew();
+      break_runs(kind);
     }
     note(Event::Kind::boot, time_ns, "started");
   }
@@ -85,18 +92,82 @@ void NodeWatch::take_status(const hal::CanFrame& frame, std::int64_t time_ns, St
     ++stream.malformed;
     return;
   }
-  const bool changed = !view_.status || view_.status->value.state != status->state;
-  view_.status = {*status, time_ns};
-  if (const auto before_ppb = damage_.status(status->damage_ppb)) {
+  const bool first = !view_.status;
+  const protocol::LifeState before = view_.life_state();
+  const bool of_the_graver =
+      !view_.two_controllers || !view_.status ||
+      status->damage_ppb >= view_.status->value.damage_ppb ||
+      time_ns - view_.status->time_ns > limit_ns(protocol::schema::kLifeStatusFrame);
+  if (of_the_graver) {
+    view_.status = {*status, time_ns};
+  }
+  const bool trusted = status->quality != protocol::Quality::untrusted &&
+                       status->state != protocol::LifeState::unknown;
+  if (view_.two_controllers) {
+    damage_.raise(status->damage_ppb);
+    damage_.raise(status->state);
+  } else if (const auto before_ppb = damage_.report(status->damage_ppb, status->state, trusted)) {
     note(Event::Kind::epoch, time_ns,
          fmt::format("epoch opened: damage fell from {} to {} %", percent_of(*before_ppb),
                      percent_of(damage_.highest_ppb())));
-    view_.tendons.clear();
   }
   show_damage(time_ns);
-  if (changed) {
-    note(Event::Kind::state, time_ns, std::string(name_of(status->state)));
+  if (first || before != view_.life_state()) {
+    note(Event::Kind::state, time_ns, std::string(name_of(view_.life_state())));
   }
+}
+
+/// What another speaker told does not go with the counters of the first.
+void NodeWatch::take_of_two(std::size_t kind, const hal::CanFrame& frame, std::int64_t time_ns) {
+  if (view_.two_controllers && kFrames[kind] == &protocol::schema::kLifeStatusFrame) {
+    take_status(frame, time_ns, view_.streams[kind]);
+  }
+}
+
+void NodeWatch::look_for_a_second_speaker(std::int64_t time_ns) {
+  const auto hears_two = [](const StreamWatch& stream) { return stream.two_speakers(); };
+  if (!view_.two_controllers && std::any_of(streams_.begin(), streams_.end(), hears_two)) {
+    view_.two_controllers = true;
+    note(Event::Kind::two_controllers, time_ns, "two controllers have this node id");
+  }
+}
+
+void NodeWatch::break_runs(std::size_t kind) {
+  if (kFrames[kind] == &protocol::schema::kLifeStatusFrame) {
+    damage_.broken();
+  } else if (kFrames[kind] == &protocol::schema::kLifeDetailFrame) {
+    for (auto& [tendon, damage] : tendons_) {
+      damage.broken();
+    }
+  }
+}
+
+void NodeWatch::take_storage(const protocol::detail::Storage& storage) {
+  const bool may_be_more =
+      is_at_least(protocol::schema::signal_of(&protocol::detail::Storage::worst_unsaved_ppb),
+                  storage.worst_unsaved_ppb);
+  const auto unsaved_ppb = may_be_more ? std::nullopt : std::optional(storage.worst_unsaved_ppb);
+  damage_.record(storage.sequence, unsaved_ppb);
+  for (auto& [tendon, damage] : tendons_) {
+    damage.record(storage.sequence, unsaved_ppb);
+  }
+}
+
+void NodeWatch::take_tendon(const protocol::detail::TendonDamage& tendon) {
+  DamageWatch& damage = tendons_[tendon.tendon];
+  const bool trusted = tendon.state != protocol::LifeState::unknown && view_.status &&
+                       view_.status->value.quality != protocol::Quality::untrusted;
+  if (view_.two_controllers) {
+    damage.raise(tendon.damage_ppb);
+    damage.raise(tendon.state);
+  } else {
+    (void)damage.report(tendon.damage_ppb, tendon.state, trusted);
+  }
+  protocol::detail::TendonDamage& shown = view_.tendons.at(tendon.tendon).value;
+  shown.damage_ppb = damage.highest_ppb();
+  shown.state = graver(damage.gravest(), tendon.state);
+  damage_.raise(tendon.damage_ppb);
+  view_.highest_damage_ppb = damage_.highest_ppb();
 }
 
 void NodeWatch::take_detail(const hal::CanFrame& frame, std::int64_t time_ns, StreamView& stream) {
@@ -106,10 +177,9 @@ void NodeWatch::take_detail(const hal::CanFrame& frame, std::int64_t time_ns, St
     return;
   }
   if (const auto storage = protocol::decode<protocol::detail::Storage>(frame)) {
-    damage_.may_lose(storage->worst_unsaved_ppb);
+    take_storage(*storage);
   } else if (const auto tendon = protocol::decode<protocol::detail::TendonDamage>(frame)) {
-    damage_.raise(tendon->damage_ppb);
-    view_.highest_damage_ppb = damage_.highest_ppb();
+    take_tendon(*tendon);
   }
 }
 
@@ -129,8 +199,10 @@ void NodeWatch::take_emergency(const hal::CanFrame& frame, std::int64_t time_ns,
 
 void NodeWatch::show_damage(std::int64_t time_ns) {
   view_.highest_damage_ppb = damage_.highest_ppb();
+  view_.gravest_state = damage_.gravest();
   DamagePoint point{.time_ns = time_ns, .damage_ppb = damage_.highest_ppb(), .rate_ppb_per_h = {}};
-  if (view_.rate && !view_.rate->stale) {
+  if (view_.rate && !view_.rate->stale &&
+      view_.rate->value.ppb_per_h != protocol::detail::DamageRate::kUnknownRate) {
     point.rate_ppb_per_h = view_.rate->value.ppb_per_h;
   }
   curve_.add(view_, point);
@@ -151,11 +223,9 @@ void NodeWatch::was_damaged(std::int64_t time_ns, const StreamView& stream) {
 }
 
 void NodeWatch::note(Event::Kind kind, std::int64_t time_ns, std::string words) {
-  add_event(view_,
-            {.kind = kind,
-             .time_ns = time_ns,
-             .words = std::move(words),
-             .state = view_.status ? view_.status->value.state : protocol::LifeState::unknown});
+  add_event(
+      view_,
+      {.kind = kind, .time_ns = time_ns, .words = std::move(words), .state = view_.life_state()});
 }
 
 void NodeWatch::tick(std::int64_t now_ns, bool while_listening, std::int64_t heard_from_ns) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -28,6 +29,11 @@ class NodeWatch {
  private:
   void take_heartbeat(const hal::CanFrame& frame, std::int64_t time_ns, StreamView& stream);
   void take_status(const hal::CanFrame& frame, std::int64_t time_ns, StreamView& stream);
+  void take_storage(const protocol::detail::Storage& storage);
+  void take_tendon(const protocol::detail::TendonDamage& tendon);
+  void look_for_a_second_speaker(std::int64_t time_ns);
+  void take_of_two(std::size_t kind, const hal::CanFrame& frame, std::int64_t time_ns);
+  void break_runs(std::size_t kind);
   void take_detail(const hal::CanFrame& frame, std::int64_t time_ns, StreamView& stream);
   void take_emergency(const hal::CanFrame& frame, std::int64_t time_ns, StreamView& stream);
   void show_damage(std::int64_t time_ns);
@@ -38,6 +44,7 @@ class NodeWatch {
   NodeView& view_;
   std::vector<StreamWatch> streams_;
   DamageWatch damage_;
+  std::map<std::uint8_t, DamageWatch> tendons_;
   DamageCurve curve_;
   bool known_ = false;
   int heartbeats_ = 0;

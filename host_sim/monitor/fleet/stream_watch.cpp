@@ -1,6 +1,7 @@
 #include "host_sim/monitor/fleet/stream_watch.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace host_sim::monitor {
 namespace {
@@ -29,6 +30,47 @@ void add(const protocol::e2e::Counts& before, const protocol::e2e::Counts& after
 
 }  // namespace
 
+// Where a frame is the next of both counts, it is of the one that is due: the one heard longer ago.
+Speakers::Count& Speakers::count_of(std::uint8_t counter) {
+  const auto ahead = [counter](const Count& count) {
+    const int delta = (counter - count.counter) & 0x0f;
+    return count.is_there && delta != 0 && delta <= Checker::kMaxDelta ? delta : 16;
+  };
+  auto& [one, other] = counts_;
+  if (ahead(one) != ahead(other)) {
+    return ahead(one) < ahead(other) ? one : other;
+  }
+  if (ahead(one) < 16) {
+    return one.time_ns <= other.time_ns ? one : other;
+  }
+  const auto strength = [](const Count& count) {
+    return std::tuple(count.is_there, count.in_a_row, count.time_ns);
+  };
+  Count& weaker = strength(one) <= strength(other) ? one : other;
+  weaker = {};
+  return weaker;
+}
+
+void Speakers::hear(std::uint8_t counter, const hal::CanFrame& frame, std::int64_t time_ns,
+                    std::int64_t most_ns) {
+  constexpr std::int64_t kDoubled_ns = 5 * kMillisecond_ns;  // sent again, its receipt not heard
+  if (frame == last_ && time_ns - last_ns_ < kDoubled_ns) {
+    return;
+  }
+  last_ = frame;
+  last_ns_ = time_ns;
+  for (Count& count : counts_) {
+    if (time_ns - count.time_ns > most_ns || ++count.passed_over >= kInARow) {
+      count = {};
+    }
+  }
+  Count& count = count_of(counter);
+  const bool next = count.is_there && ((count.counter + 1) & 0x0f) == counter;
+  count = {counter, time_ns, next ? count.in_a_row + 1 : 0, 0, true};
+  two_ = two_ || std::all_of(counts_.begin(), counts_.end(),
+                             [](const Count& one) { return one.in_a_row >= kInARow; });
+}
+
 StreamWatch::StreamWatch(const protocol::schema::Frame& frame, protocol::Node node)
     : frame_(frame) {
   if (frame.integrity) {
@@ -40,10 +82,16 @@ StreamWatch::StreamWatch(const protocol::schema::Frame& frame, protocol::Node no
 Status StreamWatch::take(const hal::CanFrame& frame, std::int64_t time_ns, StreamView& view) {
   const Status status = check(frame, time_ns, view);
   if (is_genuine(status)) {
+    if (stream_ && frame_.cycle_ms != 0) {
+      speakers_.hear(protocol::e2e::counter_of(*stream_, frame), frame, time_ns,
+                     kMillisecond_ns * frame_.cycle_ms * Checker::kMaxDelta);
+    }
     if (status != Status::repeated) {
       count_interval(time_ns, view);
     }
     last_ns_ = time_ns;
+    same_again_ = last_ == frame;
+    last_ = frame;
   }
   return status;
 }

@@ -34,9 +34,14 @@ std::string_view name_of(protocol::EmergencyCode code) {
   return name_in(protocol::schema::kEmergencyCodes, code);
 }
 
-std::string percent_of(std::uint32_t damage_ppb) {
+std::string_view state_name(const NodeView& node) {
+  return node.two_controllers ? "two_controllers" : name_of(node.life_state());
+}
+
+std::string percent_of(std::uint32_t ppb, const protocol::schema::Signal& signal) {
   constexpr std::uint32_t kPercent_ppb = 10'000'000;
-  std::string text = fmt::format("{}.{:07}", damage_ppb / kPercent_ppb, damage_ppb % kPercent_ppb);
+  std::string text = fmt::format("{}{}.{:07}", is_at_least(signal, ppb) ? ">=" : "",
+                                 ppb / kPercent_ppb, ppb % kPercent_ppb);
   text.erase(text.find_last_not_of('0') + 1);
   if (text.back() == '.') {
     text.pop_back();

@@ -55,17 +55,19 @@ nlohmann::json field_json(const protocol::schema::Signal& signal, Member member)
   }
 }
 
-/// A message with the names of the frame plan, as in the DBC: {"Damage": 0.0123, ..}.
+/// A message with the names of the frame plan, as in the DBC: {"Damage": 0.0123, ..}. The values
+/// that stand for themselves or more are named once more: {.., "at_least": ["Damage"]}.
 template <class Message>
 nlohmann::json message_json(const Message& message) {
   nlohmann::json json = nlohmann::json::object();
-  std::apply(
-      [&](const auto&... fields) {
-        ((json[std::string(fields.signal.name)] =
-              field_json(fields.signal, message.*(fields.member))),
-         ...);
-      },
-      protocol::schema::Layout<Message>::kFields);
+  const auto put = [&](const auto& field) {
+    json[std::string(field.signal.name)] = field_json(field.signal, message.*(field.member));
+    if (is_at_least(field.signal, static_cast<std::uint32_t>(message.*(field.member)))) {
+      json["at_least"].push_back(field.signal.name);
+    }
+  };
+  std::apply([&](const auto&... fields) { (put(fields), ...); },
+             protocol::schema::Layout<Message>::kFields);
   return json;
 }
 

@@ -75,6 +75,8 @@ const char* kind_name(Event::Kind kind) {
       return "epoch";
     case Event::Kind::integrity:
       return "integrity";
+    case Event::Kind::two_controllers:
+      return "two_controllers";
   }
   return "";
 }
@@ -99,11 +101,17 @@ json event_json(const Event& event) {
 json node_json(const NodeView& node) {
   json result = {{"node", node.node},
                  {"vanished", node.vanished},
+                 {"state", state_name(node)},
+                 {"life_state", name_of(node.life_state())},
+                 {"two_controllers", node.two_controllers},
                  {"last_seen_us", microseconds(node.last_seen_ns)},
                  {"highest_damage", node.highest_damage_ppb / kPpb},
                  {"integrity_failures", node.integrity_failures()},
                  {"tendons", by_number(node.tendons)},
                  {"bins", by_number(node.bins)}};
+  if (is_at_least(kDamageSignal, node.highest_damage_ppb)) {
+    result["at_least"] = {"highest_damage"};
+  }
   if (node.heartbeat) {
     result["heartbeat"] = timed_json(Timed<protocol::Heartbeat>{
         {node.heartbeat->value}, node.heartbeat->time_ns, node.heartbeat->stale});

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <thread>
 
+#include "host_sim/monitor/fleet/words.hpp"
 #include "host_sim/monitor/mqtt/status_json.hpp"
 
 namespace host_sim::monitor {
@@ -125,7 +126,7 @@ void MqttObserver::update(const FleetView& view) {
 void MqttObserver::tell(const NodeView& node, Clock::time_point now) {
   const auto [place, is_new] = told_.try_emplace(node.node);
   Told& told = place->second;
-  const bool changed = is_new || told.state != node.status->value.state ||
+  const bool changed = is_new || told.state != state_name(node) ||
                        told.stale != node.status->stale || told.vanished != node.vanished;
   if (!changed && now - told.at < kTellAgain) {
     return;
@@ -134,7 +135,7 @@ void MqttObserver::tell(const NodeView& node, Clock::time_point now) {
   if (json != told.json) {
     publish(topic_of(node.node), json);
   }
-  told = {node.status->value.state, node.status->stale, node.vanished, now, std::move(json)};
+  told = {state_name(node), node.status->stale, node.vanished, now, std::move(json)};
 }
 
 void MqttObserver::end() {

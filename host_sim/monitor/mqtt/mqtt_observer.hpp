@@ -6,6 +6,7 @@
 #include <memory>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include "host_sim/monitor/mqtt/address.hpp"
@@ -34,7 +35,7 @@ class MqttObserver final : public Observer {
   using Clock = std::chrono::steady_clock;
 
   struct Told {
-    protocol::LifeState state = protocol::LifeState::unknown;
+    std::string_view state = {};
     bool stale = false;
     bool vanished = false;
     Clock::time_point at{};

@@ -1,6 +1,8 @@
 #include "host_sim/monitor/mqtt/status_json.hpp"
 
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <vector>
 
 #include "host_sim/monitor/fleet/words.hpp"
 
@@ -8,6 +10,7 @@ namespace host_sim::monitor {
 namespace {
 
 using nlohmann::ordered_json;
+using protocol::detail::DamageRate;
 using protocol::detail::RemainingLife;
 
 constexpr double kPercent_ppb = 1e7;
@@ -24,7 +27,7 @@ std::string status_json(const NodeView& node) {
   }
   const protocol::LifeStatus& status = node.status->value;
   const std::int64_t time_ms = node.status->time_ns / 1'000'000;
-  ordered_json json = {{"state", name_of(status.state)},
+  ordered_json json = {{"state", state_name(node)},
                        {"damage_ppb", node.highest_damage_ppb},
                        {"damage_percent", node.highest_damage_ppb / kPercent_ppb},
                        {"worst_tendon", status.worst_tendon},
@@ -39,14 +42,30 @@ std::string status_json(const NodeView& node) {
                        {"stale", node.status->stale},
                        {"vanished", node.vanished},
                        {"integrity_failures", node.integrity_failures()}};
+  if (node.two_controllers) {
+    json["life_state"] = name_of(node.life_state());
+  }
+  std::vector<std::string_view> at_least;
+  if (is_at_least(kDamageSignal, node.highest_damage_ppb)) {
+    at_least = {"damage_ppb", "damage_percent"};
+  }
   if (node.rate && !node.rate->stale) {
-    json["damage_percent_per_h"] = node.rate->value.ppb_per_h / kPercent_ppb;
+    const std::uint32_t ppb_per_h = node.rate->value.ppb_per_h;
+    json["damage_percent_per_h"] = ppb_per_h == DamageRate::kUnknownRate
+                                       ? ordered_json(nullptr)
+                                       : ordered_json(ppb_per_h / kPercent_ppb);
+    if (is_at_least(protocol::schema::signal_of(&DamageRate::ppb_per_h), ppb_per_h)) {
+      at_least.emplace_back("damage_percent_per_h");
+    }
   }
   if (node.remaining && !node.remaining->stale) {
     const RemainingLife& remaining = node.remaining->value;
     json["remaining_h"] = {{"b10", hours_of(remaining.b10_dh)},
                            {"b50", hours_of(remaining.b50_dh)},
                            {"b90", hours_of(remaining.b90_dh)}};
+  }
+  if (!at_least.empty()) {
+    json["at_least"] = at_least;
   }
   return json.dump();
 }

@@ -3,17 +3,19 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "host_sim/io/output_file.hpp"
+#include "host_sim/io/system_error_text.hpp"
 
 namespace host_sim::monitor {
 namespace {
@@ -22,19 +24,27 @@ using hal::linux_os::Descriptor;
 
 constexpr std::string_view kBegin = "frames-";
 constexpr std::string_view kEnd = ".log";
+/// No record gets so far; a name beyond it is none of ours.
+constexpr std::uint64_t kLastNumber = 999'999'999'999;
 
+std::string name_of_log(std::uint64_t number) {
+  return fmt::format("{}{:08}{}", kBegin, number, kEnd);
+}
+
+/// The number of a log of this name; none where a LogFolder does not give such a name.
 std::optional<std::uint64_t> number_of(const std::filesystem::path& path) {
   const std::string name = path.filename().string();
   if (!name.starts_with(kBegin) || !name.ends_with(kEnd)) {
     return std::nullopt;
   }
   std::uint64_t number = 0;
-  const char* const end = name.data() + name.size() - kEnd.size();
-  const auto [stop, error] = std::from_chars(name.data() + kBegin.size(), end, number);
-  return error == std::errc() && stop == end ? std::optional(number) : std::nullopt;
+  const auto [stop, error] =
+      std::from_chars(name.data() + kBegin.size(), name.data() + name.size(), number);
+  const bool ours = error == std::errc() && number <= kLastNumber && name == name_of_log(number);
+  return ours ? std::optional(number) : std::nullopt;
 }
 
-/// The numbers of the logs of a folder, the lowest first.
+/// The numbers of the logs of a folder, the lowest first. @throws std::filesystem::filesystem_error
 std::vector<std::uint64_t> numbers_in(const std::filesystem::path& folder) {
   std::vector<std::uint64_t> numbers;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) {
@@ -46,8 +56,12 @@ std::vector<std::uint64_t> numbers_in(const std::filesystem::path& folder) {
   return numbers;
 }
 
-std::string name_of_log(std::uint64_t number) {
-  return fmt::format("{}{:08}{}", kBegin, number, kEnd);
+std::vector<std::uint64_t> numbers_to_write_in(const std::filesystem::path& folder) {
+  try {
+    return numbers_in(folder);
+  } catch (const std::filesystem::filesystem_error& error) {
+    throw OutputError(folder.string(), error.code().message());
+  }
 }
 
 }  // namespace
@@ -56,7 +70,10 @@ std::vector<std::filesystem::path> logs_in(const std::filesystem::path& folder) 
   std::vector<std::filesystem::path> logs;
   try {
     for (const std::uint64_t number : numbers_in(folder)) {
-      logs.push_back(folder / name_of_log(number));
+      std::filesystem::path log = folder / name_of_log(number);
+      if (std::filesystem::symlink_status(log).type() == std::filesystem::file_type::regular) {
+        logs.push_back(std::move(log));
+      }
     }
   } catch (const std::filesystem::filesystem_error&) {
     logs.clear();
@@ -73,13 +90,22 @@ LogFolder::LogFolder(const std::filesystem::path& folder, const Rotation& rotati
   }
   lock_ = Descriptor(::open(folder_.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
   if (!lock_) {
-    throw OutputError(folder_.string(), std::strerror(errno));
+    fail(folder_);
   }
   if (::flock(lock_.get(), LOCK_EX | LOCK_NB) != 0) {
     throw OutputError(folder_.string(), "another process is recording into it");
   }
-  const std::vector<std::uint64_t> numbers = numbers_in(folder_);
-  open_log(numbers.empty() ? 1 : numbers.back());
+  const std::vector<std::uint64_t> numbers = numbers_to_write_in(folder_);
+  if (numbers.empty()) {
+    open_log(1, O_CREAT | O_EXCL);
+    return;
+  }
+  number_ = numbers.back();
+  if (std::filesystem::hard_link_count(current(), error) > 1 && !error) {
+    open_next();  // what it is linked to stays as it is
+    return;
+  }
+  open_log(number_, 0);
   cut_torn_line();
 }
 
@@ -88,20 +114,38 @@ std::filesystem::path LogFolder::path_of(std::uint64_t number) const {
 }
 
 void LogFolder::fail() const {
-  throw OutputError(current().string(), std::strerror(errno));
+  fail(current());
 }
 
-void LogFolder::open_log(std::uint64_t number) {
+void LogFolder::fail(const std::filesystem::path& path) {
+  throw OutputError(path.string(), reason_of(errno));
+}
+
+// The log that is open stays so until the next one is known to be good.
+void LogFolder::open_log(std::uint64_t number, int flags) {
+  const std::filesystem::path path = path_of(number);
+  Descriptor log(::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC | flags, 0644));
+  if (!log) {
+    if (errno == ELOOP) {
+      throw OutputError(path.string(), "it is a symbolic link; accepted: a file of this folder");
+    }
+    fail(path);
+  }
+  struct ::stat status {};
+  if (::fstat(log.get(), &status) != 0) {
+    fail(path);
+  }
+  if (!S_ISREG(status.st_mode) || status.st_nlink > 1) {
+    throw OutputError(
+        path.string(),
+        "it is no regular file with this name alone; accepted: a file of this folder");
+  }
+  if (::fsync(lock_.get()) != 0) {
+    fail(path);
+  }
+  log_ = std::move(log);
   number_ = number;
-  log_ = Descriptor(::open(current().c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
-  if (!log_) {
-    fail();
-  }
-  const off_t end = ::lseek(log_.get(), 0, SEEK_END);
-  if (end < 0 || ::fsync(lock_.get()) != 0) {
-    fail();
-  }
-  size_ = static_cast<std::uint64_t>(end);
+  size_ = static_cast<std::uint64_t>(status.st_size);
 }
 
 void LogFolder::cut_torn_line() {
@@ -133,26 +177,27 @@ void LogFolder::cut_torn_line() {
   sync();
 }
 
-void LogFolder::add(std::string_view lines) {
+void LogFolder::add(std::string_view& lines) {
+  constexpr std::uint64_t kPiece = std::uint64_t{64}
+                                   << 10;  // what a full disk takes all or nothing
+  const auto put_first = [&](std::size_t count) {
+    put(lines.substr(0, count));
+    lines.remove_prefix(count);
+  };
   while (!lines.empty()) {
     const std::uint64_t room = rotation_.bytes - std::min(rotation_.bytes, size_);
-    if (lines.size() <= room) {
-      put(lines);
-      return;
-    }
-    const std::size_t last =
-        room == 0 ? std::string_view::npos : lines.rfind('\n', static_cast<std::size_t>(room) - 1);
-    if (last == std::string_view::npos && size_ == 0) {  // a line that is larger than a log
-      const std::size_t line = lines.find('\n') + 1;
-      put(lines.substr(0, line));
-      lines.remove_prefix(line);
+    const auto most = static_cast<std::size_t>(std::min({kPiece, room, lines.size()}));
+    const std::size_t last = most == 0 ? std::string_view::npos : lines.rfind('\n', most - 1);
+    if (last != std::string_view::npos) {
+      put_first(last + 1);
       continue;
     }
-    if (last != std::string_view::npos) {
-      put(lines.substr(0, last + 1));
-      lines.remove_prefix(last + 1);
+    const std::size_t line = lines.find('\n') + 1;
+    if (line <= room || size_ == 0) {  // or it is larger than a log
+      put_first(line);
+    } else {
+      rotate();
     }
-    rotate();
   }
 }
 
@@ -177,12 +222,21 @@ void LogFolder::put(std::string_view lines) {
 
 void LogFolder::rotate() {
   sync();
-  open_log(number_ + 1);
+  open_next();
   remove_old();
 }
 
+void LogFolder::open_next() {
+  const std::vector<std::uint64_t> numbers = numbers_to_write_in(folder_);
+  const std::uint64_t last = numbers.empty() ? number_ : std::max(number_, numbers.back());
+  if (last == kLastNumber) {
+    throw OutputError(path_of(last).string(), "no number is left for the log after it");
+  }
+  open_log(last + 1, O_CREAT | O_EXCL);
+}
+
 void LogFolder::remove_old() {
-  const std::vector<std::uint64_t> numbers = numbers_in(folder_);
+  const std::vector<std::uint64_t> numbers = numbers_to_write_in(folder_);
   for (std::size_t i = 0; i + std::max<std::size_t>(rotation_.keep, 1) < numbers.size(); ++i) {
     std::error_code ignored;  // one that somebody holds open goes another time
     std::filesystem::remove(path_of(numbers[i]), ignored);

@@ -17,11 +17,11 @@ struct Rotation {
   std::size_t keep = 16;  ///< the oldest of more are removed; at least 1
 };
 
-/// The logs of a folder, the oldest first. Empty where it cannot be read.
+/// The logs of a folder, the oldest first, links left out. Empty where it cannot be read.
 std::vector<std::filesystem::path> logs_in(const std::filesystem::path& folder);
 
 /// Logs in a folder: frames-00000001.log and so on, of which the last is written. Each ends with a
-/// whole line.
+/// whole line. Files with other names are left alone, and no link is followed to what it points at.
 class LogFolder {
  public:
   /// Makes the folder where it is missing, and goes on with the last log in it: a line that was cut
@@ -29,9 +29,10 @@ class LogFolder {
   /// @throws OutputError
   LogFolder(const std::filesystem::path& folder, const Rotation& rotation);
 
-  /// Adds whole lines, in the next log where this one would become too large. @throws OutputError,
-  /// and then the log ends with its last whole line all the same
-  void add(std::string_view lines);
+  /// Adds whole lines, in the next log where this one would become too large, and takes away from
+  /// `lines` what was added. @throws OutputError, and then the log ends with its last whole line
+  /// all the same, and what is left of `lines` can be added later
+  void add(std::string_view& lines);
   /// What was added is on the disk. @throws OutputError
   void sync();
 
@@ -41,12 +42,14 @@ class LogFolder {
 
  private:
   [[nodiscard]] std::filesystem::path path_of(std::uint64_t number) const;
-  void open_log(std::uint64_t number);
+  void open_log(std::uint64_t number, int flags);
+  void open_next();
   void cut_torn_line();
   void rotate();
   void remove_old();
   void put(std::string_view lines);
   [[noreturn]] void fail() const;
+  [[noreturn]] static void fail(const std::filesystem::path& path);
 
   std::filesystem::path folder_;
   Rotation rotation_;

@@ -22,6 +22,8 @@ class RecordObserver final : public Observer {
   [[nodiscard]] const std::string& repaired() const { return recorder_.repaired(); }
   /// All that was seen can be read in the folder, or trouble() says why not.
   void flush() { recorder_.flush(); }
+  /// All that was seen is on the disk, or trouble() says why not.
+  void finish() override { recorder_.sync(); }
 
  private:
   Recorder recorder_;

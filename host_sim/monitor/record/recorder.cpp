@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "host_sim/io/output_file.hpp"
@@ -25,7 +27,7 @@ Recorder::~Recorder() {
 void Recorder::see(const SeenFrame& seen) {
   const std::string line = log_line(seen, interface_);
   const std::scoped_lock lock(mutex_);
-  if (waiting_.size() + line.size() > kMostWaiting) {
+  if (waiting_.size() + writing_bytes_ + line.size() > kMostWaiting) {
     ++lost_frames_;
     return;
   }
@@ -49,11 +51,13 @@ void Recorder::sync() {
 
 std::string Recorder::trouble() const {
   const std::scoped_lock lock(mutex_);
-  if (lost_frames_ == 0) {
-    return trouble_;
+  std::string words = trouble_.empty() ? sync_trouble_ : trouble_;
+  const std::uint64_t missing =
+      lost_frames_ + (trouble_.empty() ? 0 : waiting_frames_ + writing_frames_);
+  if (missing != 0) {
+    words += fmt::format("{}{} frames were not recorded", words.empty() ? "" : "; ", missing);
   }
-  return fmt::format("{}{}{} frames were not recorded", trouble_, trouble_.empty() ? "" : "; ",
-                     lost_frames_);
+  return words;
 }
 
 void Recorder::run() {
@@ -71,17 +75,7 @@ void Recorder::run() {
     flushes_done_ = flushes_asked;
     done_.notify_all();
     if (last || syncs_asked != syncs_done_ || Clock::now() >= next_sync) {
-      lock.unlock();
-      std::string trouble;
-      try {
-        folder_.sync();
-      } catch (const OutputError& error) {
-        trouble = error.what();
-      }
-      lock.lock();
-      if (trouble_.empty()) {
-        trouble_ = std::move(trouble);
-      }
+      sync_folder(lock);
       syncs_done_ = syncs_asked;
       done_.notify_all();
       next_sync = Clock::now() + kSync;
@@ -90,21 +84,47 @@ void Recorder::run() {
 }
 
 void Recorder::write(std::unique_lock<std::mutex>& lock) {
-  if (waiting_.empty()) {
-    return;
+  const bool again = !writing_.empty();
+  write_taken(lock);
+  if (again && trouble_.empty()) {
+    write_taken(lock);
   }
-  const std::string lines = std::exchange(waiting_, {});
-  const std::uint64_t frames = std::exchange(waiting_frames_, 0);
+}
+
+void Recorder::write_taken(std::unique_lock<std::mutex>& lock) {
+  if (writing_.empty()) {
+    writing_.swap(waiting_);
+    writing_frames_ = std::exchange(waiting_frames_, 0);
+    writing_bytes_ = writing_.size();
+  }
   lock.unlock();
   std::string trouble;
+  std::string_view left = writing_;
   try {
-    folder_.add(lines);
+    folder_.add(left);
   } catch (const std::exception& error) {
     trouble = error.what();
   }
+  writing_.erase(0, writing_.size() - left.size());
+  const auto frames = std::count(writing_.begin(), writing_.end(), '\n');
   lock.lock();
-  lost_frames_ += trouble.empty() ? 0 : frames;
+  writing_bytes_ = writing_.size();
+  writing_frames_ = static_cast<std::uint64_t>(frames);
   trouble_ = std::move(trouble);
+}
+
+void Recorder::sync_folder(std::unique_lock<std::mutex>& lock) {
+  lock.unlock();
+  std::string trouble;
+  try {
+    folder_.sync();
+  } catch (const OutputError& error) {
+    trouble = error.what();
+  }
+  lock.lock();
+  if (sync_trouble_.empty()) {
+    sync_trouble_ = std::move(trouble);
+  }
 }
 
 }  // namespace host_sim::monitor

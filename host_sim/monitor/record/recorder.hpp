@@ -15,7 +15,8 @@ namespace host_sim::monitor {
 
 /// Records every frame to the logs of a folder. A thread of its own writes and syncs, each second
 /// and at each new log, so that a slow disk delays no frame. What came after the last sync is lost
-/// with the power; what came within the last kWrite with the process.
+/// with the power; what came within the last kWrite with the process. What cannot be written waits
+/// and is tried again.
 class Recorder {
  public:
   static constexpr std::chrono::milliseconds kWrite{100};
@@ -39,12 +40,14 @@ class Recorder {
 
   /// What was found torn at the start, in words; empty where nothing was.
   [[nodiscard]] const std::string& repaired() const { return folder_.repaired(); }
-  /// Why frames are not recorded at present, or how many were lost; empty where all is well.
+  /// Why frames are not recorded at present, and how many are not; empty where all is well.
   [[nodiscard]] std::string trouble() const;
 
  private:
   void run();
   void write(std::unique_lock<std::mutex>& lock);
+  void write_taken(std::unique_lock<std::mutex>& lock);
+  void sync_folder(std::unique_lock<std::mutex>& lock);
 
   LogFolder folder_;
   std::string interface_;
@@ -52,9 +55,13 @@ class Recorder {
   std::condition_variable wake_;
   std::condition_variable done_;
   std::string waiting_;
+  std::string writing_;  ///< what the thread has taken of it and not written; its alone
   std::string trouble_;
+  std::string sync_trouble_;  ///< stays: what was written before may be lost
   std::uint64_t waiting_frames_ = 0;
-  std::uint64_t lost_frames_ = 0;
+  std::uint64_t writing_bytes_ = 0;
+  std::uint64_t writing_frames_ = 0;
+  std::uint64_t lost_frames_ = 0;  ///< for which there was no room to wait
   std::uint64_t flushes_asked_ = 0;
   std::uint64_t flushes_done_ = 0;
   std::uint64_t syncs_asked_ = 0;

@@ -10,9 +10,12 @@
 namespace host_sim::monitor {
 namespace {
 
+using protocol::detail::DamageRate;
 using protocol::detail::RemainingLife;
 
 constexpr std::string_view kNothing = "-";
+constexpr protocol::schema::Signal kRateSignal =
+    protocol::schema::signal_of(&DamageRate::ppb_per_h);
 
 Look look_of(protocol::LifeState state) {
   switch (state) {
@@ -39,16 +42,18 @@ Cell value_cell(std::string text, bool stale) {
 }
 
 Cell state_cell(const NodeView& node) {
+  if (node.two_controllers) {
+    return {fmt::format("TWO CONTROLLERS ({})", name_of(node.life_state())), Look::worn};
+  }
   if (!node.status) {
     return {node.vanished ? "no status VANISHED" : "no status",
             node.vanished ? Look::stale : Look::unknown};
   }
-  const std::string name(name_of(node.status->value.state));
+  const std::string name(name_of(node.life_state()));
   if (node.vanished) {
     return {name + " VANISHED", Look::stale};
   }
-  return node.status->stale ? value_cell(name, true)
-                            : Cell{name, look_of(node.status->value.state)};
+  return node.status->stale ? value_cell(name, true) : Cell{name, look_of(node.life_state())};
 }
 
 Cell damage_cell(const NodeView& node) {
@@ -77,8 +82,13 @@ Cell remaining_cell(const NodeView& node) {
                         : Cell{std::string(kNothing), Look::plain};
 }
 
+std::string rate_of(const DamageRate& rate) {
+  return rate.ppb_per_h == DamageRate::kUnknownRate ? "unknown"
+                                                    : percent_of(rate.ppb_per_h, kRateSignal);
+}
+
 Cell rate_cell(const NodeView& node) {
-  return node.rate ? value_cell(percent_of(node.rate->value.ppb_per_h), node.rate->stale)
+  return node.rate ? value_cell(rate_of(node.rate->value), node.rate->stale)
                    : Cell{std::string(kNothing), Look::plain};
 }
 
@@ -115,6 +125,7 @@ void add_note(Cell& notes, bool there, std::string_view note) {
 
 Cell notes_cell(const NodeView& node) {
   Cell notes;
+  add_note(notes, node.two_controllers, "two controllers have this node id");
   if (node.emergency && node.emergency->value.code != protocol::EmergencyCode::none) {
     add_note(notes, true, name_of(node.emergency->value.code));
   }

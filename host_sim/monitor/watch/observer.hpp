@@ -24,6 +24,8 @@ class Observer {
   [[nodiscard]] virtual bool wants_end() { return false; }
   /// It is kept for what it shows when the log is at its end, until somebody ends it.
   [[nodiscard]] virtual bool outlives_log() const { return false; }
+  /// Nothing more is seen: what is left to do is done, or trouble() says why not.
+  virtual void finish() {}
   /// What keeps it from its work, for the user; empty where nothing does.
   [[nodiscard]] virtual std::string trouble() const { return {}; }
 };

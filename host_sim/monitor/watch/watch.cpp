@@ -52,7 +52,10 @@ void watch(FrameSource& source, Fleet& fleet, std::span<Observer* const> observe
            std::optional<std::chrono::milliseconds> most) {
   const Clock::time_point began = Clock::now();
   do {
-    take_frames(source, fleet, observers);
+    try {
+      take_frames(source, fleet, observers);
+    } catch (const Interruption&) {  // of a source that was waited for: the loop ends with it
+    }
     fleet.source_is(source.state(), source.words());
     fleet.tick(source.now_ns());
     for (Observer* observer : observers) {
@@ -60,6 +63,9 @@ void watch(FrameSource& source, Fleet& fleet, std::span<Observer* const> observe
     }
   } while (!is_over(source, observers) && !is_interrupted() &&
            !(most && Clock::now() - began >= *most));
+  for (Observer* observer : observers) {
+    observer->finish();
+  }
 }
 
 }  // namespace host_sim::monitor

@@ -15,10 +15,7 @@
 #include "host_sim/report/diagnose/tiles.hpp"
 #include "host_sim/report/diagnose/verdict.hpp"
 #include "host_sim/report/page/elements.hpp"
-#include "host_sim/report/page/escape.hpp"
 #include "host_sim/report/page/frame.hpp"
-#include "host_sim/report/page/sections.hpp"
-#include "host_sim/report/page/template.hpp"
 
 namespace host_sim {
 namespace {

@@ -8,9 +8,7 @@
 #include "host_sim/report/diagnose/captions.hpp"
 #include "host_sim/report/diagnose/charts.hpp"
 #include "host_sim/report/page/elements.hpp"
-#include "host_sim/report/page/escape.hpp"
-#include "host_sim/report/page/sections.hpp"
-#include "host_sim/report/page/template.hpp"
+#include "host_sim/report/page/frame.hpp"
 
 namespace host_sim::diagnose_page {
 namespace {

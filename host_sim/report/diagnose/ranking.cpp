@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "host_sim/diagnose/output/words.hpp"
-#include "host_sim/report/page/escape.hpp"
+#include "host_sim/report/page/elements.hpp"
 #include "host_sim/report/page/number_text.hpp"
 
 namespace host_sim::diagnose_page {

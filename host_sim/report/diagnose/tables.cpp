@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "host_sim/diagnose/output/words.hpp"
+#include "host_sim/report/page/elements.hpp"
 #include "host_sim/report/page/number_text.hpp"
-#include "host_sim/report/page/table.hpp"
 
 namespace host_sim::diagnose_page::tables {
 namespace {

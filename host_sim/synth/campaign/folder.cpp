@@ -1,16 +1,13 @@
 #include "host_sim/synth/campaign/folder.hpp"
 
 #include <fcntl.h>
-#include <fmt/format.h>
-#include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <system_error>
 #include <utility>
 
-#include "host_sim/campaign/list_campaigns.hpp"
+#include "host_sim/campaign/campaign.hpp"
 #include "host_sim/io/output_file.hpp"
 #include "host_sim/io/system_error_text.hpp"
 
@@ -36,8 +33,7 @@ bool rename_or_swap(const fs::path& from, const fs::path& to, bool swap) {
 StagedFolder::StagedFolder(fs::path path, bool replace)
     : path_(without_end_slash(std::move(path))), replace_(replace) {
   check_place();
-  partial_ = path_;
-  partial_ += fmt::format(".partial-{}", ::getpid());
+  partial_ = partial_of(path_);
   std::error_code error;
   fs::remove_all(partial_, error);
   if (!fs::create_directory(partial_, error) || error) {
@@ -73,16 +69,11 @@ void StagedFolder::commit() {
     throw OutputError(path_.string(), reason_of(errno));
   }
   committed_ = true;
+  sync_folder_of(path_);
   if (swap) {
     std::error_code ignored;
     fs::remove_all(partial_, ignored);
   }
-}
-
-bool lies_in(const fs::path& path, const fs::path& folder) {
-  const fs::path inner = without_end_slash(fs::weakly_canonical(fs::absolute(path)));
-  const fs::path outer = without_end_slash(fs::weakly_canonical(fs::absolute(folder)));
-  return std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end()).first == outer.end();
 }
 
 }  // namespace host_sim::synth

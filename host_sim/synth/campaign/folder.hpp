@@ -31,7 +31,4 @@ class StagedFolder {
   bool committed_ = false;
 };
 
-/// Whether `path` would lie in `folder`, whether or not they exist.
-bool lies_in(const std::filesystem::path& path, const std::filesystem::path& folder);
-
 }  // namespace host_sim::synth

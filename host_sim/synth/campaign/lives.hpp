@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <string>
 
-#include "host_sim/synth/life/specimen.hpp"
 #include "host_sim/synth/plan/plan.hpp"
+#include "host_sim/synth/specimen.hpp"
 
 namespace host_sim::synth {
 

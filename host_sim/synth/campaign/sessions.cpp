@@ -11,13 +11,35 @@
 #include "host_sim/io/input_error.hpp"
 #include "host_sim/io/output_file.hpp"
 #include "host_sim/statistics/parallel.hpp"
-#include "host_sim/synth/campaign/tension_parts.hpp"
 #include "host_sim/synth/draws.hpp"
-#include "host_sim/synth/plan/settings.hpp"
-#include "host_sim/synth/streams.hpp"
+#include "host_sim/synth/plan/plan.hpp"
+#include "host_sim/synth/tension/departures.hpp"
 
 namespace host_sim::synth {
 namespace {
+
+std::unique_ptr<TensionPart> tension_part(const Hidden& hidden) {
+  const auto kinds = hidden.outside ? outside_tension_kinds() : tension_kinds();
+  const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const TensionKind& candidate) {
+    return candidate.id == hidden.id;
+  });
+  return kind->make(hidden.values);
+}
+
+/// What a plan hides in its recordings, made and begun for one session; with `only`, the part of
+/// that name alone.
+std::vector<std::unique_ptr<TensionPart>> tension_parts(const SynthPlan& plan,
+                                                        const Setting& setting, std::uint64_t seed,
+                                                        std::string_view only = {}) {
+  std::vector<std::unique_ptr<TensionPart>> parts;
+  for (const Hidden& hidden : plan.hidden) {
+    if (!hidden.of_life && (only.empty() || only == hidden.id)) {
+      parts.push_back(tension_part(hidden));
+      parts.back()->begin(setting, seed);
+    }
+  }
+  return parts;
+}
 
 namespace fs = std::filesystem;
 

@@ -1,13 +1,188 @@
 #include "host_sim/synth/plan/plan.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 
 #include "host_sim/io/model_tables.hpp"
 #include "host_sim/io/text_file.hpp"
+#include "host_sim/synth/life_departures.hpp"
 #include "host_sim/synth/plan/tables.hpp"
+#include "host_sim/synth/tension/departures.hpp"
 
 namespace host_sim::synth {
 namespace {
+
+constexpr NumberKey kLogSd{"log_tension_sd", "", {0, 1}};
+constexpr NumberKey kAr1{"ar1", "", {-0.999, 0.999}};
+constexpr NumberKey kDof{"student_t_dof", "", {2, 1000, true}};
+constexpr NumberKey kTensionStep{"tension_resolution_N", "N", {0, 10}};
+constexpr NumberKey kCurrentStep{"current_resolution_A", "A", {0, 10}};
+constexpr NumberKey kVelocitySd{"velocity_sd_m_s", "m_s", {0, 1}};
+constexpr NumberKey kVelocityStep{"velocity_resolution_m_s", "m_s", {0, 1}};
+constexpr NumberKey kTemperatureSd{"temperature_sd_C", "C", {0, 50}};
+constexpr NumberKey kJitter{"clock_jitter_s", "s", {0, 1}};
+constexpr NumberKey kDrift{"clock_drift_ppm", "ppm", {-100'000, 100'000}};
+constexpr std::array kNoise{kLogSd,      kAr1,          kDof,           kTensionStep, kCurrentStep,
+                            kVelocitySd, kVelocityStep, kTemperatureSd, kJitter,      kDrift};
+
+constexpr NumberKey kGainSd{"log_gain_sd", "", {0, 0.5}};
+constexpr NumberKey kFrictionSd{"friction_sd", "", {0, 0.2}};
+constexpr std::array kScatter{kGainSd, kFrictionSd};
+
+constexpr NumberRange kTime_s{0.01, 1e6};
+constexpr NumberRange kHeating_K_W{0, 1e4};
+constexpr NumberKey kRoom{"room_C", "C", {-50, 100}};
+constexpr NumberKey kSheathTime{"sheath_time_constant_s", "s", kTime_s};
+constexpr NumberKey kSheathHeating{"sheath_K_per_W", "K_per_W", kHeating_K_W};
+constexpr NumberKey kWindingTime{"winding_time_constant_s", "s", kTime_s};
+constexpr NumberKey kWindingHeating{"winding_K_per_W", "K_per_W", kHeating_K_W};
+constexpr NumberKey kResistance{"winding_resistance_ohm", "ohm", {0, 1e4}};
+constexpr std::array kThermal{kRoom,        kSheathTime,     kSheathHeating,
+                              kWindingTime, kWindingHeating, kResistance};
+
+Noise noise_in(const TomlTable& table) {
+  table.refuse_unknown_keys(kNoise, {});
+  Noise noise;
+  noise.log_tension_sd = number_or(table, kLogSd, 0);
+  noise.ar1 = number_or(table, kAr1, 0);
+  noise.student_t_dof = number_or(table, kDof, 0);
+  noise.tension_resolution_N = number_or(table, kTensionStep, 0);
+  noise.current_resolution_A = number_or(table, kCurrentStep, 0);
+  noise.velocity_sd_m_s = number_or(table, kVelocitySd, 0);
+  noise.velocity_resolution_m_s = number_or(table, kVelocityStep, 0);
+  noise.temperature_sd_C = number_or(table, kTemperatureSd, 0);
+  noise.clock_jitter_s = number_or(table, kJitter, 0);
+  noise.clock_drift_ppm = number_or(table, kDrift, 0);
+  return noise;
+}
+
+ScatterPlan scatter_in(const TomlTable& table) {
+  table.refuse_unknown_keys(kScatter, {});
+  return {number_or(table, kGainSd, 0), number_or(table, kFrictionSd, 0)};
+}
+
+Thermal thermal_in(const TomlTable& table) {
+  table.refuse_unknown_keys(kThermal, {});
+  Thermal thermal;
+  thermal.room_C = number_or(table, kRoom, thermal.room_C);
+  thermal.sheath_time_constant_s = number_or(table, kSheathTime, thermal.sheath_time_constant_s);
+  thermal.sheath_K_per_W = number_or(table, kSheathHeating, thermal.sheath_K_per_W);
+  thermal.winding_time_constant_s = number_or(table, kWindingTime, thermal.winding_time_constant_s);
+  thermal.winding_K_per_W = number_or(table, kWindingHeating, thermal.winding_K_per_W);
+  thermal.winding_resistance_ohm = number_or(table, kResistance, thermal.winding_resistance_ohm);
+  return thermal;
+}
+
+Values values_in(const TomlTable& table, const std::vector<Parameter>& parameters,
+                 const std::vector<Choice>& choices) {
+  std::vector<NumberKey> keys;
+  std::vector<std::string_view> others;
+  std::transform(parameters.begin(), parameters.end(), std::back_inserter(keys),
+                 [](const Parameter& parameter) { return parameter.key; });
+  std::transform(choices.begin(), choices.end(), std::back_inserter(others),
+                 [](const Choice& choice) { return choice.name; });
+  table.refuse_unknown_keys(keys, others);
+  Values values;
+  for (const Parameter& parameter : parameters) {
+    if (parameter.standard && !table.has(parameter.key.name)) {
+      values.set(parameter.key.name, {*parameter.standard});
+    } else if (parameter.list) {
+      values.set(parameter.key.name, numbers(table, parameter.key));
+    } else {
+      values.set(parameter.key.name, {table.number(parameter.key)});
+    }
+  }
+  for (const Choice& choice : choices) {
+    values.choose(choice.name, choice.words[word(table, choice.name, choice.words)]);
+  }
+  return values;
+}
+
+template <class Kinds>
+void add_ids(const Kinds& kinds, std::vector<std::string_view>& ids) {
+  for (const auto& kind : kinds) {
+    ids.push_back(kind.id);
+  }
+}
+
+template <class Kinds>
+void read(const TomlTable& table, const Kinds& kinds, const Hidden& like,
+          std::vector<Hidden>& hidden) {
+  for (const auto& kind : kinds) {
+    if (table.has(kind.id)) {
+      Hidden one = like;
+      one.id = kind.id;
+      one.values = values_in(table.table(kind.id), kind.parameters, kind.choices);
+      hidden.push_back(std::move(one));
+    }
+  }
+}
+
+/// The departures of [effects], or of [outside].
+std::vector<Hidden> hidden_in(const TomlTable& table, bool outside) {
+  const auto tension = outside ? outside_tension_kinds() : tension_kinds();
+  const auto life = outside ? outside_life_kinds() : life_kinds();
+  std::vector<std::string_view> ids;
+  add_ids(tension, ids);
+  add_ids(life, ids);
+  table.refuse_unknown_keys({}, ids);
+  std::vector<Hidden> hidden;
+  Hidden like;
+  like.outside = outside;
+  read(table, tension, like, hidden);
+  like.of_life = true;
+  read(table, life, like, hidden);
+  return hidden;
+}
+
+constexpr std::array<std::string_view, 5> kOfDrive{
+    "current_offset", "torque_gain", "gear_asymmetry", "torque_ripple", "rotor_inertia"};
+
+void check_hidden(const TomlTable& top, const SynthPlan& plan, const Hidden& hidden) {
+  const std::string_view above = hidden.outside ? "outside" : "effects";
+  const TomlTable table = top.table(above).table(hidden.id);
+  const auto needs = [&](bool given, std::string_view what) {
+    if (!given) {
+      table.fail(table.place(), fmt::format("[{}.{}] without {}", above, hidden.id, what),
+                 fmt::format("{}, which it needs", what));
+    }
+  };
+  needs(hidden.of_life ? plan.lives.has_value() : plan.recordings.has_value(),
+        hidden.of_life ? "[lives]" : "[recordings]");
+  if (std::find(kOfDrive.begin(), kOfDrive.end(), hidden.id) != kOfDrive.end()) {
+    needs(plan.drive.has_value(), "[model.drive]");
+  }
+  if (hidden.id == "load_cell_cross_talk") {
+    needs(plan.recordings->motion.pose_sway_deg > 0, "pose_sway_deg above 0 in [recordings]");
+  }
+  if (hidden.id == "rig_bias") {
+    needs(plan.lives->rigs > 1, "rigs above 1 in [lives]");
+  }
+  if (hidden.id == "bending_fatigue") {
+    const auto& levels = plan.lives->levels;
+    needs(std::all_of(levels.begin(), levels.end(),
+                      [](const LifeLevel& level) { return level.load.wire_to_bend_ratio > 0; }),
+          "wire_to_bend_ratio in each [[lives.level]]");
+  }
+}
+
+/// Throws InputError where the parts of a plan do not agree; `top` is the whole file.
+void check_agreement(const TomlTable& top, const SynthPlan& plan) {
+  if (!plan.recordings && !plan.lives) {
+    top.fail({}, "neither recordings nor lives", "a table [recordings], [lives] or both");
+  }
+  if (plan.recordings) {
+    check_recordings(top, plan);
+  }
+  if (plan.lives) {
+    check_lives(top, plan);
+  }
+  for (const Hidden& hidden : plan.hidden) {
+    check_hidden(top, plan, hidden);
+  }
+}
 
 constexpr std::string_view kSchema = "schema";
 constexpr std::array<std::string_view, 10> kTop{kSchema,      "campaign", "model",   "thermal",
@@ -60,6 +235,12 @@ void append(std::vector<Hidden>& to, std::vector<Hidden> from) {
 }
 
 }  // namespace
+
+[[noreturn]] void fail_for_model(const TomlTable& top, std::string_view table,
+                                 std::string_view why) {
+  top.fail(top.place_of("model"), fmt::format("no table [model.{}]", table),
+           fmt::format("[model.{}], which {} needs", table, why));
+}
 
 SynthPlan parse_synth_plan(std::string_view text, std::string_view name) {
   const toml::table values = parse_toml(text, name);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -8,10 +9,10 @@
 
 #include "host_sim/io/model.hpp"
 #include "host_sim/io/profile_columns.hpp"
-#include "host_sim/synth/life/part.hpp"
+#include "host_sim/synth/life_departures.hpp"
 #include "host_sim/synth/tension/motion.hpp"
+#include "host_sim/synth/tension/rig.hpp"
 #include "host_sim/synth/tension/sensors.hpp"
-#include "host_sim/synth/tension/thermal.hpp"
 #include "host_sim/synth/values.hpp"
 
 namespace host_sim::synth {
@@ -106,5 +107,15 @@ SynthPlan parse_synth_plan(std::string_view text, std::string_view name);
 
 /// The same for a file, `-` for standard input.
 SynthPlan read_synth_plan(const std::filesystem::path& path);
+
+/// The sessions of a plan in the order in which they are run. A crossed design runs through the
+/// last of its lists first; repeats follow each other as a whole. Only a balanced one depends on
+/// the seed.
+std::vector<Setting> settings_of(const RecordingPlan& plan, std::uint64_t seed);
+
+/// How many they are; for a crossed design at most kMostSessions + 1.
+std::size_t session_count(const RecordingPlan& plan);
+
+inline constexpr std::size_t kMostSessions = 10'000;
 
 }  // namespace host_sim::synth

@@ -1,10 +1,9 @@
-#include "host_sim/synth/plan/settings.hpp"
-
 #include <algorithm>
 #include <array>
 
 #include "host_sim/statistics/random.hpp"
-#include "host_sim/synth/streams.hpp"
+#include "host_sim/synth/draws.hpp"
+#include "host_sim/synth/plan/plan.hpp"
 
 namespace host_sim::synth {
 namespace {

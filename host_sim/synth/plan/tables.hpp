@@ -1,21 +1,49 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "host_sim/io/toml_table.hpp"
 #include "host_sim/synth/plan/plan.hpp"
 
 namespace host_sim::synth {
 
-/// The tables of a plan, each read from the table given. All throw InputError.
+/// The number of a key, or `standard` where the table leaves it out. @throws InputError
+double number_or(const TomlTable& table, const NumberKey& key, double standard);
+
+/// A whole number. The same.
+std::size_t whole_or(const TomlTable& table, const NumberKey& key, std::size_t standard);
+
+/// One number, or a list of at least one. @throws InputError, also where the key is not there
+std::vector<double> numbers(const TomlTable& table, const NumberKey& key);
+
+/// The same, or `standard` where the table leaves it out.
+std::vector<double> numbers_or(const TomlTable& table, const NumberKey& key, double standard);
+
+/// The place in `words` of the word of a key, 0 where the table leaves it out. @throws InputError
+std::size_t word(const TomlTable& table, std::string_view key,
+                 std::span<const std::string_view> words);
+
+/// true or false; false where the table leaves it out. @throws InputError
+bool flag(const TomlTable& table, std::string_view key);
+
+/// The tables of an array of tables, none where the table leaves it out. @throws InputError
+std::vector<TomlTable> tables(const TomlTable& above, std::string_view key);
+
+/// [recordings] and [lives]. Throw InputError.
 RecordingPlan recordings_in(const TomlTable& table);
-Noise noise_in(const TomlTable& table);
-ScatterPlan scatter_in(const TomlTable& table);
-Thermal thermal_in(const TomlTable& table);
 LifePlan lives_in(const TomlTable& table);
 
-/// The departures of [effects], or of [outside].
-std::vector<Hidden> hidden_in(const TomlTable& table, bool outside);
+/// Throw InputError where [recordings], or [lives], do not agree with themselves or the model;
+/// `top` is the whole file.
+void check_recordings(const TomlTable& top, const SynthPlan& plan);
+void check_lives(const TomlTable& top, const SynthPlan& plan);
 
-/// Throws InputError where the parts of a plan do not agree; `top` is the whole file.
-void check_agreement(const TomlTable& top, const SynthPlan& plan);
+/// @throws InputError that says which table of the model is missing, and what needs it
+[[noreturn]] void fail_for_model(const TomlTable& top, std::string_view table,
+                                 std::string_view why);
 
 }  // namespace host_sim::synth

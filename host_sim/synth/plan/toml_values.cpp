@@ -1,10 +1,10 @@
-#include "host_sim/synth/plan/toml_values.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "host_sim/synth/plan/tables.hpp"
 
 namespace host_sim::synth {
 namespace {

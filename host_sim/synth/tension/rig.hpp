@@ -1,15 +1,57 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
+#include <span>
 
 #include "host_sim/io/model.hpp"
-#include "host_sim/synth/tension/channels.hpp"
+#include "host_sim/synth/tension/departures.hpp"
 #include "host_sim/synth/tension/motion.hpp"
-#include "host_sim/synth/tension/sheath.hpp"
-#include "host_sim/synth/tension/thermal.hpp"
+#include "host_sim/synth/tension/sensors.hpp"
 
 namespace host_sim::synth {
+
+/// The two bodies that warm up: each is a first-order process.
+struct Thermal {
+  double room_C = 20;
+  double sheath_time_constant_s = 10;
+  double sheath_K_per_W = 0;  ///< by the power that friction turns into heat
+  double winding_time_constant_s = 15;
+  double winding_K_per_W = 5;
+  double winding_resistance_ohm = 1;  ///< at the room's temperature
+};
+
+/// Temperature after `step_s` on the way to `end_C`, exact for an end that stands still.
+double temperature_after(double now_C, double end_C, double step_s, double time_constant_s);
+
+/// Watts that a current turns into heat: I^2 R, with the resistance of copper at the winding's
+/// temperature.
+double winding_heat(double current_A, double winding_C, const Thermal& thermal);
+
+using Parts = std::span<const std::unique_ptr<TensionPart>>;
+
+/// Tension at the drive's end of the sheath at full slip or less: the capstan equation
+/// dT/dphi = mu T z along the angle, solved exactly where mu does not depend on the tension, else
+/// by exponential midpoint steps; never below 0.
+/// @param mu before the parts
+/// @param friction_state z, -1 .. 1
+double tension_at_drive_N(Parts parts, const Moment& moment, double mu, double friction_state);
+
+/// The contact of tendon and sheath, with what it remembers.
+class Contact {
+ public:
+  /// What the contact does in one step: the tendon at the spool moves as `moment` says, a part of
+  /// it stretches the tendon, the rest slides. Sets moment.slide_m_s.
+  /// @return the tension at the drive's end
+  double step(Parts parts, double mu, Moment& moment);
+
+  [[nodiscard]] double friction_state() const { return state_; }
+
+ private:
+  double state_ = -1;
+  double tension_N_ = 0;
+};
 
 /// What is the same in all sessions.
 struct Rig {

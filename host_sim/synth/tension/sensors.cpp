@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "host_sim/synth/draws.hpp"
-#include "host_sim/synth/streams.hpp"
 
 namespace host_sim::synth {
 namespace {

@@ -1,10 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <vector>
 
-#include "host_sim/synth/tension/channels.hpp"
+#include "host_sim/io/profile_columns.hpp"
 
 namespace host_sim::synth {
+
+/// What is recorded in one session, by ProfileColumnId, in the unit of each column.
+using Channels = std::array<std::vector<double>, kProfileColumnCount>;
 
 /// What sensors and recorder add to all sessions of a plan. Resolutions of 0 leave values alone.
 struct Noise {

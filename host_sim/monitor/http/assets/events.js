@@ -12,6 +12,7 @@ const MARKS = {
   boot: ['boot', 'M-5 -8A5 5 0 1 0 5 -8A5 5 0 1 0 -5 -8Z'],
   vanished: ['gone', 'M-5 -13L5 -3M5 -13L-5 -3'],
   back: ['back', 'M-5 -8L-1 -3L6 -13'],
+  two_controllers: ['emergency', 'M0 -14L6 -2H-6Z'],
   integrity: ['bad', 'M0 -14L5 -8L0 -2L-5 -8Z'],
 };
 

@@ -1,7 +1,7 @@
 import { byId, Keyed, make, setAttribute, setText, Value } from './dom.js';
 import { hashOf } from './place.js';
 import { ageText } from './time.js';
-import { percentText, rateText, remainingText, stateWords, UNKNOWN, wholeText } from './words.js';
+import { percentField, rateText, remainingText, stateWords, UNKNOWN, wholeText } from './words.js';
 
 const COLUMNS = [
   'State',
@@ -78,7 +78,7 @@ export class FleetTable {
     const { status, remaining, rate, heartbeat } = node;
     showStates(row, node, isStale(status));
     const [damage, left, wear, beat, integrity] = row.values;
-    damage.show(status ? percentText(node.highest_damage) : UNKNOWN, isStale(status));
+    damage.show(status ? percentField(node, 'highest_damage') : UNKNOWN, isStale(status));
     left.show(remainingText(remaining), isStale(remaining));
     wear.show(rateText(rate), isStale(rate));
     beat.show(heartbeat ? ageText(now_us, heartbeat.time_us) : 'none', isStale(heartbeat));

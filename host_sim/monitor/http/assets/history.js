@@ -6,6 +6,7 @@ const MOST_MOMENTS = 600;
 const MOST_POINTS = 4000;
 const MOST_EVENTS = 1000;
 const MOST_EARLIER_TIMES = 300;
+const MOST_DAMAGE = 4.294967295; // it stops there
 
 const CLASSES = 8;
 const packedBins = new WeakMap();
@@ -95,7 +96,8 @@ export class NodeHistory {
     const { status, rate } = state;
     const last = this.curve.at(-1);
     if (status && (!last || status.time_us > last[0])) {
-      this.curve.push([status.time_us, state.highest_damage, rate && rate.DamageRate]);
+      const known = rate && rate.DamageRate !== 'unknown' ? rate.DamageRate : undefined;
+      this.curve.push([status.time_us, state.highest_damage, known]);
     }
     while (this.curve.length > MOST_POINTS) {
       this.curve = this.curve.filter((point, i) => i % 2 === 0 || i + 1 === this.curve.length);
@@ -128,7 +130,9 @@ export class NodeHistory {
     if (point) {
       const [at_us, damage, rate] = point;
       node.highest_damage = damage;
-      node.status = { LifeState: event ? event.state : undefined, time_us: at_us, stale: false };
+      node.at_least = damage >= MOST_DAMAGE ? ['highest_damage'] : [];
+      node.status = { time_us: at_us, stale: false };
+      node.life_state = event?.state;
       if (rate !== undefined) {
         node.rate = { DamageRate: rate, time_us: at_us, stale: false };
       }

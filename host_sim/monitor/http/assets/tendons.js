@@ -1,5 +1,5 @@
 import { byId, Keyed, make, makeSvg, setAttribute, setText, Value } from './dom.js';
-import { percentText, UNKNOWN } from './words.js';
+import { percentField, percentText, UNKNOWN } from './words.js';
 
 /**
  * The damage at which the life states begin: the controller tells when B10 and B50 are reached at
@@ -99,7 +99,7 @@ export class Tendons {
       const tendon = node.tendons[number];
       const row = rows.get(number);
       drawBar(row.bar, tendon.TendonDamage, thresholds, most);
-      row.damage.show(percentText(tendon.TendonDamage, 7), isStale(tendon));
+      row.damage.show(percentField(tendon, 'TendonDamage', 7), isStale(tendon));
       setText(row.state, tendon.TendonLifeState);
       setAttribute(row.state, 'class', `state life-${tendon.TendonLifeState}`);
     }

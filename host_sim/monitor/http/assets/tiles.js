@@ -1,14 +1,15 @@
 import { byId, Tiles } from './dom.js';
 import { ageText } from './time.js';
 import {
+  cycleRateText,
   emergencyText,
   flagText,
-  percentText,
+  percentField,
   plain,
   rateText,
   remainingText,
   UNKNOWN,
-  wholeText as whole,
+  wholeField,
 } from './words.js';
 
 /** The key numbers of a node. */
@@ -22,13 +23,18 @@ export class NodeTiles {
     this.tiles.show([
       [
         'Damage',
-        status ? percentText(node.highest_damage, 7) : UNKNOWN,
+        status ? percentField(node, 'highest_damage', 7) : UNKNOWN,
         isStale(status),
         status && status.WorstTendon !== undefined
           ? `of tendon ${status.WorstTendon}, the worst`
           : '',
       ],
-      ['Life state', status && status.LifeState ? status.LifeState : UNKNOWN, isStale(status)],
+      [
+        'Life state',
+        status && node.life_state ? node.life_state : UNKNOWN,
+        isStale(status),
+        node.two_controllers ? 'TWO CONTROLLERS have this node id; the graver state of both' : '',
+      ],
       [
         'Remaining life, B10 to B90',
         remainingText(remaining),
@@ -44,9 +50,9 @@ export class NodeTiles {
       ['Damage rate', rateText(rate), isStale(rate), 'over the last minute'],
       [
         'Cycles',
-        cycles ? whole(cycles.Cycles) : UNKNOWN,
+        wholeField(cycles, 'Cycles'),
         isStale(cycles),
-        cycles ? `${whole(cycles.CycleRate)} per min` : '',
+        cycles ? cycleRateText(cycles) : '',
       ],
       [
         'Reading',

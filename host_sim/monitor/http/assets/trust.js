@@ -1,5 +1,5 @@
 import { byId, Keyed, make, makeSvg, setText, Tiles } from './dom.js';
-import { percentText, UNKNOWN, wholeText as whole } from './words.js';
+import { percentField, UNKNOWN, wholeField, wholeText as whole } from './words.js';
 
 const COUNTS = [
   ['good', 'Good'],
@@ -25,14 +25,14 @@ function nodeTiles(
   const when = (message, text) => (message ? text(message) : UNKNOWN);
   return [
     ['Integrity failures', whole(failures), isStale({}), 'frames of this node that were refused'],
-    ['Storage sequence', when(storage, (s) => whole(s.StorageSequence)), isStale(storage)],
+    ['Storage sequence', wholeField(storage, 'StorageSequence'), isStale(storage)],
     [
       'Worst unsaved damage',
-      when(storage, (s) => percentText(s.WorstUnsavedDamage)),
+      percentField(storage, 'WorstUnsavedDamage'),
       isStale(storage),
       'what a power cut could have lost',
     ],
-    ['Unsaved damage', when(rate, (r) => percentText(r.UnsavedDamage)), isStale(rate)],
+    ['Unsaved damage', percentField(rate, 'UnsavedDamage'), isStale(rate)],
     [
       'Configuration digest',
       when(identity, (i) => hex(i.Configuration)),
@@ -45,21 +45,21 @@ function nodeTiles(
     ],
     [
       'Jitter, 99th percentile',
-      when(timing, (t) => `${whole(t.P99Jitter)} µs`),
+      when(timing, (t) => `${wholeField(t, 'P99Jitter')} µs`),
       isStale(timing),
-      when(timing, (t) => `worst ${whole(t.WorstJitter)} µs`),
+      when(timing, (t) => `worst ${wholeField(t, 'WorstJitter')} µs`),
     ],
-    ['Missed deadlines', when(timing, (t) => whole(t.MissedDeadlines)), isStale(timing)],
+    ['Missed deadlines', wholeField(timing, 'MissedDeadlines'), isStale(timing)],
     [
       'Error counters',
       when(bus, (b) => `${b.TransmitErrors} sent, ${b.ReceiveErrors} received`),
       isStale(bus),
-      when(bus, (b) => `times off the bus: ${b.BusOffs}`),
+      when(bus, (b) => `times off the bus: ${wholeField(b, 'BusOffs')}`),
     ],
-    ['Dropped pages', when(bus, (b) => whole(b.DroppedPages)), isStale(bus)],
+    ['Dropped pages', wholeField(bus, 'DroppedPages'), isStale(bus)],
     [
       'Refused by the node',
-      when(bus, (b) => whole(b.Refused)),
+      wholeField(bus, 'Refused'),
       isStale(bus),
       'frames and commands',
     ],

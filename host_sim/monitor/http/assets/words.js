@@ -4,15 +4,41 @@ export const UNKNOWN = 'not known';
 
 /** A whole number in full. */
 export function wholeText(value) {
-  return value === undefined ? UNKNOWN : String(value).replace(/\B(?=(\d{3})+$)/g, NARROW_SPACE);
+  return Number.isFinite(value) ? String(value).replace(/\B(?=(\d{3})+$)/g, NARROW_SPACE) : UNKNOWN;
 }
 
 export function percentText(share, significant = 5) {
-  return `${numberText(100 * share, significant)} %`;
+  return Number.isFinite(share) ? `${numberText(100 * share, significant)} %` : UNKNOWN;
 }
 
+/** A field at the end of its range stands for itself or more. */
+function orMore(message, name, text) {
+  return message.at_least?.includes(name) ? `≥ ${text}` : text;
+}
+
+/** A field of a message, or of none. */
+export function wholeField(message, name) {
+  return message ? orMore(message, name, wholeText(message[name])) : UNKNOWN;
+}
+
+export function percentField(message, name, significant = 5) {
+  return message ? orMore(message, name, percentText(message[name], significant)) : UNKNOWN;
+}
+
+/** Until the controller has seen a minute there is no rate. */
 export function rateText(rate) {
-  return rate ? `${percentText(rate.DamageRate, 4)} per h` : UNKNOWN;
+  if (!rate) {
+    return UNKNOWN;
+  }
+  return rate.DamageRate === 'unknown'
+    ? 'unknown'
+    : `${percentField(rate, 'DamageRate', 4)} per h`;
+}
+
+export function cycleRateText(cycles) {
+  return cycles.CycleRate === 'unknown'
+    ? 'rate unknown'
+    : `${wholeField(cycles, 'CycleRate')} per min`;
 }
 
 function hours(value) {
@@ -35,10 +61,13 @@ export function plain(name) {
 /** The states of a node that are worth a word: [[words, class], ..]. */
 export function stateWords(node) {
   const words = [];
+  if (node.two_controllers) {
+    words.push(['TWO CONTROLLERS HAVE THIS NODE ID', 'emergency']);
+  }
   if (node.vanished) {
     words.push(['VANISHED', 'gone']);
   }
-  const state = node.status && node.status.LifeState;
+  const state = node.status && node.life_state;
   words.push([state || UNKNOWN, `life-${state || 'unknown'}`]);
   if (node.emergency && node.emergency.EmergencyCode !== 'none') {
     words.push([`EMERGENCY: ${emergencyText(node.emergency)}`, 'emergency']);

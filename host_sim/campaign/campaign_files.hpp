@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host_sim/campaign/campaign.hpp"
+#include "host_sim/campaign/csv_table.hpp"
+#include "host_sim/campaign/load.hpp"
+#include "host_sim/io/byte_source.hpp"
+
+namespace host_sim {
+
+/// What campaign.toml holds.
+struct CampaignFile {
+  std::string name;
+  Campaign::Nominal nominal;
+  Place model;  ///< of [model]; the file where there is none
+  std::vector<Campaign::Use> uses;
+};
+
+/// Reads and checks campaign.toml; `file` stands for it in errors.
+/// @throws InputError
+CampaignFile parse_campaign_file(std::string_view text, std::string_view file);
+
+/// A row of specimens.csv.
+struct SpecimenRow {
+  Campaign::Specimen specimen;  ///< without blocks
+  double cycles = 0;
+  GivenLoad load;
+  Place name_place, cycles_place;
+};
+
+/// Reads and checks specimens.csv; `name` stands for the file in errors.
+/// @throws InputError, for the second row of a specimen too
+std::vector<SpecimenRow> parse_specimens(std::unique_ptr<ByteSource> source, std::string_view name);
+
+/// A row of blocks.csv.
+struct BlockRow {
+  std::string specimen;
+  std::uint64_t order = 0;  ///< from 1
+  double cycles = 0;
+  GivenLoad load;
+  Place specimen_place, order_place;
+};
+
+/// Reads and checks blocks.csv; `name` stands for the file in errors.
+/// @throws InputError
+std::vector<BlockRow> parse_blocks(std::unique_ptr<ByteSource> source, std::string_view name);
+
+/// A campaign of the contents of its files, with specimens in order of their names; no `blocks`
+/// where there is no such file.
+/// @throws InputError where the files do not agree, or where the model lacks what a load needs
+Campaign assemble(CampaignFile file, std::vector<SpecimenRow> specimens,
+                  const std::vector<BlockRow>& blocks);
+
+}  // namespace host_sim

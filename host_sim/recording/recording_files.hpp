@@ -1,0 +1,34 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host_sim/campaign/csv_table.hpp"
+#include "host_sim/io/byte_source.hpp"
+#include "host_sim/recording/recording.hpp"
+
+namespace host_sim::recording {
+
+/// A row of sessions.csv.
+struct SessionRow {
+  std::string session;
+  std::string specimen;
+  std::string file;        ///< relative to the folder, within it as far as its text tells
+  double start_cycle = 0;  ///< at least 0
+  Place specimen_place, file_place;
+};
+
+/// Reads and checks sessions.csv; `name` stands for the file in errors.
+/// @throws InputError, for the second row of a session too
+std::vector<SessionRow> parse_sessions(std::unique_ptr<ByteSource> source, std::string_view name);
+
+/// The fewest samples of a recording.
+inline constexpr std::size_t kFewestSamples = 16;
+
+/// Reads and checks the samples of one recording; `name` stands for the file in errors.
+/// @throws InputError
+Channels parse_recording(std::unique_ptr<ByteSource> source, std::string_view name);
+
+}  // namespace host_sim::recording

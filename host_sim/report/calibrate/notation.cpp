@@ -1,0 +1,131 @@
+#include "host_sim/report/calibrate/notation.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "host_sim/report/page/number_text.hpp"
+
+namespace host_sim::calibrate_page {
+namespace {
+
+constexpr std::size_t kColours = 6;
+
+}  // namespace
+
+Part part_of(const calibrate::LevelResult& level) {
+  if (level.role == Campaign::Role::validation) {
+    return Part::validation;
+  }
+  return level.left_out.empty() ? Part::fitted : Part::left_out;
+}
+
+std::string_view shape_of(Part part) {
+  switch (part) {
+    case Part::validation:
+      return "diamond";
+    case Part::left_out:
+      return "cross";
+    case Part::fitted:
+      break;
+  }
+  return "circle";
+}
+
+std::string colour_of(const calibrate::CalibrateResult& result, std::size_t level) {
+  if (part_of(result.levels[level]) == Part::left_out) {
+    return "muted";
+  }
+  return fmt::format("level-{}", level % kColours);
+}
+
+std::string title_of(const calibrate::LevelResult& level) {
+  switch (part_of(level)) {
+    case Part::validation:
+      return level.name() + " (validation)";
+    case Part::left_out:
+      return level.name() + " (left out)";
+    case Part::fitted:
+      break;
+  }
+  return level.name();
+}
+
+bool has_fit(const calibrate::LevelResult& level) {
+  return level.weibull().problem == statistics::FitProblem::none;
+}
+
+Layer specimen_points(Part part, bool failed, std::string_view colour) {
+  Layer layer;
+  layer.kind = Layer::Kind::points;
+  layer.shape = shape_of(part);
+  layer.colour = colour;
+  layer.filled = failed;
+  if (!failed) {
+    layer.arrow = Layer::Arrow::up;
+  }
+  return layer;
+}
+
+std::string angle_text(double angle_deg) {
+  return number_text(angle_deg, 4) + "\u00b0";
+}
+
+std::string interval_text(statistics::Interval interval, int significant) {
+  const auto end = [significant](double value) {
+    return std::isinf(value) ? std::string("no limit") : number_text(value, significant);
+  };
+  return fmt::format("{} to {}", end(interval.low), end(interval.high));
+}
+
+double p_of(const statistics::Test& test) {
+  return std::isnan(test.p_simulated) ? test.p_chi_square : test.p_simulated;
+}
+
+bool rejects(const statistics::Test& test) {
+  constexpr double kSignificance = 0.05;
+  return p_of(test) < kSignificance;
+}
+
+std::string problem_text(statistics::FitProblem problem) {
+  switch (problem) {
+    case statistics::FitProblem::too_few_failures:
+      return "fewer than two failures";
+    case statistics::FitProblem::no_spread:
+      return "all failures at one life";
+    case statistics::FitProblem::not_identified:
+      return "the data do not determine it";
+    case statistics::FitProblem::not_converged:
+      return "the fit did not converge";
+    case statistics::FitProblem::none:
+      break;
+  }
+  return {};
+}
+
+namespace {
+
+/// Where a share stands on probability paper; 0 at the scale parameter.
+double paper_place(double p) {
+  return std::log(-std::log1p(-p));
+}
+
+}  // namespace
+
+std::optional<statistics::Interval> scale_interval(const statistics::QuantileBand& band) {
+  for (std::size_t i = 1; i < band.p.size(); ++i) {
+    const double before = paper_place(band.p[i - 1]);
+    const double after = paper_place(band.p[i]);
+    if (before <= 0 && after >= 0 && before < after) {
+      const double share = -before / (after - before);
+      const auto between = [share](double from, double to) {
+        return from * std::pow(to / from, share);
+      };
+      return statistics::Interval{between(band.low[i - 1], band.low[i]),
+                                  between(band.high[i - 1], band.high[i])};
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace host_sim::calibrate_page

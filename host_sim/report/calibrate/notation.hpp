@@ -1,0 +1,59 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+#include "host_sim/calibrate/result.hpp"
+#include "host_sim/report/page/chart.hpp"
+
+/// How levels look and are called in all plots and tables of the page, and numbers of a calibration
+/// in words: plain text, not yet escaped.
+namespace host_sim::calibrate_page {
+
+/// What a level is to the law.
+enum class Part { fitted, validation, left_out };
+[[nodiscard]] Part part_of(const calibrate::LevelResult& level);
+
+/// circle, diamond or cross.
+[[nodiscard]] std::string_view shape_of(Part part);
+
+/// A colour of its own for each of the first six levels; grey where it is left out.
+[[nodiscard]] std::string colour_of(const calibrate::CalibrateResult& result, std::size_t level);
+
+/// The name with what the level is where it is not fitted: "540 deg, 99.7 N (left out)".
+[[nodiscard]] std::string title_of(const calibrate::LevelResult& level);
+
+/// Whether the Weibull fit has numbers.
+[[nodiscard]] bool has_fit(const calibrate::LevelResult& level);
+
+/// Points for the specimens that failed, or for the suspended: open, with an arrow where they point
+/// beyond.
+[[nodiscard]] Layer specimen_points(Part part, bool failed, std::string_view colour);
+
+/// "315°".
+[[nodiscard]] std::string angle_text(double angle_deg);
+
+/// Significant digits of what is read off a life test.
+constexpr int kDigits = 4;
+
+/// "830 to 920"; an end that does not exist is "no limit".
+[[nodiscard]] std::string interval_text(statistics::Interval interval, int significant = kDigits);
+
+/// The simulated p-value where there is one, else that of the chi-square distribution.
+[[nodiscard]] double p_of(const statistics::Test& test);
+
+/// Whether a test speaks against its hypothesis at 5 %.
+[[nodiscard]] bool rejects(const statistics::Test& test);
+
+/// Why a fit has no numbers; empty where it has.
+[[nodiscard]] std::string problem_text(statistics::FitProblem problem);
+
+/// The interval of a Weibull scale, which is the life at which 63.2 % have failed, read off the
+/// band of the quantiles: straight between its points on probability paper. None where the band
+/// does not reach there.
+[[nodiscard]] std::optional<statistics::Interval> scale_interval(
+    const statistics::QuantileBand& band);
+
+}  // namespace host_sim::calibrate_page
