@@ -20,6 +20,9 @@ bool told(const Rig<>& rig, EmergencyCode code) {
                      [code](const auto& emergency) { return emergency.code == code; });
 }
 
+/// A wire so strong that seconds of run() do about a millionth of its life.
+constexpr double kStrong = 1.53e9;
+
 TEST(App, SpeaksTheFramePlanAtItsRates) {
   Rig rig;
   rig.start();
@@ -48,6 +51,25 @@ TEST(App, TellsTheDamageOfTheEstimator) {
   EXPECT_EQ(rig.app->lives().damage(0), alone.reading(0).total);
   EXPECT_EQ(rig.store.load(0)->epoch_damage, alone.reading(0).total);
   EXPECT_EQ(rig.store.load(0)->epoch_cycles, alone.reading(0).closed_cycles.raw());
+}
+
+TEST(App, RatesAreToldOnceAMinuteWasSeen) {
+  Rig<2> rig(kStrong);
+  rig.parameters[1].reset();  // has no rate, and hides none
+  rig.start();
+  rig.run(59'000);
+  for (const auto& page : rig.sent<protocol::detail::Cycles>()) {
+    EXPECT_EQ(page.cycles_per_min, 0xffff);
+  }
+  for (const auto& page : rig.sent<protocol::detail::DamageRate>()) {
+    EXPECT_EQ(page.ppb_per_h, 0xffffffffu);
+  }
+  rig.run(3'000);
+  // A cycle of 20 ms.
+  EXPECT_NEAR(rig.sent<protocol::detail::Cycles>().back().cycles_per_min, 3'000, 2);
+  const double per_minute = static_cast<double>(rig.app->lives().damage_ppb(0)) * 60 / 62;
+  EXPECT_NEAR(rig.sent<protocol::detail::DamageRate>().back().ppb_per_h, 60 * per_minute,
+              0.01 * 60 * per_minute);
 }
 
 TEST(App, StatesFollowTheLife) {
@@ -114,6 +136,28 @@ TEST(App, WhileTheDriveDoesNotObeyTheWatchdogIsNotFed) {
   EXPECT_TRUE(rig.watchdog.bitten());
 }
 
+TEST(App, TheDriveStaysOffWhileTheBrakeDoesNotOpen) {
+  Rig rig;
+  rig.brake.faults.during({}, hal::milliseconds(100), hal::Error::failed);
+  rig.start();
+  rig.idle(90);
+  EXPECT_EQ(rig.drive_enable.changes(), 0u);
+  EXPECT_EQ(rig.watchdog.feeds(), 0u);
+  rig.idle(20);
+  EXPECT_FALSE(rig.brake.asserted());
+  EXPECT_TRUE(rig.drive_enable.asserted());
+}
+
+TEST(App, ADriveThatFailsWhileItRunsIsNotFedFor) {
+  Rig rig;
+  rig.start();
+  rig.idle(100);
+  rig.drive_enable.faults.during(rig.clock.now(), hal::seconds(100), hal::Error::failed);
+  const std::uint32_t feeds = rig.watchdog.feeds();
+  rig.idle(10);
+  EXPECT_EQ(rig.watchdog.feeds(), feeds) << "nobody has pulled the stop";
+}
+
 TEST(App, AControlLoopThatStandsStillIsNotFedFor) {
   Rig rig;
   rig.start();
@@ -124,9 +168,6 @@ TEST(App, AControlLoopThatStandsStillIsNotFedFor) {
   }
   EXPECT_TRUE(rig.watchdog.bitten());
 }
-
-/// A wire so strong that seconds of run() do about a millionth of its life.
-constexpr double kStrong = 1.53e9;
 
 TEST(App, ARestartGoesOnWhereTheLastSaveWas) {
   Rig rig(kStrong);

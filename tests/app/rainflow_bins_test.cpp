@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "hal/fake/random.hpp"
+#include "lifemodel/estimator.hpp"
+#include "paper_parameters.hpp"
+
 namespace app {
 namespace {
 
@@ -30,8 +34,69 @@ TEST(RainflowBins, EachCycleIsInOneBin) {
   count.full(permille(150), permille(410), {});  // range 0.26: class 2; mean 0.28: class 2
   count.full(permille(410), permille(150), {});
   count.half(permille(400), permille(100), {});
+  bins.begin_reading();
   for (std::uint32_t bin = 0; bin < RainflowBins::kBins; ++bin) {
     EXPECT_EQ(bins.cycles(bin), bin == 2 * 8 + 2 ? 2u : 0u) << bin;
+  }
+}
+
+TEST(RainflowBins, ACycleThatIsReadOverAndOverIsInItsBinOnce) {
+  lifemodel::Estimator<1> estimator({paper_parameters()});
+  RainflowBins bins;
+  const auto read = [&] {
+    bins.begin_reading();
+    return estimator.reading(0, BinReadCycles{&bins, true}, BinReadCycles{&bins, false})
+        .closed_cycles.raw();
+  };
+  // Fourteen cycles of 0.2 to 0.6, read at every sample: a range of 0.4, class 3, mean 0.4,
+  // class 3.
+  std::uint64_t closed = 0;
+  for (int i = 0; i < 30; ++i) {
+    estimator.push(0, permille(i % 2 == 0 ? 200 : 600));
+    closed = read();
+    EXPECT_EQ(bins.cycles(3 * 8 + 3), closed) << i;
+  }
+  EXPECT_EQ(closed, 14u);
+  EXPECT_EQ(read(), 14u);
+  EXPECT_EQ(bins.cycles(3 * 8 + 3), 14u);
+}
+
+// Whenever it is read and settled, the bins are those of one count of all samples at the end.
+TEST(RainflowBins, AreTheSameHoweverOftenTheyAreRead) {
+  for (std::uint64_t seed = 1; seed <= 200; ++seed) {
+    hal::fake::Random random(seed);
+    lifemodel::Estimator<1> often({paper_parameters()});
+    lifemodel::Estimator<1> once({paper_parameters()});
+    RainflowBins bins;
+    RainflowBins whole;
+    const auto read = [](auto& estimator, RainflowBins& into) {
+      into.begin_reading();
+      return estimator.reading(0, BinReadCycles{&into, true}, BinReadCycles{&into, false})
+          .closed_cycles.raw();
+    };
+    for (int i = 0; i < 400; ++i) {
+      const auto sample = permille(static_cast<std::int32_t>(random.below(1'200)) - 200);
+      often.push(0, sample);
+      once.push(0, sample);
+      once.flush(0, BinCycles{&whole});
+      if (random.below(2) == 0) {
+        while (often.settle([&](std::size_t) { return BinCycles{&bins}; })) {
+        }
+      }
+      // Without one for so long its queue would be full.
+      if (random.below(5) == 0 || i % 20 == 0) {
+        const std::uint64_t closed = read(often, bins);
+        std::uint64_t sum = 0;
+        for (std::uint32_t bin = 0; bin < RainflowBins::kBins; ++bin) {
+          sum += bins.cycles(bin);
+        }
+        ASSERT_EQ(sum, closed) << seed << " " << i;
+      }
+    }
+    ASSERT_EQ(read(often, bins), read(once, whole));
+    for (std::uint32_t bin = 0; bin < RainflowBins::kBins; ++bin) {
+      ASSERT_EQ(bins.cycles(bin), whole.cycles(bin)) << seed << " " << bin;
+    }
   }
 }
 

@@ -17,6 +17,18 @@ TEST(Rates, NothingIsKnownBeforeAMinuteHasPassed) {
   EXPECT_EQ(rates.remaining_dh({}, {1u << 28}), 0xffff);
   rates.take(hal::seconds(60), lives(60, 20), 60);
   EXPECT_TRUE(rates.known());
+  EXPECT_EQ(rates.cycles_per_min(), 60);
+}
+
+TEST(Rates, ARateOfLessThanAMinuteIsUnknownRatherThanTooSmall) {
+  Rates rates;
+  rates.start({});
+  EXPECT_EQ(rates.cycles_per_min(), 0xffff);
+  for (std::uint32_t s = 1; s < 60; ++s) {
+    rates.take(hal::seconds(s), lives(s, 20), 3 * s);
+    EXPECT_EQ(rates.cycles_per_min(), 0xffff) << s;
+    EXPECT_EQ(rates.damage_ppb_per_h(), 0xffffffffu) << s;
+  }
 }
 
 TEST(Rates, TellWhatTheLastMinuteDid) {
@@ -46,8 +58,9 @@ TEST(Rates, StopAtTheirHighestValue) {
   for (std::uint32_t s = 10; s <= 60; s += 10) {
     rates.take(hal::seconds(s), lives(s, 0), std::uint64_t{s} * 1'000'000'000);
   }
-  EXPECT_EQ(rates.cycles_per_min(), 0xffff);
-  EXPECT_EQ(rates.damage_ppb_per_h(), 0xffffffffu);
+  // The highest values stand for unknown.
+  EXPECT_EQ(rates.cycles_per_min(), 0xfffe);
+  EXPECT_EQ(rates.damage_ppb_per_h(), 0xfffffffeu);
 }
 
 }  // namespace

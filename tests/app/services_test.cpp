@@ -92,6 +92,49 @@ TEST_F(Services, ANewEpochBeginsAtNothingAndTheLifetimeStays) {
   EXPECT_EQ(rig.app->lives().records()[0].epoch, 1);
 }
 
+TEST_F(Services, ANewWireHasNoneOfTheFlagsOfTheOld) {
+  using lifemodel::Flag;
+  // All that there are: the ultimate tension is 177.4 N.
+  rig.run(40, 20, 180);
+  rig.run(40, -30, 20);
+  rig.app->isr_missed(3);
+  rig.app->input_flags(0).raise(Flag::saturated);
+  for (int i = 0; i < 200; ++i) {  // nobody settles
+    rig.sensor.give(0, lifemodel::pack::tension(i % 2 == 0 ? 20 : 60, 177.4));
+    rig.app->isr_sample();
+  }
+  rig.run(500);
+  for (const Flag flag :
+       {Flag::overload, Flag::negative_tension, Flag::gap, Flag::saturated, Flag::overrun}) {
+    ASSERT_TRUE(rig.app->lives().flags().has(flag)) << static_cast<unsigned>(flag);
+  }
+
+  EXPECT_EQ(client.ask(start_request(order_for(client, 0x0201, hex("00")))), hex("71 01 0201"));
+  EXPECT_EQ(rig.store.load(0)->flags, 0);
+  rig.run(2'000);
+  EXPECT_TRUE(rig.app->lives().flags().none()) << rig.app->lives().flags().bits();
+  const protocol::LifeStatus status = rig.sent<protocol::LifeStatus>().back();
+  EXPECT_EQ(status.quality, protocol::Quality::measured);
+  EXPECT_FALSE(status.gap || status.saturated || status.overrun);
+  EXPECT_EQ(rig.app->stop(), hal::Error::none);
+  EXPECT_EQ(rig.store.load(0)->flags, 0);
+
+  // Its own it has, those of the old wire among them.
+  rig.app->isr_missed(1);
+  rig.run(200);
+  EXPECT_EQ(rig.app->lives().flags().bits(), static_cast<std::uint32_t>(Flag::gap));
+  rig.run(40, 20, 180);
+  rig.run(200);
+  EXPECT_TRUE(rig.app->lives().flags().has(Flag::overload));
+}
+
+TEST_F(Services, AFlagThatComesWithTheNextSampleIsThatOfTheNewWire) {
+  EXPECT_EQ(client.ask(start_request(order_for(client, 0x0201, hex("00")))), hex("71 01 0201"));
+  rig.app->isr_missed(1);
+  rig.run(200);
+  EXPECT_EQ(rig.app->lives().flags().bits(), static_cast<std::uint32_t>(lifemodel::Flag::gap));
+}
+
 TEST_F(Services, AWrongCodeChangesNothingAndIsCounted) {
   Order order = order_for(client, 0x0201, hex("00"));
   order.node = kNode + 1;
@@ -138,6 +181,29 @@ TEST(ServicesAtWork, AnOrderIsInTimeWhileTheDamageGrows) {
     EXPECT_EQ(client.ask(start_request(order_for(client, 0x0201, hex("00")))), hex("71 01 0201"));
     EXPECT_EQ(rig.app->lives().records()[0].epoch, epoch);
     rig.run(3'000);
+  }
+}
+
+// After a start the damage is saved every second while there is credit.
+TEST(ServicesAtWork, NoSaveRefusesAnHonestOrder) {
+  for (std::uint32_t phase = 0; phase < 120; ++phase) {
+    Rig rig;
+    rig.config.key = protocol::testing::kKey;
+    rig.start();
+    rig.run(500 + 15 * phase);
+    Client client(rig);
+    Order order{.routine = 0x0201, .arguments = hex("00")};
+    const auto read_counter = [&] { order.counter = word_at(client.ask(hex("22 0240")), 3); };
+    if (phase % 2 == 0) {
+      read_counter();
+    }
+    const Bytes nonce = client.ask(hex("22 0241"));
+    std::copy_n(nonce.begin() + 3, order.nonce.size(), order.nonce.begin());
+    if (phase % 2 != 0) {
+      read_counter();
+    }
+    rig.run(50);  // the client makes its code
+    ASSERT_EQ(client.ask(start_request(order)), hex("71 01 0201")) << phase;
   }
 }
 

@@ -1,5 +1,3 @@
-#include "host_sim/campaign/campaign_file.hpp"
-
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -7,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host_sim/campaign/campaign_files.hpp"
 #include "tests/campaign/support.hpp"
 
 namespace host_sim {
@@ -14,7 +13,7 @@ namespace {
 
 using test::replaced;
 
-constexpr std::string_view kGood = R"(schema = 1
+constexpr std::string_view kGoodCampaign = R"(schema = 1
 [campaign]
 name = "wires"
 [model.cable]
@@ -38,12 +37,12 @@ parts = [
 ]
 )";
 
-std::string complaint(std::string_view text) {
+std::string campaign_file_complaint(std::string_view text) {
   return test::complaint_of([&] { parse_campaign_file(text, "c.toml"); });
 }
 
 TEST(CampaignFile, ReadsNameModelAndUses) {
-  const CampaignFile file = parse_campaign_file(kGood, "c.toml");
+  const CampaignFile file = parse_campaign_file(kGoodCampaign, "c.toml");
   EXPECT_EQ(file.name, "wires");
   ASSERT_TRUE(file.nominal.cable.has_value());
   EXPECT_EQ(file.nominal.cable->diameter_mm, 0.457);
@@ -70,7 +69,7 @@ TEST(CampaignFile, ReadsNameModelAndUses) {
 }
 
 TEST(CampaignFile, ReadsTheWholeModel) {
-  const CampaignFile file = parse_campaign_file(std::string(kGood) + R"([model.drive]
+  const CampaignFile file = parse_campaign_file(std::string(kGoodCampaign) + R"([model.drive]
 torque_constant_Nm_per_A = 0.0325
 gear_ratio = 9.0
 gear_efficiency = 0.88
@@ -122,13 +121,14 @@ class BadCampaignFiles : public testing::TestWithParam<BadFile> {};
 
 TEST_P(BadCampaignFiles, AreRefusedWithPlaceFoundAndAccepted) {
   const BadFile& bad = GetParam();
-  EXPECT_EQ(complaint(replaced(kGood, bad.from, bad.to)), "c.toml" + bad.complaint);
+  EXPECT_EQ(campaign_file_complaint(replaced(kGoodCampaign, bad.from, bad.to)),
+            "c.toml" + bad.complaint);
 }
 
 const std::string kLoadOfUse =
     "bend_angle_deg with output_tension_mean_N and output_tension_amplitude_N, or "
     "input_tension_mean_N with input_tension_amplitude_N, or effective_tension_N";
-const std::string kLoad =
+const std::string kLoadOfUsePart =
     "bend_angle_deg with output_tension_mean_N and output_tension_amplitude_N, or "
     "input_tension_mean_N with input_tension_amplitude_N";
 const std::string kMix =
@@ -217,15 +217,16 @@ INSTANTIATE_TEST_SUITE_P(CampaignFile, BadCampaignFiles, testing::ValuesIn(kBadF
                          [](const auto& bad) { return bad.param.name; });
 
 TEST(CampaignFile, TakesSharesThatSumToOneWithinRounding) {
-  EXPECT_EQ(complaint(replaced(kGood, "share = 0.25", "share = 0.2500000005")), "");
+  EXPECT_EQ(
+      campaign_file_complaint(replaced(kGoodCampaign, "share = 0.25", "share = 0.2500000005")), "");
 }
 
 TEST(CampaignFile, RefusesUsesThatAreNoTables) {
-  EXPECT_EQ(complaint("use = 3\n[campaign]\nname = 'x'\n"),
+  EXPECT_EQ(campaign_file_complaint("use = 3\n[campaign]\nname = 'x'\n"),
             "c.toml:1:1: use is 3; accepted: tables [[use]]");
-  EXPECT_EQ(complaint("use = [3]\n[campaign]\nname = 'x'\n"),
+  EXPECT_EQ(campaign_file_complaint("use = [3]\n[campaign]\nname = 'x'\n"),
             "c.toml:1:8: use holds 3; accepted: tables [[use]]");
-  EXPECT_EQ(complaint("model = 3\n[campaign]\nname = 'x'\n"),
+  EXPECT_EQ(campaign_file_complaint("model = 3\n[campaign]\nname = 'x'\n"),
             "c.toml:1:1: model is 3; accepted: a table [model]");
 }
 
@@ -236,10 +237,10 @@ TEST(CampaignFile, SaysWhatTheModelLacks) {
   const std::string use =
       "[[use]]\nname = 'u'\nbend_angle_deg = 90\noutput_tension_mean_N = 10\n"
       "output_tension_amplitude_N = 0\n";
-  EXPECT_EQ(complaint("[campaign]\nname = 'x'\n" + use),
+  EXPECT_EQ(campaign_file_complaint("[campaign]\nname = 'x'\n" + use),
             "c.toml: no table [model.cable]; accepted: [model.cable] with ultimate_tension_N, "
             "which the load at c.toml:5 needs");
-  EXPECT_EQ(complaint(cable + use),
+  EXPECT_EQ(campaign_file_complaint(cable + use),
             "c.toml:3:2: no table [model.sheath]; accepted: [model.sheath] with "
             "friction_coefficient, which the load at c.toml:8 needs");
 }

@@ -1,10 +1,11 @@
+#include "host_sim/campaign/load.hpp"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <string>
 
-#include "host_sim/campaign/load_model.hpp"
 #include "tests/campaign/support.hpp"
 
 namespace host_sim {

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/campaign/assemble.hpp"
 #include "host_sim/campaign/campaign.hpp"
+#include "host_sim/campaign/campaign_files.hpp"
 #include "tests/io/support.hpp"
 
 namespace host_sim::test {

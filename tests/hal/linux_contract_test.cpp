@@ -11,6 +11,7 @@
 #include "tests/hal/contract/can_port.hpp"
 #include "tests/hal/contract/clock.hpp"
 #include "tests/hal/contract/digital.hpp"
+#include "tests/hal/contract/emergency_stop.hpp"
 #include "tests/hal/contract/entropy.hpp"
 
 namespace hal_test {
@@ -142,6 +143,71 @@ class Followed {
   linux_os::EdgeFollower<Edges> follower_{edges_};
 };
 
+/// The lines as the controller has them: the kernel debounces for 2 ms, and the control loop is a
+/// thread of its own that the application's disk does not hold up.
+class Board {
+  static constexpr std::uint32_t kDebounce_us = 2'000;
+
+ public:
+  static constexpr std::uint32_t kPeriod_us = 1'000;
+  static constexpr std::uint32_t kPeriodsInTime = 10;
+  static constexpr std::uint32_t kShortest_us = 3'000;
+  static constexpr std::uint32_t kOffWithin_us = kDebounce_us + kPeriod_us;
+
+  struct Output {
+    hal::Error set(bool on) {
+      if (stuck) {
+        return hal::Error::failed;
+      }
+      asserted = on;
+      return hal::Error::none;
+    }
+
+    bool asserted = false;
+    bool stuck = false;
+  };
+  struct Lines {
+    Output drive_enable;
+    Output brake;
+    linux_os::EdgeFollower<Edges>& emergency_stop;
+  };
+  using Lock = board::Interlock<Lines, kPeriodsInTime>;
+
+  Lock& interlock() { return interlock_; }
+  void pull(bool pulled) {
+    level_ = pulled;
+    steady_us_ = 0;
+  }
+  void period(bool in_time) {
+    steady_us_ += kPeriod_us;
+    if (steady_us_ >= kDebounce_us && edges_.now != level_) {
+      edges_.now = level_;
+      ++number_;
+      edges_.waiting.push_back({level_, number_, number_, number_ * std::uint64_t{1'000}});
+    }
+    interlock_.isr_apply(in_time);
+  }
+  void wait(std::uint32_t periods, const std::function<void()>& after) {
+    for (std::uint32_t i = 0; i < periods; ++i) {
+      period(true);
+      after();
+    }
+  }
+  bool drive() { return lines_.drive_enable.asserted; }
+  bool brake() { return lines_.brake.asserted; }
+  void break_brake(bool broken) { lines_.brake.stuck = broken; }
+  bool break_stop() { return edges_.broken = true; }
+
+ private:
+  Edges edges_;
+  std::uint32_t number_ = 0;
+  std::uint32_t steady_us_ = kDebounce_us;
+  bool level_ = false;
+  linux_os::EdgeFollower<Edges> follower_{edges_};
+  Lines lines_{{}, {.asserted = true}, follower_};
+  Lock interlock_{lines_};
+};
+
 class Kernel {
  public:
   linux_os::KernelEntropy& source() { return source_; }
@@ -156,6 +222,7 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(DigitalOutContract);
 INSTANTIATE_TYPED_TEST_SUITE_P(Linux, CanPortContract, SocketCan);
 INSTANTIATE_TYPED_TEST_SUITE_P(Linux, ClockContract, Monotonic);
 INSTANTIATE_TYPED_TEST_SUITE_P(Linux, DigitalInContract, Followed);
+INSTANTIATE_TYPED_TEST_SUITE_P(Linux, EmergencyStopContract, Board);
 INSTANTIATE_TYPED_TEST_SUITE_P(Linux, EntropyContract, Kernel);
 
 }  // namespace

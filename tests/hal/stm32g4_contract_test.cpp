@@ -1,9 +1,13 @@
 #include <array>
 #include <cstring>
+#include <type_traits>
 
+#include "firmware/boards/b_g431b_esc1/control_loop.hpp"
+#include "hal/stm32g4/sample_timing.hpp"
 #include "tests/hal/contract/can_port.hpp"
 #include "tests/hal/contract/clock.hpp"
 #include "tests/hal/contract/digital.hpp"
+#include "tests/hal/contract/emergency_stop.hpp"
 #include "tests/hal/contract/entropy.hpp"
 #include "tests/hal/contract/non_volatile.hpp"
 #include "tests/hal/contract/sensor.hpp"
@@ -134,6 +138,75 @@ class Pin {
   HalDevices devices_;
 };
 
+/// The control loop of the B-G431B-ESC1. Its store waits for the erase of a page, which the loop
+/// interrupts.
+class Board {
+ public:
+  static constexpr std::uint32_t kPeriod_us = 100;
+  static constexpr std::uint32_t kPeriodsInTime = 100;
+  static constexpr std::uint32_t kShortest_us = 3'000;
+  static constexpr std::uint32_t kOffWithin_us = 2'100;
+  static_assert(board::kLoopPeriod_us == kPeriod_us && board::kPeriodsInTime == kPeriodsInTime);
+  static_assert(
+      std::is_same_v<stm32g4_models::Input,
+                     hal::stm32g4::DebouncedInput<stm32g4_models::Word, board::kStopSamples>>);
+
+  Board() { EXPECT_EQ(devices_.sensor.calibrate_at_rest(), hal::Error::none); }
+
+  struct Lines {
+    stm32g4_models::OutputPin& drive_enable;
+    stm32g4_models::OutputPin& brake;
+    stm32g4_models::Input& emergency_stop;
+  };
+  using Lock = board::Interlock<Lines, kPeriodsInTime>;
+
+  Lock& interlock() { return parts_.interlock; }
+  void pull(bool pulled) { devices_.gpio_b.outside = pulled ? 1u << 7 : 0; }
+  void period(bool in_time) {
+    // One more goes by with the look at the clock.
+    devices_.tim2.time_us += (in_time ? 1 : 2) * kPeriod_us - 1;
+    board::isr_period(parts_, app_);
+  }
+  void wait(std::uint32_t periods, const std::function<void()>& after) {
+    devices_.flash.busy_looks = periods;
+    devices_.flash.on_busy = [&] {
+      period(true);
+      after();
+    };
+    EXPECT_EQ(devices_.memory.erase(0), hal::Error::none);
+    devices_.flash.on_busy = nullptr;
+  }
+  bool drive() { return devices_.gpio_b.drives(3); }
+  bool brake() {
+    return (devices_.gpio_a.shorted & kBrakeLine) != 0 || !devices_.gpio_a.drives(15);
+  }
+  void break_brake(bool broken) { devices_.gpio_a.shorted = broken ? kBrakeLine : 0; }
+  bool break_stop() { return false; }
+
+ private:
+  static constexpr std::uint32_t kBrakeLine = 1u << 15;
+
+  struct Parts {
+    stm32g4_models::Clock& clock;
+    stm32g4_models::CurrentSensor& sensor;
+    stm32g4_models::CanController& can;
+    Lines lines;
+    hal::stm32g4::SampleTiming timing{};
+    Lock interlock{lines};
+  };
+  struct NoApp {
+    void isr_missed(std::uint32_t) {}
+    void isr_sample() {}
+  };
+
+  HalDevices devices_;
+  Parts parts_{devices_.clock,
+               devices_.sensor,
+               devices_.can,
+               {devices_.output, devices_.brake, devices_.input}};
+  NoApp app_;
+};
+
 class RandomNumbers {
  public:
   auto& source() { return devices_.entropy; }
@@ -209,6 +282,7 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Stm32g4, CanPortContract, Fdcan);
 INSTANTIATE_TYPED_TEST_SUITE_P(Stm32g4, ClockContract, Timers);
 INSTANTIATE_TYPED_TEST_SUITE_P(Stm32g4, DigitalInContract, DebouncedPin);
 INSTANTIATE_TYPED_TEST_SUITE_P(Stm32g4, DigitalOutContract, Pin);
+INSTANTIATE_TYPED_TEST_SUITE_P(Stm32g4, EmergencyStopContract, Board);
 INSTANTIATE_TYPED_TEST_SUITE_P(Stm32g4, EntropyContract, RandomNumbers);
 INSTANTIATE_TYPED_TEST_SUITE_P(Stm32g4, NonVolatileContract, Flash);
 INSTANTIATE_TYPED_TEST_SUITE_P(Stm32g4, SensorContract, Shunts);

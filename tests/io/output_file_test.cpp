@@ -3,15 +3,36 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <filesystem>
 #include <stdexcept>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "tests/io/support.hpp"
+
+namespace {
+
+/// What fsync() was called for, and whether `watched` was there then.
+std::string watched;
+std::vector<std::pair<std::string, bool>> synced;
+
+}  // namespace
+
+// In place of that of the library.
+extern "C" int fsync(int descriptor) {
+  std::string path(4096, '\0');
+  const std::string link = "/proc/self/fd/" + std::to_string(descriptor);
+  const ssize_t size = ::readlink(link.c_str(), path.data(), path.size());
+  path.resize(static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
+  synced.emplace_back(path, std::filesystem::exists(watched));
+  return static_cast<int>(::syscall(SYS_fsync, descriptor));
+}
 
 namespace host_sim {
 namespace {
@@ -47,6 +68,37 @@ TEST(OutputFile, AppearsWithCommitAlone) {
   file.commit();
   EXPECT_EQ(text_of(path), "{\"a\": 1}\n");
   EXPECT_EQ(folder.file_count(), 1U);
+}
+
+TEST(OutputFile, IsOnDiskBeforeItsNameAndItsNameAfterwards) {
+  const TemporaryFolder folder;
+  const fs::path path = folder / "out.json";
+  OutputFile file(path);
+  file.write("a");
+  watched = path.string();
+  synced.clear();
+  file.commit();
+  const std::string real = fs::canonical(path).string();
+  ASSERT_EQ(synced.size(), 2U);
+  EXPECT_EQ(synced[0], std::pair(partial_of(real).string(), false));
+  EXPECT_EQ(synced[1], std::pair(fs::path(real).parent_path().string(), true));
+}
+
+TEST(OutputFile, TakesEveryNameThatTheSystemTakes) {
+  const TemporaryFolder folder;
+  for (const std::size_t bytes : {1U, 200U, 240U, 241U, 254U, 255U}) {
+    const fs::path path = folder / std::string(bytes, 'n');
+    OutputFile file(path);
+    OutputFile other(folder / (std::string(bytes - 1, 'n') + "m"));
+    file.write("a");
+    file.commit();
+    EXPECT_EQ(text_of(path), "a");
+    fs::remove(path);
+  }
+  EXPECT_EQ(folder.file_count(), 0U);
+  const std::string name = (folder / std::string(256, 'n')).string();
+  EXPECT_EQ(opening_complaint(name),
+            name + ": cannot be written: its name has 256 bytes; accepted: 255 at most");
 }
 
 TEST(OutputFile, LeavesNothingWithoutCommit) {

@@ -107,7 +107,7 @@ def missing(files):
     """The first thing that no test does without and that is not there."""
     for program in PROGRAMS:
         if not shutil.which(program, path=os.environ.get("PATH", "") + ":/usr/sbin:/sbin"):
-            return f"the program {program} is missing (toolchains/setup.sh test installs it)"
+            return f"the program {program} is missing (toolchains/setup.sh all installs it)"
     return next((f"{file} is missing" for file in files if not os.path.exists(file)), None)
 
 

@@ -30,7 +30,11 @@ class ControllerTest(Case):
         controller = Setup(self, "vcan0", chip=self._chip, at_end="stop", profile=profile).run()
         self.assertEqual(controller.wait(60), 0)
         tendon = controller.report()["tendons"][0]
-        self.eventually(lambda: log.frames()[-1].id != 0x7FF, "the log has the last frames")
+
+        def heard_ppb():
+            return [Status.of(frame).damage_ppb for frame in log.frames() if frame.id == frames.STATUS + 5][-1:]
+
+        self.eventually(lambda: heard_ppb() == [tendon["damage_ppb"]], "the log has the last frames")
         log.stop()
 
         lives = [entry["signals"] for entry in decode(log.out, 5) if entry["name"] == "LifeStatus_5"]

@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "host_sim/life_law/life_fit.hpp"
-#include "tests/life_law/campaigns.hpp"
 #include "tests/life_law/data_sets.hpp"
 
 namespace host_sim::life_law {

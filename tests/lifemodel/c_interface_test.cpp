@@ -1,9 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
 #include <cstring>
 
 #include "c_interface_in_c.h"
-#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/block/extended_block.hpp"
 #include "support.hpp"
 
 namespace lifemodel {
@@ -37,6 +39,40 @@ TEST(CInterface, RefusesADamagedBlockWithTheReason) {
   block[20] ^= std::byte{4};
   lm_estimator estimator;
   EXPECT_STREQ(lm_init(&estimator, block.data(), block.size()), "damaged: the CRC-32 does not fit");
+}
+
+TEST(CInterface, TensionHeldAtTheUltimateOneIsAnOverload) {
+  const auto block = encode(lifemodel_test::parameters_of(lifemodel_test::paper_constants()));
+  lm_estimator held;
+  ASSERT_EQ(lm_init(&held, block.data(), block.size()), nullptr);
+  for (int i = 0; i < 100; ++i) {
+    lm_push_tension_mN(&held, 180'000);
+    EXPECT_FALSE(lm_settle(&held));
+  }
+  lm_reading reading{};
+  lm_read(&held, &reading);
+  EXPECT_EQ(reading.flags, std::uint32_t{LM_OVERLOAD});
+  EXPECT_EQ(reading.damage_ppb, 500'000'000u);
+  EXPECT_EQ(reading.open_half_cycles, 1u);
+  EXPECT_NEAR(reading.survival_q30, std::ldexp(0.98384, 30), std::ldexp(1e-5, 30));
+}
+
+TEST(CInterface, RefusesABlockWithAnExtension) {
+  ExtendedParameters extended{lifemodel_test::parameters_of(lifemodel_test::paper_constants()), {}};
+  extended.extension.effects = 1U << 1;  // the current offset
+  std::array<std::byte, kMostExtendedBytes> block{};
+  const auto whole = encode(extended, block);
+  ASSERT_TRUE(decode_extended(whole));
+  lm_estimator estimator;
+  const char* const why =
+      "it has an extension, which the C interface does not evaluate: pack a model without";
+  EXPECT_STREQ(lm_init(&estimator, whole.data(), whole.size()), why);
+  EXPECT_STREQ(lm_init(&estimator, whole.data(), kBlockBytes + 4), why);
+  EXPECT_STREQ(lm_init(&estimator, whole.data(), kBlockBytes + 3),
+               "wrong size: a parameter block has 84 bytes");
+  EXPECT_STREQ(lm_init(&estimator, whole.data(), kBlockBytes - 1),
+               "wrong size: a parameter block has 84 bytes");
+  EXPECT_EQ(lm_init(&estimator, whole.data(), kBlockBytes), nullptr);
 }
 
 TEST(CInterface, CurrentAndMillinewtons) {

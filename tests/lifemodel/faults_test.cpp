@@ -56,6 +56,91 @@ TEST(Faults, OverloadIsAWholeLifeAndCountingGoesOn) {
   EXPECT_GT(to_double(r.total), 1);
 }
 
+/// A sample at the ultimate tension is one, whatever follows: here nothing that turns. The way up
+/// from no tension is half a cycle of a whole life.
+TEST(Faults, TensionHeldAtTheUltimateOneIsAnOverload) {
+  auto constants = paper_constants();
+  constants.hysteresis_N = 0.2;
+  const Parameters p = parameters_of(constants);
+  for (const double held_N : {177.4, 200.0, -177.4}) {
+    Estimator<1> held({p});
+    for (int i = 0; i < 1000; ++i) {
+      held.push(0, newtons(held_N + (i % 3 == 1 ? 0.01 : 0)));
+      EXPECT_FALSE(held.settle());
+    }
+    const Reading r = held.reading(0);
+    EXPECT_TRUE(r.flags.has(Flag::overload)) << held_N;
+    EXPECT_EQ(r.overloads.raw(), 1u);
+    EXPECT_EQ(r.open_half_cycles.raw(), 1u);
+    EXPECT_EQ(to_double(r.total), 0.5);
+    EXPECT_EQ(r.flags.has(Flag::negative_tension), held_N < 0);
+
+    // exp(-0.5^5.94) = 0.98384
+    EXPECT_NEAR(to_double(p.life.survival(r.total)), 0.98384, 1e-5);
+
+    std::array<std::byte, Estimator<1>::kSnapshotBytes> buffer{};
+    Estimator<1> resumed({p});
+    ASSERT_EQ(resumed.restore(held.snapshot(buffer)), SnapshotError::none);
+    EXPECT_TRUE(resumed.reading(0).flags.has(Flag::overload));
+    EXPECT_EQ(resumed.reading(0).total, r.total);
+  }
+  Estimator<1> below({p});
+  below.push(0, newtons(177.399));
+  EXPECT_TRUE(below.reading(0).flags.none());
+  EXPECT_EQ(below.reading(0).total, Damage{});
+}
+
+/// The same where settle() was too late for the turning points before it: of 16 places none is left
+/// for the point 16 and those after it.
+TEST(Faults, TensionHeldAtTheUltimateOneAfterAnOverrunIsAnOverload) {
+  for (const int last : {17, 19, 21}) {
+    for (const bool turns : {false, true}) {
+      Estimator<1, SmallLayout> late({parameters_of(paper_constants())});
+      for (int i = 0; i < last; ++i) {
+        late.push(0, newtons(i % 2 == 0 ? 40 : 60));
+      }
+      late.push(0, newtons(177.4));
+      if (turns) {
+        late.push(0, newtons(30));
+      }
+      EXPECT_TRUE(late.reading(0).flags.has(Flag::overload)) << last << ' ' << turns;
+      EXPECT_TRUE(late.reading(0).flags.has(Flag::overrun));
+      for (const double tension_N : {20.0, 60.0, 20.0}) {
+        late.push(0, newtons(tension_N));
+      }
+      EXPECT_EQ(late.reading(0).overloads.raw(), 1u);
+      EXPECT_GE(to_double(late.reading(0).total), 0.5);
+    }
+  }
+}
+
+/// Every sample of every signal: the flag is there with the first sample that reaches the ultimate
+/// tension and not before, with the damage of half a cycle at least, and the damage never falls.
+TEST(Faults, AnOverloadIsToldWithItsFirstSample) {
+  std::mt19937 random(41);
+  for (int attempt = 0; attempt < 2000; ++attempt) {
+    auto constants = paper_constants();
+    constants.hysteresis_N = std::array{0.0, 0.2, 5.0, 40.0}[random() % 4];
+    Estimator<1> estimator({parameters_of(constants)});
+    std::uniform_real_distribution<double> near(-3, 3);
+    double tension_N = attempt % 2 == 0 ? 177.4 : -177.4;
+    bool overload = false;
+    Reading before{};
+    for (int i = 0; i < 40; ++i) {
+      tension_N += random() % 8 == 0 ? 20 * near(random) : near(random);
+      overload = overload || CycleLaw::overloads(newtons(tension_N));
+      estimator.push(0, newtons(tension_N));
+      while (random() % 4 == 0 && estimator.settle()) {
+      }
+      const Reading now = estimator.reading(0);
+      ASSERT_EQ(now.flags.has(Flag::overload), overload) << "sample " << i;
+      ASSERT_EQ(now.total >= Damage::from_words({0, 0, 0, 1u << 7}), overload);
+      ASSERT_LE(before.total, now.total);
+      before = now;
+    }
+  }
+}
+
 TEST(Faults, NegativeTensionIsCountedAsItIs) {
   auto constants = paper_constants();
   constants.hysteresis_N = 1;

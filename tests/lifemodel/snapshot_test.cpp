@@ -157,6 +157,75 @@ TEST(Snapshot, AForgedStateThatNoCountCouldLeaveIsRefused) {
       << "two equal turning points";
 }
 
+TEST(Alternation, NeighboursDifferAndDirectionsAlternate) {
+  const auto accepted = [](std::vector<double> points_N) {
+    Alternation alternation;
+    std::size_t count = 0;
+    for (const Tension point : newtons(points_N)) {
+      if (!alternation.next(point)) {
+        break;
+      }
+      ++count;
+    }
+    return count;
+  };
+  EXPECT_EQ(accepted({10, 90, 20, 80, 30}), 5u);
+  EXPECT_EQ(accepted({90, 10, 80, 20, 70}), 5u);
+  EXPECT_EQ(accepted({10, 10}), 1u);
+  EXPECT_EQ(accepted({10, 90, 90}), 2u);
+  EXPECT_EQ(accepted({10, 90, 95}), 2u);
+  EXPECT_EQ(accepted({90, 10, 5}), 2u);
+  EXPECT_EQ(accepted({10, 90, 20, 15}), 3u);
+  EXPECT_EQ(accepted({90, 10, 80, 85}), 3u);
+  EXPECT_EQ(accepted({10, 90, 20, 80, 81}), 4u);
+  // What was refused is forgotten.
+  Alternation alternation;
+  EXPECT_TRUE(alternation.empty());
+  EXPECT_TRUE(alternation.next(newtons(10)));
+  EXPECT_FALSE(alternation.empty());
+  EXPECT_TRUE(alternation.next(newtons(90)));
+  EXPECT_TRUE(alternation.rising());
+  EXPECT_FALSE(alternation.next(newtons(95)));
+  EXPECT_TRUE(alternation.next(newtons(20)));
+  EXPECT_FALSE(alternation.rising());
+}
+
+/// Residue 10, 90, 20, 80 and waiting 30, 70, 40; each point moved so that two steps go one way.
+TEST(Snapshot, TurningPointsThatDoNotAlternateAreRefused) {
+  using One = Estimator<1>;
+  One counted({parameters_of(paper_constants())});
+  for (const double tension_N : {10.0, 90.0, 20.0, 80.0, 30.0}) {
+    counted.push(0, newtons(tension_N));
+  }
+  counted.flush(0);
+  for (const double tension_N : {70.0, 40.0, 60.0}) {
+    counted.push(0, newtons(tension_N));
+  }
+  std::vector<std::byte> good(One::kSnapshotBytes);
+  good.resize(counted.snapshot(good).size());
+  const std::size_t first = good.size() / 4 - 1 - 7;
+  const std::vector<double> points_N = {10, 90, 20, 80, 30, 70, 40};
+  for (std::size_t i = 0; i < points_N.size(); ++i) {
+    ASSERT_EQ(ByteReader(std::span(good).subspan(4 * (first + i))).u32(),
+              static_cast<std::uint32_t>(newtons(points_N[i]).raw()));
+  }
+  ASSERT_EQ(One({parameters_of(paper_constants())}).restore(good), SnapshotError::none);
+  const auto with = [&](std::size_t point, double tension_N) {
+    const auto raw = static_cast<std::uint32_t>(newtons(tension_N).raw());
+    return One({parameters_of(paper_constants())}).restore(forged(good, first + point, raw));
+  };
+  // In ranges that do not grow: 90, 85, 80.
+  EXPECT_EQ(with(2, 85), SnapshotError::implausible);
+  EXPECT_EQ(with(3, 15), SnapshotError::implausible);
+  // Among those that wait, where any range may follow.
+  EXPECT_EQ(with(4, 85), SnapshotError::implausible);
+  EXPECT_EQ(with(5, 25), SnapshotError::implausible);
+  EXPECT_EQ(with(6, 75), SnapshotError::implausible);
+  EXPECT_EQ(with(6, 70), SnapshotError::implausible);
+  // And before the candidate, 60.
+  EXPECT_EQ(with(6, 65), SnapshotError::implausible);
+}
+
 TEST(Snapshot, AnotherModelIsTakenUpOnlyWhenAllowed) {
   const auto good = some_snapshot();
   auto constants = paper_constants();

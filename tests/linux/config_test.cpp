@@ -209,6 +209,15 @@ TEST(Config, AFileThatIsNoTomlIsRefusedWithItsPlace) {
   EXPECT_TRUE(complaint.ends_with("; accepted: TOML 1.0")) << complaint;
 }
 
+TEST(Config, AFileThatIsTooDeepIsRefusedBeforeItIsParsed) {
+  std::string table = "[a";
+  for (int i = 0; i < 31'000; ++i) {
+    table += ".a";
+  }
+  EXPECT_EQ(complaint_with("[can]", table + "]"),
+            "c.toml:6:65: more than 32 levels; accepted: TOML of at most 32 levels");
+}
+
 TEST(Config, ThereAreOneToFourTendons) {
   std::string five(kWhole);
   for (int i = 0; i < 3; ++i) {

@@ -47,7 +47,8 @@ expect "the program is stripped" test -z "$(grep -a -o '\.symtab' /usr/bin/host_
 
 for file in /usr/share/bash-completion/completions/host_sim \
   /usr/share/zsh/vendor-completions/_host_sim /usr/share/fish/vendor_completions.d/host_sim.fish \
-  $documents/copyright $documents/changelog.gz $documents/README.md; do
+  $documents/copyright $documents/changelog.gz $documents/README.md \
+  $documents/host_sim/README.md; do
   expect "$file" test -s $file
 done
 expect "bash reads the completion" bash -n /usr/share/bash-completion/completions/host_sim

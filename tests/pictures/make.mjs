@@ -1,7 +1,7 @@
 // make.mjs FOLDER REPORT DIAGNOSIS LIVE_FEED
 //
-// The pictures of the README, into FOLDER: the tops of two report pages, and of the live page of a
-// made bus.
+// The pictures of the pages, into FOLDER: damage and life of a replay, and the tops of a diagnosis and
+// of the live page of a made bus.
 import { mkdtempSync, rmSync } from 'node:fs';
 import { tmpdir } from 'node:os';
 import { join, resolve } from 'node:path';
@@ -10,6 +10,7 @@ import { LiveFeed } from '../monitor/http/live_feed.mjs';
 import { Browser, sleep } from '../support/browser.mjs';
 
 const SETTLE_MS = 1500;
+const MARGIN = 12;
 const [, , folder, report, diagnosis, program] = process.argv;
 const scratch = mkdtempSync(join(tmpdir(), 'pictures-'));
 const browser = await Browser.open();
@@ -18,20 +19,34 @@ if (!browser) {
   process.exit(1);
 }
 
-async function picture(name, address, { height, until, width = 1000 }) {
-  const page = await browser.page(address, { width, height });
+/** Where the section of a heading begins and ends. */
+const edges = (id) => {
+  const box = document.getElementById(id).closest('section').getBoundingClientRect();
+  return { top: box.top + window.scrollY, bottom: box.bottom + window.scrollY };
+};
+
+/** Of the top of a page, or of its sections from one to another. */
+async function picture(name, address, { height, sections, until, width = 1000 }) {
+  const page = await browser.page(address, { width, height: height ?? width });
   if (until) {
     await page.waitFor(until);
   }
   await sleep(SETTLE_MS);
-  await page.screenshot(join(folder, `${name}.png`), height);
+  const file = join(folder, `${name}.png`);
+  if (sections) {
+    const { top } = await page.evaluate(edges, sections[0]);
+    const { bottom } = await page.evaluate(edges, sections[1]);
+    await page.screenshot(file, bottom - top + 2 * MARGIN, top - MARGIN);
+  } else {
+    await page.screenshot(file, height);
+  }
   await page.close();
 }
 
 const fileAddress = (file) => pathToFileURL(resolve(file)).href;
 let feed;
 try {
-  await picture('replay', fileAddress(report), { height: 760 });
+  await picture('replay', fileAddress(report), { sections: ['trajectory-heading', 'life-heading'] });
   await picture('diagnosis', fileAddress(diagnosis), { height: 1000 });
   feed = await LiveFeed.start(program, join(scratch, 'feed.log'));
   for (const command of ['run 115', 'silent 5 1', 'corrupt 3 1', 'emergency 2 ff20', 'run 5']) {

@@ -6,7 +6,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "host_sim/plan/results.hpp"
 #include "tests/plan/theory.hpp"
 
 namespace host_sim::plan {

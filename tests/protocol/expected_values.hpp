@@ -135,12 +135,20 @@ inline Expected expected(const detail::Identity& m) {
            {"Configuration", m.configuration}}};
 }
 inline Expected expected(const detail::Cycles& m) {
-  return {"LifeDetail", "Cycles", {{"Cycles", m.cycles}, {"CycleRate", m.cycles_per_min}}};
+  Expected result{"LifeDetail", "Cycles", {{"Cycles", m.cycles}, {"CycleRate", m.cycles_per_min}}};
+  if (m.cycles_per_min == 0xffff) {
+    result.labels["CycleRate"] = "unknown";
+  }
+  return result;
 }
 inline Expected expected(const detail::DamageRate& m) {
-  return {"LifeDetail",
-          "DamageRate",
-          {{"DamageRate", m.ppb_per_h * 1e-9}, {"UnsavedDamage", m.unsaved_ppb * 1e-9}}};
+  Expected result{"LifeDetail",
+                  "DamageRate",
+                  {{"DamageRate", m.ppb_per_h * 1e-9}, {"UnsavedDamage", m.unsaved_ppb * 1e-9}}};
+  if (m.ppb_per_h == 0xffff'ffff) {
+    result.labels["DamageRate"] = "unknown";
+  }
+  return result;
 }
 inline Expected expected(const detail::TendonDamage& m) {
   return {"LifeDetail",

@@ -5,9 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/recording/fault_summary.hpp"
 #include "host_sim/recording/recording.hpp"
-#include "tests/recording/rig.hpp"
+#include "tests/recording/support.hpp"
 
 namespace host_sim::recording {
 namespace {

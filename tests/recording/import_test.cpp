@@ -1,3 +1,5 @@
+#include "host_sim/recording/import.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -7,9 +9,8 @@
 
 #include "host_sim/campaign/campaign.hpp"
 #include "host_sim/io/output_file.hpp"
-#include "host_sim/recording/import/davinci.hpp"
 #include "host_sim/recording/recording.hpp"
-#include "host_sim/recording/recording_file.hpp"
+#include "host_sim/recording/recording_files.hpp"
 #include "tests/recording/support.hpp"
 
 namespace host_sim::recording {
@@ -19,12 +20,12 @@ using testing::DoubleEq;
 using testing::Each;
 using testing::HasSubstr;
 
-constexpr const char* kHeader =
+constexpr const char* kDavinciHeader =
     "freq_idx,torque_idx,t_s,drive_pos_rad,drive_vel_rad_s,drive_torque_Nm,jaw_torque_Nm\n";
 
 /// Two sessions in turns: load 1 and load 0.
 std::string measurements(int rows = 16) {
-  std::string text = kHeader;
+  std::string text = kDavinciHeader;
   for (int i = 0; i < rows; ++i) {
     const std::string time = std::to_string(i);
     text += "2,1," + time + ",0.5,-0.25,0.05,-0.02\n";

@@ -8,9 +8,9 @@
 #include <cmath>
 #include <vector>
 
-#include "host_sim/recording/noise.hpp"
+#include "host_sim/recording/sensor.hpp"
 #include "host_sim/statistics/random.hpp"
-#include "tests/recording/times.hpp"
+#include "tests/recording/support.hpp"
 
 namespace host_sim::recording {
 namespace {

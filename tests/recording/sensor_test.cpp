@@ -8,8 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "host_sim/recording/noise.hpp"
-#include "host_sim/recording/stretch.hpp"
+#include "host_sim/recording/signal.hpp"
 #include "host_sim/statistics/random.hpp"
 
 namespace host_sim::recording {

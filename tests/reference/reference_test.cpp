@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -119,6 +120,18 @@ TEST(Reference, AnOverloadIsCountedAndCharged) {
   EXPECT_EQ(closed.damage.total, 2.0);
 }
 
+TEST(Reference, TensionHeldAtTheUltimateOneIsAnOverload) {
+  for (const double held_N : {100.0, 130.0, -100.0}) {
+    const Reading held = read(kRound, Signal(50, held_N));
+    EXPECT_EQ(held.overload_half_cycles, 1U);
+    EXPECT_EQ(held.open_half_cycles, 1U);
+    EXPECT_EQ(held.damage.total, 0.5);
+  }
+  EXPECT_EQ(read(kRound, Signal(50, 99.999)).damage.total, 0.0);
+  // Coming back, the first turning point takes the place of the way up.
+  EXPECT_EQ(read(kRound, Signal{130, 50}).damage.total, 0.5);
+}
+
 TEST(Reference, NegativeTensionIsCountedAsItIs) {
   const Reading reading = read(kRound, Signal{-5, 5});
   EXPECT_DOUBLE_EQ(reading.damage.total, 0.0005);
@@ -162,7 +175,13 @@ RC_GTEST_PROP(Reference, TheTotalIsTheAstmTotalAtEveryPrefix, ()) {
   for (const double tension_N : signal) {
     reference.push(tension_N);
     prefix.push_back(tension_N);
-    const Signal points = turning_points(prefix, constants.hysteresis_N);
+    Signal points = turning_points(prefix, constants.hysteresis_N);
+    // Held at the ultimate tension from the start: the way up from zero.
+    const double peak_N = std::abs(
+        *std::ranges::max_element(prefix, {}, [](double sample_N) { return std::abs(sample_N); }));
+    if (points.empty() && peak_N >= constants.ultimate_tension_N) {
+      points = {0.0, peak_N};
+    }
     double expected = 0.0;
     for (const auto& [cycle, count] : count_astm(points).entries) {
       const double amplitude_N = std::abs(cycle.from_N - cycle.to_N) / 2;

@@ -8,6 +8,7 @@
 
 #include "host_sim/io/byte_source.hpp"
 #include "host_sim/io/input_error.hpp"
+#include "host_sim/replay/profile_input.hpp"
 #include "host_sim/replay/results.hpp"
 
 namespace host_sim {
@@ -153,6 +154,17 @@ TEST(Replay, FlagsAndGapsAreTold) {
   EXPECT_TRUE(result.warnings.empty());
 }
 
+TEST(Replay, TensionHeldAtTheUltimateOneIsAnOverload) {
+  const ReplayResult result =
+      replay_text("time_s,input_tension_N\n0,180\n0.1,180\n0.2,180\n", paper_model());
+  EXPECT_EQ(result.flags, std::vector<std::string>{"overload"});
+  EXPECT_EQ(result.overloads, 1u);
+  EXPECT_EQ(result.cycles.open_half, 1u);
+  EXPECT_EQ(result.damage.total, 0.5);
+  EXPECT_EQ(result.reference_damage.total, 0.5);
+  EXPECT_NEAR(result.survival_probability, 0.98384, 1e-5);  // exp(-0.5^5.94)
+}
+
 TEST(Replay, AnotherSampleRateIsAWarning) {
   Model model = paper_model();
   model.counting.sample_rate_Hz = 1000;
@@ -244,5 +256,34 @@ TEST(Replay, ThePlotsHoldEveryCycleAndTheDamage) {
   EXPECT_NEAR(report.turning_points.points[1].tension_N, 60, 1e-6);
 }
 
+TEST(SampleClock, FindsWhatIsMissing) {
+  SampleClock clock(0.01);
+  EXPECT_EQ(clock.missing_before(5.00), 0u);
+  EXPECT_EQ(clock.missing_before(5.01), 0u);
+  EXPECT_EQ(clock.missing_before(5.0249), 0u) << "jitter of half a period is no gap";
+  EXPECT_EQ(clock.missing_before(5.0449), 1u);
+  EXPECT_EQ(clock.missing_before(5.1449), 9u);
+  EXPECT_EQ(clock.missing_before(5.1549), 0u);
+  EXPECT_EQ(clock.samples(), 6u);
+  EXPECT_NEAR(clock.duration_s(), 0.1549, 1e-12);
+  EXPECT_FALSE(clock.other_rate());
+}
+
+TEST(SampleClock, KnowsAnotherRateFromGaps) {
+  SampleClock clock(0.001);
+  for (int i = 0; i < 100; ++i) {
+    clock.missing_before(0.01 * i);
+  }
+  EXPECT_TRUE(clock.other_rate());
+  EXPECT_NEAR(clock.rate_Hz(), 100, 1e-9);
+}
+
+TEST(SampleClock, AHugeGapDoesNotOverflow) {
+  SampleClock clock(1e-5);
+  clock.missing_before(0);
+  EXPECT_EQ(clock.missing_before(1e9), 4'000'000'000u);
+}
+
 }  // namespace
+
 }  // namespace host_sim

@@ -6,12 +6,10 @@
 #include <limits>
 
 #include "tests/statistics/samples.hpp"
-#include "tests/statistics/simulation.hpp"
 
 namespace host_sim::statistics {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kShapeOfTwo = 2 * 1.1996786402577338;  // of the lives 1 and e: see fit_test.cpp
 
 /// Three levels with suspended specimens.

@@ -225,6 +225,22 @@ TEST(SampleTiming, CountsMissedPeriodsAndJitter) {
   EXPECT_EQ(timing.worst_us(), 49u);
 }
 
+TEST(SampleTiming, InTimeIsOnePeriodAfterTheOneBefore) {
+  hal::stm32g4::SampleTiming timing;
+  std::uint32_t now_us = 0;
+  const auto in_time_after = [&](std::uint32_t elapsed_us) {
+    static_cast<void>(timing.isr_period(now_us += elapsed_us, 100));
+    return timing.isr_in_time();
+  };
+  EXPECT_FALSE(in_time_after(100)) << "the first has none before it";
+  EXPECT_TRUE(in_time_after(100));
+  EXPECT_FALSE(in_time_after(49)) << "an interrupt that comes again at once";
+  EXPECT_TRUE(in_time_after(50));
+  EXPECT_TRUE(in_time_after(149));
+  EXPECT_FALSE(in_time_after(150));
+  EXPECT_FALSE(in_time_after(10'000));
+}
+
 TEST(SampleTiming, NinetyNineOfAHundred) {
   hal::stm32g4::SampleTiming timing;
   std::uint32_t now_us = 0;

@@ -74,6 +74,8 @@ TEST(Models, NoticeAConverterThatIsHurried) {
   EXPECT_GT(failures([&] { adc.cr.write(1u << 28 | 1); }), 0) << "not calibrated";
   adc.cr.hold(1u << 28);
   EXPECT_GT(failures([&] { adc.cr.write(1u << 28 | 1u << 3); }), 0) << "not ready";
+  adc.cr.hold(1u << 28 | 1u << 3 | 1u);
+  EXPECT_EQ(failures([&] { adc.ier.write(1u << 6); }), 1) << "after JADSTART";
 }
 
 TEST(Models, NoticeACanControllerConfiguredOnTheBus) {

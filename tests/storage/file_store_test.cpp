@@ -122,6 +122,75 @@ TEST_F(FileStore, EveryDamageIsNoticed) {
   EXPECT_TRUE(same_life(*opened(folder_).load(0), record_of(0, 3)));
 }
 
+TEST_F(FileStore, AFileThatHasGrownGivesWayToTheSaveBefore) {
+  const auto whole = folder_.read("life");
+  for (const std::size_t more : {1u, 24u, 4'000u, 5'000u, 1'000'000u}) {
+    auto grown = whole;
+    grown.insert(grown.end(), more, '\0');
+    folder_.write("life", grown);
+    ASSERT_EQ(refusal(folder_.path()), "opened") << more;
+    const Store store = opened(folder_);
+    EXPECT_TRUE(same_life(*store.load(0), record_of(0, 2))) << more;
+    EXPECT_FALSE(store.past_lost()) << more;
+    ASSERT_EQ(store.notices().size(), 1u) << more;
+    EXPECT_EQ(store.notices()[0].path, folder_.file("life"));
+  }
+  // 16 bytes of head, 4 + 64 + 84 for each of 32 tendons, and 4.
+  EXPECT_EQ(opened(folder_).notices()[0].what,
+            "longer than a life file, 4884 bytes at most; accepted: a whole life file; the save "
+            "before is used");
+  folder_.write("life.previous", folder_.read("life"));
+  const Store store = opened(folder_);
+  EXPECT_TRUE(store.past_lost());
+  EXPECT_EQ(store.notices().size(), 2u);
+}
+
+TEST_F(FileStore, TheLifeOfTheMostTendonsIsAnotherConfigurationAndNotDamaged) {
+  const Folder folder;
+  {
+    auto many = hal::linux_os::FileStore<32>::open(folder.path());
+    ASSERT_EQ(std::get<hal::linux_os::FileStore<32>>(many).save(records_of<32>(1)), Error::none);
+  }
+  EXPECT_EQ(refusal(folder.path()),
+            folder.file("life") +
+                ": it holds the life of 32 tendons; accepted: as many as are configured, 2");
+}
+
+TEST_F(FileStore, TheLastSequenceIsNotFollowedByTheFirst) {
+  using Image = hal::linux_os::FileImage<2>;
+  const auto whole = folder_.read("life");
+  const auto decoded = hal::linux_os::decode_image<2>(std::as_bytes(std::span(whole)));
+  Image image = std::get<Image>(decoded);
+  image.sequence = 0xffff'ffff;
+  const auto bytes = hal::linux_os::encode(image);
+  const auto* first = reinterpret_cast<const char*>(bytes.data());
+  folder_.write("life.previous", {first, first + bytes.size()});
+  folder_.flip("life", 100);
+  Store store = opened(folder_);
+  EXPECT_EQ(store.sequence(), 0xffff'ffffu);
+  EXPECT_EQ(store.save(records_of<2>(4)), Error::full);
+}
+
+TEST_F(FileStore, ALogThatHasGrownIsReadAndGoesOn) {
+  auto grown = folder_.read("authority.log");
+  grown.insert(grown.end(), 24 * 65'536 + 1 - grown.size(), '\0');
+  folder_.write("authority.log", grown);
+  {
+    ASSERT_EQ(refusal(folder_.path()), "opened");
+    Store store = opened(folder_);
+    ASSERT_EQ(store.notices().size(), 1u);
+    EXPECT_EQ(to_string(store.notices()[0]),
+              folder_.file("authority.log") +
+                  ": longer than the 65536 entries of a log; all from entry 2 on is ignored");
+    EXPECT_EQ(store.log(1)->detail, entry_of(2).detail);
+    EXPECT_FALSE(store.log(2));
+    ASSERT_EQ(store.append(entry_of(3)), Error::none);
+  }
+  const Store store = opened(folder_);
+  EXPECT_EQ(store.log(2)->detail, entry_of(3).detail);
+  EXPECT_FALSE(store.log(3));
+}
+
 TEST_F(FileStore, WithBothDamagedThePastIsLostAndThatIsRemembered) {
   folder_.flip("life", 100);
   folder_.flip("life.previous", 100);

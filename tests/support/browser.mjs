@@ -168,18 +168,19 @@ class Page {
     await this.send('Input.dispatchKeyEvent', { type: 'keyUp', ...event });
   }
 
-  /** Of the whole page, or of its top. */
-  async screenshot(file, height = undefined) {
+  /** Of the whole page, or of `height` pixels from `top`. */
+  async screenshot(file, height = undefined, top = 0) {
     const { data } = await this.send('Page.captureScreenshot', {
       captureBeyondViewport: true,
       clip: await this.evaluate(
-        (top) => ({
+        (y, tall) => ({
           x: 0,
-          y: 0,
+          y,
           scale: 1,
           width: document.documentElement.clientWidth,
-          height: top ?? document.documentElement.scrollHeight,
+          height: tall ?? document.documentElement.scrollHeight,
         }),
+        top,
         height ?? null,
       ),
     });

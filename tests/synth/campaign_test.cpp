@@ -1,8 +1,7 @@
 #include <map>
 
-#include "host_sim/campaign/campaign_file.hpp"
+#include "host_sim/campaign/campaign_files.hpp"
 #include "host_sim/io/output_file.hpp"
-#include "host_sim/synth/campaign/campaign_text.hpp"
 #include "host_sim/synth/campaign/folder.hpp"
 #include "host_sim/synth/campaign/make.hpp"
 #include "tests/synth/support.hpp"
@@ -180,14 +179,6 @@ TEST(SynthFolder, NeverReplacesAnythingElse) {
   EXPECT_NE(refusal(folder / "nowhere/c", true), "");
   EXPECT_EQ(text_of(folder / "letters/dear.txt"), "x");
   EXPECT_EQ(folder.file_count(), 2U);
-}
-
-TEST(SynthFolder, KnowsWhatLiesInIt) {
-  const TemporaryFolder folder;
-  EXPECT_TRUE(lies_in(folder / "c/truth.json", folder / "c"));
-  EXPECT_TRUE(lies_in(folder / "c/../c/a/b", folder / "c/"));
-  EXPECT_FALSE(lies_in(folder / "c.json", folder / "c"));
-  EXPECT_FALSE(lies_in(folder / "d/c", folder / "c"));
 }
 
 }  // namespace

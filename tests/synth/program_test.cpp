@@ -44,7 +44,8 @@ TEST_F(SynthProgram, RefusesWhatStandsThere) {
 
 TEST_F(SynthProgram, TheTruthMayNotLieInTheFolder) {
   EXPECT_EQ(run("synth --plan plan.toml --out c --truth c/truth.json"), 2);
-  EXPECT_NE(err_.find("would lie in the campaign's folder"), std::string::npos) << err_;
+  EXPECT_NE(err_.find("--truth 'c/truth.json' would lie in the folder of --out"), std::string::npos)
+      << err_;
   EXPECT_FALSE(fs::exists(folder_ / "c"));
 }
 

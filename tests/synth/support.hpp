@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "host_sim/synth/campaign/sessions.hpp"
-#include "host_sim/synth/plan/settings.hpp"
+#include "host_sim/synth/plan/plan.hpp"
 #include "tests/io/support.hpp"
 
 namespace host_sim::synth::test {
@@ -17,6 +17,7 @@ using host_sim::test::complaint_of;
 
 inline constexpr double kMu = 0.128;
 inline constexpr double kPhi_rad = 270 * std::numbers::pi / 180;
+inline constexpr double kFull = kMu * kPhi_rad;
 inline constexpr double kRate_rad_s = std::numbers::pi;  // of 0.5 Hz
 inline constexpr double kStroke_m = 0.02;                // half the travel
 
@@ -63,6 +64,10 @@ inline Channels session(const std::string& text, std::size_t number = 0, std::ui
   const SynthPlan plan = plan_of(text);
   const Setting setting = settings_of(*plan.recordings, seed).at(number);
   return session_channels(plan, setting, session_scatter(plan, seed, number), seed);
+}
+
+inline double time_of(std::size_t i) {
+  return static_cast<double>(i) / 200;
 }
 
 /// s of each sample, as the motion of kRecordings has it.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "host_sim/calibrate/output/json.hpp"
+#include "host_sim/calibrate/output/output.hpp"
 #include "tests/verbs/hand_made_result.hpp"
 
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "host_sim/calibrate/output/model_text.hpp"
+#include "host_sim/calibrate/output/output.hpp"
 #include "host_sim/campaign/nominal_model.hpp"
 #include "host_sim/io/input_error.hpp"
 #include "tests/verbs/hand_made_result.hpp"

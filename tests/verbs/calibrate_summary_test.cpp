@@ -4,9 +4,7 @@
 #include <limits>
 #include <sstream>
 
-#include "host_sim/calibrate/output/findings.hpp"
-#include "host_sim/calibrate/output/number_text.hpp"
-#include "host_sim/calibrate/output/summary.hpp"
+#include "host_sim/calibrate/output/output.hpp"
 #include "tests/verbs/hand_made_result.hpp"
 
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "host_sim/calibrate/output/table_row.hpp"
+#include "host_sim/calibrate/output/output.hpp"
 #include "tests/verbs/hand_made_result.hpp"
 
 namespace {

@@ -139,6 +139,20 @@ TEST_F(DiagnoseProgram, BadInputIsToldInOneLine) {
   expect_refusal("r", "r/", "missing.csv");
 }
 
+TEST_F(DiagnoseProgram, WhatWasFoundIsWrittenAlsoWhereNoModelCanHoldIt) {
+  write("r/campaign.toml",
+        host_sim_test::with(contents(folder_ / "r/campaign.toml"), "ipl_scale", "1e300"));
+  EXPECT_EQ(run("diagnose r --out m.toml --json r.json --report p.html"), 1);
+  EXPECT_EQ(err_.rfind("m.toml: the board cannot represent it: ", 0), 0U) << err_;
+  EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
+  EXPECT_FALSE(fs::exists(folder_ / "m.toml"));
+  const json result = json::parse(contents(folder_ / "r.json"));
+  EXPECT_TRUE(result["extended_model"].is_null());
+  EXPECT_FALSE(result["verdict"].is_null());
+  EXPECT_NE(contents(folder_ / "p.html").find("</html>"), std::string::npos);
+  EXPECT_EQ(out_.rfind("short: ", 0), 0U) << out_;
+}
+
 TEST_F(DiagnoseProgram, AModelThatCannotBeWrittenIsToldBeforeTheWork) {
   std::string text = contents(folder_ / "r/campaign.toml");
   const std::size_t at = text.find("[model.life]");

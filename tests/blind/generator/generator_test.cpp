@@ -6,7 +6,6 @@
 #include <set>
 
 #include "host_sim/synth/plan/plan.hpp"
-#include "host_sim/synth/plan/settings.hpp"
 #include "tests/blind/generator/choice.hpp"
 #include "tests/blind/generator/scenario.hpp"
 

@@ -1,9 +1,7 @@
 #include "tests/blind/making/make.hpp"
 
 #include "host_sim/io/output_file.hpp"
-#include "host_sim/synth/campaign/campaign_text.hpp"
 #include "host_sim/synth/campaign/make.hpp"
-#include "host_sim/synth/campaign/truth.hpp"
 
 namespace blind {
 namespace {

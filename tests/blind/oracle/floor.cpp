@@ -4,7 +4,6 @@
 
 #include "host_sim/synth/campaign/sessions.hpp"
 #include "host_sim/synth/plan/plan.hpp"
-#include "host_sim/synth/plan/settings.hpp"
 #include "tests/blind/oracle/traces.hpp"
 
 namespace blind {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "host_sim/synth/tension/channels.hpp"
+#include "host_sim/synth/tension/sensors.hpp"
 #include "tests/blind/generator/scenario.hpp"
 
 namespace blind {

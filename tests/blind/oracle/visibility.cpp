@@ -7,7 +7,6 @@
 
 #include "host_sim/synth/campaign/sessions.hpp"
 #include "host_sim/synth/plan/plan.hpp"
-#include "host_sim/synth/plan/settings.hpp"
 #include "tests/blind/oracle/life_visibility.hpp"
 #include "tests/blind/oracle/session_information.hpp"
 #include "tests/blind/oracle/traces.hpp"

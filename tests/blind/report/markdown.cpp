@@ -2,53 +2,101 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <cmath>
 #include <iterator>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
 namespace blind {
 namespace {
 
-using Rows = std::vector<std::array<std::string, 3>>;
+/// What a score has to reach. Without words there is no goal.
+struct Goal {
+  std::string words = {};
+  double low = -std::numeric_limits<double>::infinity();
+  double high = std::numeric_limits<double>::infinity();
+};
 
-std::string percent(double value) {
-  return fmt::format("{:.1f} %", 100 * value);
+struct Row {
+  std::string_view score;
+  std::string reached;
+  double value = 0;
+  Goal goal;
+};
+
+std::string_view met_or_missed(double value, const Goal& goal) {
+  if (goal.words.empty() || std::isnan(value)) {
+    return "";
+  }
+  return value >= goal.low && value <= goal.high ? "met" : "missed";
 }
 
-Rows rows_of(const Scores& scores) {
+Row share(std::string_view score, const Proportion& proportion, const Goal& goal = {}) {
+  return {score, text_of(proportion), proportion.value(), goal};
+}
+
+Row number(std::string_view score, const std::string& reached, double value, const Goal& goal) {
+  return {score, reached, value, goal};
+}
+
+Goal at_least(std::string_view words, double low) {
+  return {.words = std::string(words), .low = low};
+}
+
+Goal at_most(std::string_view words, double high) {
+  return {.words = std::string(words), .high = high};
+}
+
+Goal goal_of_each_effect() {
+  return at_least(">= 90 %", 0.9);
+}
+
+std::vector<Row> rows_of(const Scores& scores, double first_goal) {
+  const std::string first_words = fmt::format(">= {:.0f} %", 100 * first_goal);
+  const double error = scores.calibration.error();
+  const double parameter_error = quantile(scores.parameter_errors, 0.5);
+  const auto refused = static_cast<double>(scores.refused);
   return {
-      {"named something where nothing is hidden", text_of(scores.none_named), "<= 0.4 %"},
-      {"any alarm where nothing is hidden", text_of(scores.none_alarmed), ""},
-      {"one effect, right first, over all", text_of(scores.one.first), ">= 92 %"},
-      {"the same, a class of equivalent causes counted as one", text_of(scores.one.of_class), ""},
-      {"where an oracle sees it at 3 sigma", text_of(scores.one_at_3.first), ""},
-      {"where an oracle sees it at 5 sigma", text_of(scores.one_at_5.first), ">= 98 %"},
-      {"the same, by class", text_of(scores.one_at_5.of_class), ""},
-      {"right when named", text_of(scores.named_right), ">= 99 %"},
-      {"expected calibration error", fmt::format("{:.3f}", scores.calibration.error()), "<= 0.02"},
-      {"95 % set: holds the truth", text_of(scores.covered), "94 .. 99 %"},
-      {"95 % set: mean size", fmt::format("{:.2f}", scores.set_size), "<= 1.2"},
-      {"two at once, both right", text_of(scores.two_first), ">= 90 %"},
-      {"where an oracle sees both at 5 sigma", text_of(scores.two_first_at_5), ""},
-      {"two at once, both named", text_of(scores.two_named), ""},
-      {"outside the catalogue: unknown", text_of(scores.outside_unknown), ">= 95 %"},
-      {"outside the catalogue: falsely named", text_of(scores.outside_named), "<= 1 %"},
-      {"parameters: median error", percent(quantile(scores.parameter_errors, 0.5)), "<= 5 %"},
-      {"parameters: 95 % intervals that hold the truth", text_of(scores.parameters_covered),
-       "93 .. 97 %"},
-      {"campaigns refused", fmt::format("{}", scores.refused), "0"},
+      share("named something where nothing is hidden", scores.none_named,
+            at_most("<= 0.4 %", 0.004)),
+      share("any alarm where nothing is hidden", scores.none_alarmed),
+      share("one effect, right first, over all", scores.one.first,
+            at_least(first_words, first_goal)),
+      share("the same, a class of equivalent causes counted as one", scores.one.of_class),
+      share("where an oracle sees it at 3 sigma", scores.one_at_3.first),
+      share("where an oracle sees it at 5 sigma", scores.one_at_5.first, at_least(">= 98 %", 0.98)),
+      share("the same, by class", scores.one_at_5.of_class),
+      share("right when named", scores.named_right, at_least(">= 99 %", 0.99)),
+      number("expected calibration error", fmt::format("{:.3f}", error), error,
+             at_most("<= 0.02", 0.02)),
+      share("95 % set: holds the truth", scores.covered, {"94 .. 99 %", 0.94, 0.99}),
+      number("95 % set: mean size", fmt::format("{:.2f}", scores.set_size), scores.set_size,
+             at_most("<= 1.2", 1.2)),
+      share("two at once, both right", scores.two_first, at_least(">= 90 %", 0.9)),
+      share("where an oracle sees both at 5 sigma", scores.two_first_at_5),
+      share("two at once, both named", scores.two_named),
+      share("outside the catalogue: unknown", scores.outside_unknown, at_least(">= 95 %", 0.95)),
+      share("outside the catalogue: falsely named", scores.outside_named, at_most("<= 1 %", 0.01)),
+      number("parameters: median error", fmt::format("{:.1f} %", 100 * parameter_error),
+             parameter_error, at_most("<= 5 %", 0.05)),
+      share("parameters: 95 % intervals that hold the truth", scores.parameters_covered,
+            {"93 .. 97 %", 0.93, 0.97}),
+      number("campaigns refused", fmt::format("{}", scores.refused), refused, at_most("0", 0)),
   };
 }
 
 std::string effects_table(const Scores& scores) {
-  std::string text = "\n| hidden | right first | by class |\n|---|---|---|\n";
+  const Goal goal = goal_of_each_effect();
+  std::string text = fmt::format(
+      "\n| hidden | right first | by class | goal {} |\n|---|---|---|---|\n", goal.words);
   for (const auto& [id, detection] : scores.effects) {
-    text += fmt::format("| {} | {} | {} |\n", id, text_of(detection.first),
-                        text_of(detection.of_class));
+    text +=
+        fmt::format("| {} | {} | {} | {} |\n", id, text_of(detection.first),
+                    text_of(detection.of_class), met_or_missed(detection.of_class.value(), goal));
   }
   for (const auto& [id, proportion] : scores.outside) {
-    text += fmt::format("| outside: {} | unknown {} | |\n", id, text_of(proportion));
+    text += fmt::format("| outside: {} | unknown {} | | |\n", id, text_of(proportion));
   }
   return text;
 }
@@ -83,18 +131,21 @@ std::string confusion_table(const Scores& scores) {
 
 }  // namespace
 
-std::string markdown_of(const Scores& scores, std::string_view title) {
-  std::string text = fmt::format("\n**{}**\n\n| score | reached | goal |\n|---|---|---|\n", title);
-  for (const auto& [score, reached, goal] : rows_of(scores)) {
-    text += fmt::format("| {} | {} | {} |\n", score, reached, goal);
+std::string markdown_of(const Scores& scores, std::string_view title, double first_goal) {
+  std::string text =
+      fmt::format("\n**{}**\n\n| score | reached | goal | |\n|---|---|---|---|\n", title);
+  for (const Row& row : rows_of(scores, first_goal)) {
+    text += fmt::format("| {} | {} | {} | {} |\n", row.score, row.reached, row.goal.words,
+                        met_or_missed(row.value, row.goal));
   }
   return text + effects_table(scores) + reliability_table(scores) + confusion_table(scores);
 }
 
-std::string summary_of(const Scores& scores) {
+std::string summary_of(const Scores& scores, double first_goal) {
   std::string text;
-  for (const auto& [score, reached, goal] : rows_of(scores)) {
-    fmt::format_to(std::back_inserter(text), "{:<56} {:<34} {}\n", score, reached, goal);
+  for (const Row& row : rows_of(scores, first_goal)) {
+    fmt::format_to(std::back_inserter(text), "{:<56} {:<34} {:<10} {}\n", row.score, row.reached,
+                   row.goal.words, met_or_missed(row.value, row.goal));
   }
   for (const auto& [id, detection] : scores.effects) {
     fmt::format_to(std::back_inserter(text), "  {:<54} {:<34} class {}\n", id,

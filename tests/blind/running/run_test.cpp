@@ -8,7 +8,7 @@
 
 #include "host_sim/campaign/campaign.hpp"
 #include "host_sim/io/input_error.hpp"
-#include "host_sim/synth/campaign/truth.hpp"
+#include "host_sim/synth/campaign/make.hpp"
 #include "tests/blind/running/records_file.hpp"
 #include "tests/blind/small_scenario.hpp"
 

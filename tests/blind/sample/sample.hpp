@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "tests/blind/running/run.hpp"
+#include "tests/blind/scoring/proportion.hpp"
 
 namespace blind {
 
@@ -17,8 +18,8 @@ std::vector<Record> run_sample(const std::vector<Scenario>& scenarios, const Ana
 std::vector<Scenario> first_scenarios(Scenario (*draw)(std::uint64_t seed), std::size_t count);
 
 /// What every answer to a sample must keep: no name where nothing is hidden, every name right, and
-/// the truth first in at least the share `top_one` of all campaigns.
-void expect_good(const std::vector<Record>& records, double top_one);
+/// the truth first as often as many campaigns have had it; see Proportion::least_of().
+void expect_good(const std::vector<Record>& records, const Proportion& right_of_many);
 
 /// Without the effect in the catalogue nothing is named instead in its campaigns, and they are
 /// unknown where an oracle sees the effect at so many standard deviations: of each effect campaigns

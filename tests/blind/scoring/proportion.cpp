@@ -31,6 +31,16 @@ double Proportion::upper() const {
                                       static_cast<double>(of), static_cast<double>(holds), kTail);
 }
 
+std::size_t Proportion::least_of(std::size_t some) const {
+  constexpr double kFewer = 0.1;
+  const Binomial draws(static_cast<double>(some), value());
+  std::size_t least = 0;
+  while (least < some && boost::math::cdf(draws, static_cast<double>(least)) <= kFewer) {
+    ++least;
+  }
+  return least;
+}
+
 std::string text_of(const Proportion& proportion) {
   return proportion.of == 0
              ? "-"

@@ -21,6 +21,10 @@ struct Proportion {
   /// illustrated in the case of the binomial, Biometrika 26, 1934. 0 and 1 of none.
   [[nodiscard]] double lower() const;
   [[nodiscard]] double upper() const;
+
+  /// What `some` campaigns have to reach at least: fewer come out of them in one draw of ten at
+  /// most, where each holds with this proportion.
+  [[nodiscard]] std::size_t least_of(std::size_t some) const;
 };
 
 /// "96.0 % (93.1 .. 97.9, 288 of 300)", or "-" of none.

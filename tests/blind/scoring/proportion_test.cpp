@@ -35,6 +35,15 @@ TEST(Proportion, NoneOfNoneSaysNothing) {
   EXPECT_EQ(text_of(nothing), "-");
 }
 
+// Sums of binomials: fewer than 51 of 60 at 0.904 have 0.0586, fewer than 52 0.1181; fewer than 48
+// at 0.865 have 0.0547, fewer than 49 0.1033.
+TEST(Proportion, ASampleHasToReachMostOfIt) {
+  EXPECT_EQ((Proportion{904, 1000}.least_of(60)), 51u);
+  EXPECT_EQ((Proportion{865, 1000}.least_of(60)), 48u);
+  EXPECT_EQ((Proportion{10, 10}.least_of(60)), 60u);
+  EXPECT_EQ((Proportion{0, 10}.least_of(60)), 0u);
+}
+
 TEST(Proportion, CountsWhatItIsTold) {
   Proportion proportion;
   proportion.add(true);

@@ -1,8 +1,11 @@
 #include "tests/blind/scoring/scores.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
 #include "tests/blind/report/markdown.hpp"
 #include "tests/blind/support.hpp"
@@ -101,12 +104,43 @@ TEST(Tables, StandBetweenTheirMarks) {
   EXPECT_THROW(with_tables(readme, "recordings", "new\n"), std::runtime_error);
 }
 
+std::string with_thousands(int seed) {
+  return fmt::format("{},{:03}", seed / 1000, seed % 1000);
+}
+
+TEST(Tables, AreOfTheSeedsThatTheReadmeNames) {
+  std::ifstream file(TENDONLIFE_README);
+  std::stringstream readme;
+  readme << file.rdbuf();
+  const std::string sentence = fmt::format(
+      "tables are of seeds from {} on for recordings and from {} on for lives.",
+      with_thousands(BLIND_FIRST_SEED_RECORDINGS), with_thousands(BLIND_FIRST_SEED_LIVES));
+  EXPECT_NE(readme.str().find(sentence), std::string::npos) << sentence;
+}
+
 TEST(Tables, SayWhatWasCounted) {
   const std::string text = markdown_of(scores_of(some()), "nine");
-  EXPECT_NE(text.find("| right when named | 66.7 % (9.4 .. 99.2, 2 of 3) | >= 99 % |"),
+  EXPECT_NE(text.find("| right when named | 66.7 % (9.4 .. 99.2, 2 of 3) | >= 99 % | missed |\n"),
             std::string::npos)
       << text;
   EXPECT_NE(text.find("| slack | none 1, slack 1 |"), std::string::npos) << text;
+}
+
+// One of three effects is right first; nothing is named where nothing is hidden.
+TEST(Tables, SayWhetherAGoalIsMet) {
+  constexpr std::string_view kRightFirst = "one effect, right first, over all | 33.3 % ";
+  const auto line_with = [](const std::string& text, std::string_view start) {
+    const std::size_t begin = text.find(start);
+    return begin == std::string::npos ? "" : text.substr(begin, text.find('\n', begin) - begin);
+  };
+  const Scores scores = scores_of(some());
+  EXPECT_TRUE(
+      line_with(markdown_of(scores, "", 0.34), kRightFirst).ends_with("| >= 34 % | missed |"));
+  EXPECT_TRUE(line_with(markdown_of(scores, "", 0.33), kRightFirst).ends_with("| >= 33 % | met |"));
+  EXPECT_TRUE(line_with(markdown_of(scores, ""), "named something where nothing is hidden")
+                  .ends_with("| <= 0.4 % | met |"));
+  EXPECT_TRUE(line_with(markdown_of(scores, ""), "any alarm").ends_with("|  |  |"));
+  EXPECT_TRUE(line_with(markdown_of(scores, ""), "slack | 50.0 %").ends_with("| missed |"));
 }
 
 }  // namespace

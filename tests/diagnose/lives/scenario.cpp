@@ -6,11 +6,11 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "host_sim/campaign/assemble.hpp"
+#include "host_sim/campaign/campaign_files.hpp"
 #include "host_sim/io/byte_source.hpp"
 #include "host_sim/statistics/random.hpp"
-#include "host_sim/synth/campaign/campaign_text.hpp"
 #include "host_sim/synth/campaign/lives.hpp"
+#include "host_sim/synth/campaign/make.hpp"
 
 namespace host_sim::test {
 namespace {

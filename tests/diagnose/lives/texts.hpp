@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "host_sim/campaign/assemble.hpp"
+#include "host_sim/campaign/campaign_files.hpp"
 #include "host_sim/io/byte_source.hpp"
 
 namespace host_sim::diagnose::lives::test {

@@ -2,10 +2,40 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/diagnose/output/hand_made_diagnosis.hpp"
 
 namespace host_sim::diagnose {
 namespace {
+
+TEST(Gain, IsOneOfTheErrorElseOfTheDensity) {
+  EXPECT_TRUE(gains({"session", {{"rmse_N", 1.5, 1.4}, {"log_predictive_density", 3, 2}}}));
+  EXPECT_FALSE(gains({"session", {{"rmse_N", 1.5, 1.5}}}));
+  EXPECT_FALSE(gains({"session", {{"log_predictive_density", 2, 3}, {"rmse_N", 1.5, 1.6}}}));
+  EXPECT_FALSE(gains({"session", {{"rmse_N", 1.5, std::nan("")}}}));
+  EXPECT_TRUE(gains({"level", {{"log_predictive_density", -2, -1}, {"b10_coverage", 0.1, 0.3}}}));
+  EXPECT_FALSE(gains({"level", {{"log_predictive_density", -1, -2}}}));
+  EXPECT_FALSE(gains({}));
+}
+
+TEST(Gain, WhatDoesNotGainIsNotNamedAndNotWritten) {
+  Findings findings = host_sim_test::wear_in_recordings().findings;
+  EXPECT_FALSE(withdraw_what_does_not_gain(findings));
+  EXPECT_EQ(findings.verdict, Verdict::named);
+  EXPECT_EQ(findings.extensions.size(), 1U);
+  EXPECT_EQ(no_gain_words(findings), "");
+
+  findings.gain.metrics = {{"rmse_N", 0.5, 1.5}};
+  EXPECT_TRUE(withdraw_what_does_not_gain(findings));
+  EXPECT_EQ(findings.verdict, Verdict::ambiguous);
+  EXPECT_TRUE(findings.extensions.empty());
+  EXPECT_NE(no_gain_words(findings).find("nothing was extended"), std::string::npos);
+
+  Findings none;
+  EXPECT_FALSE(withdraw_what_does_not_gain(none));
+  EXPECT_EQ(no_gain_words(none), "");
+}
 
 TEST(Parts, RecordingsComeFirst) {
   const Diagnosis diagnosis = host_sim_test::both_parts();

@@ -5,7 +5,7 @@
 
 #include "host_sim/campaign/campaign.hpp"
 #include "host_sim/diagnose/tension/diagnose_recorded.hpp"
-#include "host_sim/recording/import/davinci.hpp"
+#include "host_sim/recording/import.hpp"
 #include "tests/recording/support.hpp"
 
 namespace host_sim::diagnose::testing {

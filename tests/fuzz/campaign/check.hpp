@@ -5,8 +5,8 @@
 #include <string>
 
 #include "host_sim/campaign/campaign.hpp"
-#include "host_sim/campaign/campaign_file.hpp"
-#include "host_sim/campaign/load_model.hpp"
+#include "host_sim/campaign/campaign_files.hpp"
+#include "host_sim/campaign/load.hpp"
 #include "tests/fuzz/io/require.hpp"
 
 namespace host_sim::fuzz {

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/campaign/assemble.hpp"
+#include "host_sim/campaign/campaign_files.hpp"
 #include "host_sim/io/input_error.hpp"
 #include "tests/fuzz/campaign/check.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "host_sim/campaign/campaign_file.hpp"
+#include "host_sim/campaign/campaign_files.hpp"
 #include "host_sim/io/input_error.hpp"
 #include "tests/fuzz/campaign/check.hpp"
 

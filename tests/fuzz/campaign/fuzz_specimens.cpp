@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "host_sim/campaign/assemble.hpp"
+#include "host_sim/campaign/campaign_files.hpp"
 #include "host_sim/io/input_error.hpp"
 #include "tests/fuzz/campaign/check.hpp"
 

@@ -9,7 +9,7 @@
 
 #include "host_sim/io/input_error.hpp"
 #include "host_sim/recording/covariates.hpp"
-#include "host_sim/recording/recording_file.hpp"
+#include "host_sim/recording/recording_files.hpp"
 #include "tests/fuzz/io/require.hpp"
 
 namespace {

@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "host_sim/io/input_error.hpp"
-#include "host_sim/recording/sessions_file.hpp"
+#include "host_sim/recording/recording_files.hpp"
 #include "tests/fuzz/io/require.hpp"
 
 namespace {

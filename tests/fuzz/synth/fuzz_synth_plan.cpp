@@ -8,7 +8,7 @@
 #include "host_sim/io/input_error.hpp"
 #include "host_sim/synth/campaign/lives.hpp"
 #include "host_sim/synth/campaign/sessions.hpp"
-#include "host_sim/synth/plan/settings.hpp"
+#include "host_sim/synth/plan/plan.hpp"
 #include "tests/fuzz/io/require.hpp"
 
 using namespace host_sim::synth;

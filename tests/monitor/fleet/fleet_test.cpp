@@ -197,32 +197,236 @@ TEST(Fleet, NoNodeVanishesFromABusThatCannotBeHeard) {
   EXPECT_TRUE(node_of(fleet, 3).vanished);
 }
 
-TEST(Fleet, DamageFallsWithANewEpochOnly) {
+/// Node 3, that tells its damage every 100 ms and its last record where it is asked to.
+class Told {
+ public:
+  void damage(std::uint32_t damage_ppb, int times = 1,
+              protocol::LifeState state = protocol::LifeState::normal) {
+    for (int i = 0; i < times; ++i) {
+      fleet.see(sender.status(now_ns += 100 * kMs, {.state = state, .damage_ppb = damage_ppb}));
+    }
+  }
+  void record(std::uint32_t sequence, std::uint32_t unsaved_ppb) {
+    fleet.see(sender.page(
+        now_ns += kMs,
+        protocol::detail::Storage{.sequence = sequence, .worst_unsaved_ppb = unsaved_ppb}));
+  }
+  void restart() {
+    sender = Sender(3);
+    fleet.see(sender.heartbeat(now_ns += kS, protocol::NmtState::boot_up));
+  }
+  [[nodiscard]] const NodeView& node() const { return fleet.view().nodes.at(3); }
+  [[nodiscard]] std::uint32_t shown_ppb() const { return node().highest_damage_ppb; }
+  [[nodiscard]] std::vector<std::string> epochs() const {
+    return words_of(node(), Event::Kind::epoch);
+  }
+
   Fleet fleet;
-  Sender sender(3);
-  fleet.see(sender.damage(0, 121'000'000));
-  fleet.see(sender.damage(100 * kMs, 0));
-  fleet.see(sender.damage(200 * kMs, 10));
-  EXPECT_EQ(node_of(fleet, 3).highest_damage_ppb, 121'000'000u);
-  fleet.see(sender.damage(300 * kMs, 20));
-  EXPECT_EQ(node_of(fleet, 3).highest_damage_ppb, 20u);
-  EXPECT_EQ(words_of(node_of(fleet, 3), Event::Kind::epoch),
+  Sender sender{3};
+  std::int64_t now_ns = 0;
+};
+
+TEST(Fleet, DamageFallsWithANewEpochOnly) {
+  Told told;
+  told.damage(121'000'000, 2);
+  told.record(7, 1'000);
+  told.damage(121'000'000);
+  told.damage(0);
+  told.damage(10);
+  told.record(8, 1'000);
+  told.damage(20, 2);
+  EXPECT_EQ(told.shown_ppb(), 121'000'000u);
+  told.damage(20);
+  EXPECT_EQ(told.shown_ppb(), 20u);
+  EXPECT_EQ(told.epochs(),
             std::vector<std::string>{"epoch opened: damage fell from 12.1 to 0.000002 %"});
 }
 
 TEST(Fleet, APowerCutIsNoNewEpoch) {
+  Told told;
+  told.damage(5'000);
+  told.record(7, 1'000);
+  told.damage(5'000);
+  told.restart();
+  for (std::uint32_t sequence = 7; sequence < 20; ++sequence) {
+    told.damage(4'000, 9);
+    told.record(sequence, 0);
+  }
+  EXPECT_EQ(told.shown_ppb(), 5'000u);
+  told.restart();
+  told.damage(3'999);
+  told.record(20, 0);
+  told.damage(3'999, 3);
+  EXPECT_EQ(told.shown_ppb(), 3'999u);
+}
+
+// 24 bits, all ones: a power cut may lose more.
+TEST(Fleet, TheEndOfARangeIsNoBound) {
+  Told told;
+  told.damage(500'000'000);
+  told.record(7, 0xff'ffff);
+  told.damage(500'000'000);
+  told.restart();
+  for (std::uint32_t sequence = 7; sequence < 20; ++sequence) {
+    told.damage(400'000'000, 9);
+    told.record(sequence, 0);
+  }
+  EXPECT_EQ(told.shown_ppb(), 500'000'000u);
+  EXPECT_TRUE(told.epochs().empty());
+}
+
+TEST(Fleet, ANewWireIsSeenHoweverLittleTheOldOneHadSuffered) {
+  Told told;
+  told.record(7, 1'000);
+  told.damage(500, 9);
+  told.record(7, 1'000);
+  told.damage(500, 5);
+  told.record(8, 1'000);  // before a status tells of the new wire
+  told.damage(0, 9);
+  EXPECT_EQ(told.shown_ppb(), 500u);
+  told.record(8, 1'000);
+  told.damage(0, 9);
+  EXPECT_EQ(told.shown_ppb(), 0u);
+  EXPECT_EQ(told.epochs().size(), 1u);
+}
+
+// The log that is played again has records of the past.
+TEST(Fleet, AnOldLogThatIsPlayedAgainIsNoNewEpoch) {
+  Told told;
+  told.damage(700'000'000, 3, protocol::LifeState::worn);
+  told.record(90, 1'000);
+  told.damage(700'000'000, 3, protocol::LifeState::worn);
+  told.sender = Sender(3);
+  told.now_ns += kS;
+  for (std::uint32_t sequence = 50; sequence < 60; ++sequence) {
+    told.damage(100'000'000 + sequence, 9);
+    told.record(sequence, 1'000);
+  }
+  EXPECT_EQ(told.shown_ppb(), 700'000'000u);
+  EXPECT_EQ(told.node().life_state(), protocol::LifeState::worn);
+  EXPECT_TRUE(told.epochs().empty());
+}
+
+TEST(Fleet, ALostRecordIsNoNewEpoch) {
+  Told told;
+  told.damage(700'000'000);
+  told.record(90, 1'000);
+  told.damage(700'000'000);
+  told.restart();
+  for (std::uint32_t sequence = 91; sequence < 99; ++sequence) {
+    for (int i = 0; i < 9; ++i) {
+      told.fleet.see(
+          told.sender.status(told.now_ns += 100 * kMs, {.state = protocol::LifeState::normal,
+                                                        .damage_ppb = 5,
+                                                        .quality = protocol::Quality::untrusted}));
+    }
+    told.record(sequence, 0);
+  }
+  EXPECT_EQ(told.shown_ppb(), 700'000'000u);
+}
+
+// A silence of more than 0.3 s begins the counters anew.
+TEST(Fleet, NoStateFallsWithoutANewEpoch) {
+  Told told;
+  told.damage(900'000'000, 1, protocol::LifeState::worn);
+  told.now_ns += 400 * kMs;
+  told.damage(100'000'000, 1, protocol::LifeState::normal);
+  EXPECT_EQ(told.node().life_state(), protocol::LifeState::worn);
+  EXPECT_EQ(words_of(told.node(), Event::Kind::state), std::vector<std::string>{"worn"});
+  told.damage(900'000'000, 1, protocol::LifeState::unknown);
+  EXPECT_EQ(told.node().life_state(), protocol::LifeState::worn);
+}
+
+TEST(Fleet, TheDamageOfATendonFallsWithANewEpochOnly) {
+  Told told;
+  const auto tendon = [&](std::uint32_t damage_ppb, protocol::LifeState state) {
+    told.fleet.see(told.sender.page(
+        told.now_ns += 100 * kMs,
+        protocol::detail::TendonDamage{.tendon = 2, .damage_ppb = damage_ppb, .state = state}));
+  };
+  const auto shown = [&] { return told.node().tendons.at(2).value; };
+  told.damage(600'000'000);
+  tendon(600'000'000, protocol::LifeState::replace);
+  told.record(7, 1'000);
+  tendon(600'000'000, protocol::LifeState::replace);
+  tendon(0, protocol::LifeState::normal);
+  EXPECT_EQ(shown().damage_ppb, 600'000'000u);
+  EXPECT_EQ(shown().state, protocol::LifeState::replace);
+  told.record(8, 1'000);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(shown().damage_ppb, 600'000'000u);
+    tendon(5, protocol::LifeState::normal);
+  }
+  EXPECT_EQ(shown().damage_ppb, 5u);
+  EXPECT_EQ(shown().state, protocol::LifeState::normal);
+}
+
+/// What two controllers tell in turn, the first counter of the second one so far ahead.
+void hear_two(Fleet& fleet, int ahead, protocol::LifeState other_state, std::uint32_t other_ppb) {
+  constexpr int kTurns = 20;
+  Sender one(3);
+  Sender other(3);
+  for (int i = 0; i < ahead; ++i) {
+    (void)other.damage(0, 0);
+  }
+  for (int i = 0; i < kTurns; ++i) {
+    fleet.see(one.damage(i * 100 * kMs, 1'000));
+    fleet.see(
+        other.status(i * 100 * kMs + 37 * kMs, {.state = other_state, .damage_ppb = other_ppb}));
+  }
+}
+
+TEST(Fleet, TwoControllersWithOneNodeIdAreTheGravestState) {
+  for (int ahead = 0; ahead < 16; ++ahead) {
+    Fleet fleet;
+    hear_two(fleet, ahead, protocol::LifeState::worn, 1'500'000'000);
+    const NodeView& node = node_of(fleet, 3);
+    EXPECT_TRUE(node.two_controllers) << ahead;
+    EXPECT_EQ(node.life_state(), protocol::LifeState::worn) << ahead;
+    EXPECT_EQ(node.highest_damage_ppb, 1'500'000'000u) << ahead;
+    EXPECT_FALSE(node.status->stale) << ahead;
+    EXPECT_EQ(words_of(node, Event::Kind::two_controllers),
+              std::vector<std::string>{"two controllers have this node id"})
+        << ahead;
+    EXPECT_TRUE(words_of(node, Event::Kind::epoch).empty()) << ahead;
+  }
+}
+
+TEST(Fleet, TwoControllersThatTellTheSameAreTwo) {
+  for (int ahead = 0; ahead < 16; ++ahead) {
+    Fleet fleet;
+    hear_two(fleet, ahead, protocol::LifeState::normal, 1'000);
+    EXPECT_TRUE(node_of(fleet, 3).two_controllers) << ahead;
+  }
+}
+
+TEST(Fleet, DoubledLateAndLostFramesAreOfOneController) {
   Fleet fleet;
   Sender sender(3);
-  fleet.see(sender.page(0, protocol::detail::Storage{.sequence = 1, .worst_unsaved_ppb = 1'000}));
-  fleet.see(sender.damage(0, 5'000));
-  for (int i = 1; i < 10; ++i) {
-    fleet.see(sender.damage(i * 100 * kMs, 4'000));
+  std::vector<SeenFrame> frames;
+  for (int i = 0; i < 400; ++i) {
+    frames.push_back(sender.damage(0, 1'000u + static_cast<std::uint32_t>(i / 7)));
   }
-  EXPECT_EQ(node_of(fleet, 3).highest_damage_ppb, 5'000u);
-  for (int i = 10; i < 13; ++i) {
-    fleet.see(sender.damage(i * 100 * kMs, 3'999));
+  std::int64_t time_ns = 0;
+  const auto see = [&](std::size_t i) {
+    frames[i].time_ns = time_ns += 40 * kMs;
+    fleet.see(frames[i]);
+  };
+  for (std::size_t i = 0; i + 4 < frames.size(); i += 4) {
+    see(i + 1);
+    see(i);
+    if (i % 3 != 0) {
+      see(i + 2);
+      frames[i + 2].time_ns += kMs;
+      fleet.see(frames[i + 2]);
+    }
+    see(i + 3);
+    if (i % 40 == 0) {
+      sender = Sender(3);
+      fleet.see(sender.heartbeat(time_ns, protocol::NmtState::boot_up));
+    }
   }
-  EXPECT_EQ(node_of(fleet, 3).highest_damage_ppb, 3'999u);
+  EXPECT_FALSE(node_of(fleet, 3).two_controllers);
 }
 
 TEST(Fleet, OneLateStatusAmongOthersIsNoNewEpoch) {

@@ -117,3 +117,19 @@ test('a merge patch changes what it names and shares the rest (examples of RFC 7
   assert.equal(after.a, before.a);
   assert.deepEqual(before.b, { y: 1 });
 });
+
+test('what is not known is no number, and the end of a range no exact one', async () => {
+  const { readFileSync } = await import('node:fs');
+  const { runInThisContext } = await import('node:vm');
+  runInThisContext(readFileSync(`${assets}/../../../report/page/assets/format.js`, 'utf8'));
+  const { percentField, rateText, wholeField } = await import(`${assets}/words.js`);
+  const history = new NodeHistory({ node: 5, curve: [[1e6, 0.25, 0.5], [2e6, 4.294967295]], events: [] });
+  const before = history.at(1e6);
+  assert.equal(percentField(before.rate, 'UnsavedDamage'), 'not known');
+  assert.equal(percentField(before.storage, 'WorstUnsavedDamage'), 'not known');
+  assert.equal(wholeField(before.cycles, 'Cycles'), 'not known');
+  assert.equal(percentField(before, 'highest_damage', 7), '25 %');
+  assert.equal(rateText(before.rate), '50 % per h');
+  assert.equal(percentField(history.at(2e6), 'highest_damage', 7), '≥ 429.4967 %');
+  assert.equal(wholeField({ Refused: 65535, at_least: ['Refused'] }, 'Refused'), '≥ 65\u202f535');
+});

@@ -183,6 +183,9 @@ async function scrubsBackBeforeItWasOpened() {
   problems.same('before it nothing was told', decoded(shown_us).nodes[1]?.messages.LifeStatus, undefined);
   problems.expect('long before the page was opened', shown_us < opened_us - 60e6);
   problems.expect('told in words', note.includes('before this page was opened'));
+  const texts = Object.values(tiles).flatMap((tile) => [tile.text, tile.note]);
+  problems.same('no NaN', texts.filter((text) => /NaN|undefined/.test(text)).join(), '');
+  problems.same('no unsaved damage', tiles['Unsaved damage'].text, 'not known');
   problems.number('its damage', tiles.Damage.text, 100 * decoded(shown_us + 1).nodes[1].damage, 7);
   await page.press('ArrowRight');
   await page.waitFor((us) => Number(document.documentElement.dataset.shown) > us, shown_us);

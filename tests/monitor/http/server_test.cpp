@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 #include <httplib.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -170,6 +173,86 @@ TEST(Server, RefusesMoreReadersThanItHasRoomFor) {
   enough = true;
   for (std::thread& reader : readers) {
     reader.join();
+  }
+}
+
+/// A connection to this machine that sends `text`, and no more.
+int connection_that_sent(std::uint16_t port, std::string_view text) {
+  const int socket = ::socket(AF_INET, SOCK_STREAM, 0);
+  ::sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(port);
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  EXPECT_EQ(::connect(socket, reinterpret_cast<const ::sockaddr*>(&address), sizeof address), 0);
+  EXPECT_EQ(::send(socket, text.data(), text.size(), MSG_NOSIGNAL),
+            static_cast<ssize_t>(text.size()));
+  return socket;
+}
+
+/// Much more than the buffers of two sockets hold, as long as somebody takes it.
+class EndlessLog : public FrameArchive {
+ public:
+  void read(std::optional<protocol::Node>,
+            const std::function<bool(std::string_view)>& take) const override {
+    const std::string piece(1 << 20, 'x');
+    for (int i = 0; i < 1000 && take(piece); ++i) {
+    }
+  }
+};
+
+// Requests that never end, downloads that nobody reads, and connections that say nothing.
+TEST(Server, SlowConnectionsKeepNobodyOut) {
+  const EndlessLog log;
+  Served served({}, &log);
+  const std::string host = "Host: 127.0.0.1\r\n";
+  std::vector<int> slow;
+  for (int i = 0; i < 40; ++i) {
+    slow.push_back(connection_that_sent(served.page.port(), "GET / HTTP/1.1\r\n" + host));
+    slow.push_back(connection_that_sent(served.page.port(),
+                                        "GET /export/all.candump HTTP/1.1\r\n" + host + "\r\n"));
+    slow.push_back(connection_that_sent(served.page.port(), ""));
+  }
+  served.page.publish(test::made_view());
+  const auto began = std::chrono::steady_clock::now();
+  for (const char* path : {"/healthz", "/", "/api/fleet"}) {
+    httplib::Client client("127.0.0.1", served.page.port());
+    const auto answer = client.Get(path);
+    ASSERT_TRUE(answer) << path;
+    EXPECT_EQ(answer->status, 200) << path;
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(2));
+  for (const int socket : slow) {
+    ::close(socket);
+  }
+}
+
+TEST(Server, ARequestThatTakesTooLongIsNotWaitedFor) {
+  Served served;
+  const int slow = connection_that_sent(served.page.port(), "G");
+  const auto began = std::chrono::steady_clock::now();
+  while (::send(slow, "E", 1, MSG_NOSIGNAL) == 1 &&
+         std::chrono::steady_clock::now() - began < std::chrono::seconds(20)) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+  }
+  EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(8));
+  ::close(slow);
+}
+
+TEST(Server, IgnoresRanges) {
+  Served served(kToken);
+  std::string ranges = "bytes=0-";
+  for (int i = 1; i < 2600; ++i) {
+    ranges += ",0-";
+  }
+  for (const std::string& range : {std::string("bytes=1-2"), ranges}) {
+    const auto refused = served.client.Get("/", {{"Range", range}});
+    EXPECT_EQ(refused->status, 401);
+    EXPECT_LT(refused->body.size(), 200u);
+    const auto whole =
+        served.client.Get("/", {{"Authorization", "Bearer " + kToken}, {"Range", range}});
+    EXPECT_EQ(whole->status, 200);
+    EXPECT_TRUE(whole->body.starts_with("<!DOCTYPE html>"));
+    EXPECT_LT(whole->body.size(), 100'000u);
   }
 }
 

@@ -28,6 +28,36 @@ TEST(ViewJson, TellsMessagesInTheWordsOfTheFramePlan) {
   EXPECT_EQ(node["integrity_failures"], 3);
 }
 
+TEST(ViewJson, NamesWhatIsAtTheEndOfItsRange) {
+  NodeView node = test::made_view().nodes.at(5);
+  EXPECT_FALSE(node_json(node).contains("at_least"));
+  node.highest_damage_ppb = 0xffff'ffff;
+  node.status->value.damage_ppb = 0xffff'ffff;
+  node.cycles = {protocol::detail::Cycles{0xffff'fffe, 0xfffe}, 0, false};
+  node.rate = {protocol::detail::DamageRate{0xffff'ffff, 0xffff}, 0, false};
+  node.storage = {protocol::detail::Storage{0xffff'ff, 0xffff'ff}, 0, false};
+  node.bus = {protocol::detail::Bus{255, 255, 255, 254, 0xffff}, 0, false};
+  const json told = node_json(node);
+  EXPECT_EQ(told["at_least"], json::parse(R"(["highest_damage"])"));
+  EXPECT_EQ(told["status"]["at_least"], json::parse(R"(["Damage"])"));
+  EXPECT_EQ(told["cycles"]["at_least"], json::parse(R"(["CycleRate"])"));
+  EXPECT_EQ(told["rate"]["at_least"], json::parse(R"(["UnsavedDamage"])"));
+  EXPECT_EQ(told["storage"]["at_least"],
+            json::parse(R"(["StorageSequence", "WorstUnsavedDamage"])"));
+  EXPECT_EQ(told["bus"]["at_least"], json::parse(R"(["BusOffs", "Refused"])"));
+  EXPECT_FALSE(told["identity"].contains("at_least"));
+}
+
+TEST(ViewJson, TwoControllersAreTheGravestState) {
+  NodeView node = test::made_view().nodes.at(5);
+  EXPECT_EQ(node_json(node)["state"], "inspect");
+  EXPECT_EQ(node_json(node)["two_controllers"], false);
+  node.two_controllers = true;
+  EXPECT_EQ(node_json(node)["state"], "two_controllers");
+  EXPECT_EQ(node_json(node)["life_state"], "inspect");
+  EXPECT_EQ(node_json(node)["two_controllers"], true);
+}
+
 TEST(ViewJson, LeavesOutWhatIsNotKnown) {
   const json node = node_json(test::made_view().nodes.at(5));
   for (const char* name : {"cycles", "rate", "storage", "timing", "bus", "emergency"}) {

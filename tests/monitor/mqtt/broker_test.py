@@ -103,6 +103,6 @@ class BrokerTest(unittest.TestCase):
 if __name__ == "__main__":
     HOST_SIM = sys.argv[1]
     if not shutil.which("mosquitto", path="/usr/sbin:/usr/bin") or not shutil.which("mosquitto_sub"):
-        print("SKIPPED, NOTHING WAS TESTED: mosquitto or mosquitto_sub is missing (toolchains/setup.sh test)")
+        print("SKIPPED, NOTHING WAS TESTED: mosquitto or mosquitto_sub is missing (toolchains/setup.sh all)")
         sys.exit(SKIPPED)
     unittest.main(argv=sys.argv[:1], verbosity=2)

@@ -35,6 +35,28 @@ TEST(StatusJson, HoldsWhatTheNodeTold) {
     "remaining_h": {"b10": 12.3, "b50": 20.0, "b90": null}})"));
 }
 
+TEST(StatusJson, ARateThatIsNotKnownYetIsNull) {
+  NodeView node = told_node();
+  node.rate->value.ppb_per_h = 0xffff'ffff;
+  EXPECT_TRUE(nlohmann::json::parse(status_json(node)).at("damage_percent_per_h").is_null());
+}
+
+TEST(StatusJson, NamesWhatIsAtTheEndOfItsRange) {
+  NodeView node = told_node();
+  node.highest_damage_ppb = 0xffff'ffff;
+  node.rate->value.ppb_per_h = 0xffff'fffe;
+  EXPECT_EQ(nlohmann::json::parse(status_json(node)).at("at_least"),
+            nlohmann::json::parse(R"(["damage_ppb", "damage_percent", "damage_percent_per_h"])"));
+}
+
+TEST(StatusJson, TwoControllersAreTheGravestState) {
+  NodeView node = told_node();
+  node.two_controllers = true;
+  const auto json = nlohmann::json::parse(status_json(node));
+  EXPECT_EQ(json.at("state"), "two_controllers");
+  EXPECT_EQ(json.at("life_state"), "inspect");
+}
+
 TEST(StatusJson, LeavesOutPagesThatAreStale) {
   NodeView node = told_node();
   node.status->stale = true;

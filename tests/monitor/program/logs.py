@@ -51,8 +51,8 @@ class LoggedNode:
 
     def speak(self, begin_s, end_s):
         """Heartbeats, statuses, and two pages in turn."""
-        for i in range(round(begin_s * 10), round(end_s * 10)):
-            time_s = i / 10
+        for i in range(round((end_s - begin_s) * 10)):
+            time_s = begin_s + i / 10
             if i % 10 == 0:
                 self._log.add(time_s, HEARTBEAT + self.node, b"\x05")
             self.status(time_s)

@@ -140,7 +140,7 @@ def main(host_sim):
     global HOST_SIM
     HOST_SIM = host_sim
     if not shutil.which("tmux"):
-        print("SKIPPED, NOTHING WAS TESTED: tmux is missing (toolchains/setup.sh test installs it)")
+        print("SKIPPED, NOTHING WAS TESTED: tmux is missing (toolchains/setup.sh all installs it)")
         sys.exit(SKIPPED)
     unittest.main(argv=sys.argv[:1], verbosity=2)
 

@@ -5,6 +5,7 @@
 
 import json
 import pathlib
+import resource
 import subprocess
 import sys
 import tempfile
@@ -18,9 +19,15 @@ from logs import Log, LoggedNode
 HOST_SIM = ""
 
 
-def monitor(*arguments, stdin=None):
+def monitor(*arguments, stdin=None, **options):
     return subprocess.run([HOST_SIM, "monitor", *map(str, arguments)], capture_output=True, text=True, check=False,
-                          input=stdin)
+                          input=stdin, **options)
+
+
+def full_disk(bytes):
+    """Options of a program whose files can grow no further than this."""
+    return {"preexec_fn": lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (bytes, resource.RLIM_INFINITY)),
+            "restore_signals": False}
 
 
 def fetch(url):
@@ -81,6 +88,24 @@ class VerbTest(unittest.TestCase):
         self.assertEqual(vanished.returncode, 3)
         self.assertIn("normal VANISHED", vanished.stdout)
 
+    def test_two_controllers_with_one_node_id(self):
+        def fill(log, seconds):
+            LoggedNode(log, 5, "normal").speak(0, seconds)
+            LoggedNode(log, 5, "normal").speak(0.04, seconds + 0.04)
+
+        done = monitor("--log", self.log(fill), "--once")
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("TWO CONTROLLERS (normal)", done.stdout)
+
+    def test_an_old_status_after_a_silence_does_not_clear_the_alarm(self):
+        def fill(log, seconds):
+            LoggedNode(log, 5, "worn", 900_000_000).speak(0, seconds)
+            LoggedNode(log, 5, "normal", 100_000_000).status(seconds + 0.4)
+
+        done = monitor("--log", self.log(fill), "--once")
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("worn", done.stdout)
+
     def test_standard_input_is_a_log(self):
         log = self.log(lambda log, seconds: LoggedNode(log, 5).speak(0, seconds))
         done = monitor("--log", "-", "--once", stdin=log.read_text())
@@ -108,6 +133,24 @@ class VerbTest(unittest.TestCase):
         done = monitor("--log", log, "--once", "--record", logs)
         self.assertEqual(done.stderr, f"{only}: a torn last line of 5 bytes was cut off\n")
         self.assertEqual(only.read_text(), 2 * whole)
+
+    def test_a_record_on_a_full_disk_is_told_by_the_status(self):
+        log = self.log(lambda log, seconds: LoggedNode(log, 5).speak(0, seconds))
+        done = monitor("--log", log, "--once", "--record", self.folder / "logs", **full_disk(0))
+        self.assertEqual(done.returncode, 1)
+        only = self.folder / "logs" / "frames-00000001.log"
+        self.assertEqual(done.stderr, f"{only}: cannot be written: File too large; 42 frames were not recorded\n")
+        self.assertIn("42 frames", done.stdout)
+
+    def test_trouble_is_told_at_once_without_a_terminal(self):
+        log = self.log(lambda log, seconds: LoggedNode(log, 5).speak(0, seconds), seconds=60.0)
+        with subprocess.Popen([HOST_SIM, "monitor", "--log", log, "--record", self.folder / "logs"], text=True,
+                              stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
+                              **full_disk(0)) as process:
+            self.assertIn("cannot be written: File too large", process.stderr.readline())
+            self.assertIsNone(process.poll())
+            process.terminate()
+            self.assertEqual(process.wait(20), 1)
 
     def exported(self, log, *arguments):
         """What the live page gives as candump at the end of a log, of all and of node 5."""

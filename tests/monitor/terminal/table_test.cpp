@@ -42,6 +42,32 @@ TEST(Table, ShowsANodeInARow) {
   EXPECT_EQ(lines[2], "5     inspect  12.1      12.3 - 45.6 h   0.0001234  1.0 s      0       0");
 }
 
+TEST(Table, ARateThatIsNotKnownYetIsNoNumber) {
+  NodeView node = node_of(protocol::LifeState::inspect, 121'000'000);
+  node.rate->value.ppb_per_h = 0xffff'ffff;
+  EXPECT_NE(row_of(node).find("12.3 - 45.6 h   unknown   1.0 s"), std::string::npos)
+      << row_of(node);
+}
+
+// 2^32 - 1 ppb is the end of the range of the damage, one less that of the rate.
+TEST(Table, TheEndOfARangeIsNoExactNumber) {
+  NodeView node = node_of(protocol::LifeState::worn, 0xffff'ffff);
+  node.rate->value.ppb_per_h = 0xffff'fffe;
+  EXPECT_NE(row_of(node).find("  >=429.4967295  12.3 - 45.6 h   >=429.4967294  "),
+            std::string::npos)
+      << row_of(node);
+  node.highest_damage_ppb -= 1;
+  node.rate->value.ppb_per_h -= 1;
+  EXPECT_EQ(row_of(node).find(">="), std::string::npos) << row_of(node);
+}
+
+TEST(Table, TwoControllersAreTheGravestState) {
+  NodeView node = node_of(protocol::LifeState::normal, 121'000'000);
+  node.two_controllers = true;
+  EXPECT_NE(row_of(node).find("TWO CONTROLLERS (normal)"), std::string::npos) << row_of(node);
+  EXPECT_NE(row_of(node).find("two controllers have this node id"), std::string::npos);
+}
+
 TEST(Table, MarksWhatIsStale) {
   NodeView node = node_of(protocol::LifeState::inspect, 121'000'000);
   node.status->stale = true;

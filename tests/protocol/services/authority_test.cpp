@@ -116,7 +116,7 @@ TEST_F(AuthorityTest, AReplayedCommandWithAnotherNonceOpen) {
   const Bytes request = start_request(fresh_order());
   EXPECT_EQ(ask(request), hex("71 01 02 01"));
   fresh_order();
-  expect_refused(request, "7f 31 22", Event::counter_rolled_back);
+  expect_refused(request, "7f 31 35", Event::wrong_mac);
 }
 
 TEST_F(AuthorityTest, ACommandForAnOlderNonce) {
@@ -177,12 +177,29 @@ TEST_F(AuthorityTest, ACounterThatIsNotThatOfTheNode) {
     order.counter += static_cast<std::uint32_t>(difference);
     expect_refused(start_request(order), "7f 31 22", Event::counter_rolled_back);
   }
+  EXPECT_EQ(server_->gate().failures(), 0u);
+  restart();
+  EXPECT_EQ(server_->gate().failures(), 0u);
 }
 
 TEST_F(AuthorityTest, AStorageThatMovedOnSinceTheCounterWasRead) {
   const Bytes request = start_request(fresh_order());
   ++device_.life.counter;
-  expect_refused(request, "7f 31 22", Event::counter_rolled_back);
+  EXPECT_EQ(ask(request), hex("71 01 02 01"));
+
+  // The counter read first, and longer ago than a nonce lives.
+  const auto order_after = [this](hal::Time pause) {
+    Order order;
+    const Bytes counter = ask(hex("22 02 40"));
+    order.counter = lifemodel::ByteReader(std::span(counter).last(4)).u32();
+    ++device_.life.counter;
+    now_ = now_ + pause;
+    const Bytes nonce = ask(hex("22 02 41"));
+    std::copy_n(nonce.begin() + 3, order.nonce.size(), order.nonce.begin());
+    return start_request(order);
+  };
+  EXPECT_EQ(ask(order_after(hal::Time{4'999'999})), hex("71 01 02 01"));
+  expect_refused(order_after(hal::seconds(5)), "7f 31 22", Event::counter_rolled_back);
 }
 
 TEST_F(AuthorityTest, AWrongLength) {
@@ -266,6 +283,42 @@ TEST_F(AuthorityTest, TheLockOutlivesARestart) {
   expect_refused(start_request(fresh_order()), "7f 31 37", Event::locked_out);
   restart();
   EXPECT_EQ(server_->gate().lock_left(now_), hal::seconds(10));
+}
+
+TEST_F(AuthorityTest, ALogFullOfRefusalsDoesNotForgetFailures) {
+  const auto wait = [this] { now_ = now_ + server_->gate().lock_left(now_); };
+  for (int i = 0; i < 64; ++i) {
+    fail();
+    wait();
+  }
+  ASSERT_EQ(device_.lines.size(), 64u);
+  EXPECT_EQ(ask(start_request(fresh_order())), hex("71 01 02 01"));
+  ASSERT_EQ(device_.lines.size(), 65u);
+  restart();
+  EXPECT_EQ(server_->gate().failures(), 0u);
+
+  // Nobody can tell whether more came after the first failure: the longest lock there is.
+  fail();
+  restart();
+  EXPECT_EQ(server_->gate().lock_left(now_), hal::seconds(640));
+  wait();
+  for (int i = 0; i < 5; ++i) {
+    fail();
+    wait();
+  }
+  restart();
+  EXPECT_EQ(server_->gate().lock_left(now_), hal::seconds(640));
+  EXPECT_EQ(device_.lines.size(), 66u);
+
+  // A grant forgives them, and the next failure is not forgotten either.
+  wait();
+  EXPECT_EQ(ask(start_request(fresh_order())), hex("71 01 02 01"));
+  restart();
+  EXPECT_EQ(server_->gate().failures(), 0u);
+  fail();
+  restart();
+  EXPECT_EQ(server_->gate().lock_left(now_), hal::seconds(640));
+  EXPECT_EQ(device_.lines.size(), 68u);
 }
 
 TEST_F(AuthorityTest, ANonceDoesNotOutliveARestart) {

@@ -23,7 +23,9 @@ Nonce nonce_of(std::uint8_t n) {
 
 class GateTest : public ::testing::Test {
  protected:
-  void issue(std::uint8_t n, hal::Time now) { ASSERT_TRUE(gate_.issue(nonce_of(n), now)); }
+  void issue(std::uint8_t n, hal::Time now) {
+    ASSERT_TRUE(gate_.issue(nonce_of(n), kCounter, now));
+  }
   Mac code(std::uint8_t n) const { return mac(kKey, kNode, command_, nonce_of(n)); }
   Verdict check(std::uint8_t n, hal::Time now) {
     return gate_.check(command_, code(n), kCounter, now);
@@ -66,10 +68,10 @@ TEST_F(GateTest, AFreshNonceClosesTheOneBefore) {
 
 TEST_F(GateTest, ASourceThatRepeatsItselfOpensNothing) {
   issue(1, {});
-  EXPECT_FALSE(gate_.issue(nonce_of(1), {}));
+  EXPECT_FALSE(gate_.issue(nonce_of(1), kCounter, {}));
   EXPECT_EQ(check(1, {}), Verdict::nonce_used);
   Gate fresh(kNode, kKey);
-  EXPECT_FALSE(fresh.issue(Nonce{}, {}));
+  EXPECT_FALSE(fresh.issue(Nonce{}, kCounter, {}));
 }
 
 TEST_F(GateTest, ANonceLivesForFiveSeconds) {
@@ -82,15 +84,41 @@ TEST_F(GateTest, ANonceLivesForFiveSeconds) {
 TEST_F(GateTest, TheCounterHasToBeThatOfTheNode) {
   for (const std::uint32_t here : {kCounter - 1, kCounter + 1}) {
     Gate gate(kNode, kKey);
-    ASSERT_TRUE(gate.issue(nonce_of(1), {}));
+    ASSERT_TRUE(gate.issue(nonce_of(1), here, {}));
     EXPECT_EQ(gate.check(command_, code(1), here, {}), Verdict::wrong_counter);
+    // Who holds the key guesses nothing.
+    EXPECT_EQ(gate.failures(), 0u);
+    EXPECT_EQ(gate.check(command_, code(1), here, {}), Verdict::nonce_used);
   }
+}
+
+TEST_F(GateTest, SavesMeanwhileDoNotRefuseACommand) {
+  // Issued at 5, saved twice, and the counter read anywhere between.
+  for (std::uint32_t issued = kCounter - 2; issued <= kCounter; ++issued) {
+    Gate gate(kNode, kKey);
+    ASSERT_TRUE(gate.issue(nonce_of(1), issued, {}));
+    EXPECT_EQ(gate.check(command_, code(1), kCounter + 2, hal::seconds(4)), Verdict::granted);
+  }
+  // The counter read first, and saved twice before the nonce was issued.
+  gate_.tell(kCounter, hal::seconds(10));
+  ASSERT_TRUE(gate_.issue(nonce_of(1), kCounter + 2, hal::Time{14'999'999}));
+  EXPECT_EQ(gate_.check(command_, code(1), kCounter + 3, hal::seconds(16)), Verdict::granted);
+}
+
+TEST_F(GateTest, ACounterThatWasToldLongAgoProvesNothing) {
+  gate_.tell(kCounter, hal::seconds(10));
+  ASSERT_TRUE(gate_.issue(nonce_of(1), kCounter + 1, hal::seconds(15)));
+  EXPECT_EQ(gate_.check(command_, code(1), kCounter + 1, hal::seconds(15)), Verdict::wrong_counter);
+  // Nor one that comes before what was told.
+  gate_.tell(kCounter + 1, hal::seconds(20));
+  ASSERT_TRUE(gate_.issue(nonce_of(2), kCounter + 2, hal::seconds(20)));
+  EXPECT_EQ(gate_.check(command_, code(2), kCounter + 2, hal::seconds(20)), Verdict::wrong_counter);
 }
 
 TEST_F(GateTest, EveryBitOfTheCodeCounts) {
   for (std::size_t bit = 0; bit < 64; ++bit) {
     Gate gate(kNode, kKey);
-    ASSERT_TRUE(gate.issue(nonce_of(1), {}));
+    ASSERT_TRUE(gate.issue(nonce_of(1), kCounter, {}));
     Mac flipped = code(1);
     flipped[bit / 8] ^= std::byte{1} << (bit % 8);
     EXPECT_EQ(gate.check(command_, flipped, kCounter, {}), Verdict::wrong_mac) << bit;
@@ -101,7 +129,7 @@ TEST_F(GateTest, ACodeOfAnotherLengthIsWrong) {
   const Mac whole = code(1);
   for (std::size_t size = 0; size < kMacBytes; ++size) {
     Gate gate(kNode, kKey);
-    ASSERT_TRUE(gate.issue(nonce_of(1), {}));
+    ASSERT_TRUE(gate.issue(nonce_of(1), kCounter, {}));
     EXPECT_EQ(gate.check(command_, std::span(whole).first(size), kCounter, {}), Verdict::wrong_mac);
   }
 }
@@ -115,7 +143,7 @@ TEST_F(GateTest, AnotherNodeIsNotMeant) {
 TEST_F(GateTest, WithoutAKeyNothingIsAllowed) {
   Gate gate(kNode, Key{});
   EXPECT_FALSE(gate.enabled());
-  ASSERT_TRUE(gate.issue(nonce_of(1), {}));
+  ASSERT_TRUE(gate.issue(nonce_of(1), kCounter, {}));
   EXPECT_EQ(gate.check(command_, mac(Key{}, kNode, command_, nonce_of(1)), kCounter, {}),
             Verdict::disabled);
   EXPECT_EQ(gate.failures(), 0u);

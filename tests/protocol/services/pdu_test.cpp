@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "firmware/protocol/isotp/address.hpp"
+#include "firmware/protocol/isotp/counts.hpp"
 #include "firmware/protocol/isotp/separation.hpp"
 #include "tests/protocol/services/bytes.hpp"
 #include "tests/protocol/services/frames.hpp"
@@ -20,6 +21,17 @@ std::optional<Pdu> pdu_of(std::string_view data) {
   static hal::CanFrame kept;
   kept = frame(kId, data);
   return read(kept);
+}
+
+TEST(Counts, EachStopsAtItsHighest) {
+  std::uint32_t counter = 0;
+  count(counter);
+  EXPECT_EQ(counter, 1u);
+  counter = 0xfffffffe;
+  count(counter);
+  EXPECT_EQ(counter, 0xffffffffu);
+  count(counter);
+  EXPECT_EQ(counter, 0xffffffffu);
 }
 
 TEST(Address, IdsOfTheFramePlan) {

@@ -7,10 +7,7 @@
 #include <random>
 #include <span>
 
-#include "host_sim/report/replay/envelope_builder.hpp"
-#include "host_sim/report/replay/range_mean_builder.hpp"
-#include "host_sim/report/replay/trajectory_builder.hpp"
-#include "host_sim/report/replay/turning_point_builder.hpp"
+#include "host_sim/report/replay/plot_builders.hpp"
 
 namespace host_sim::samples {
 namespace {

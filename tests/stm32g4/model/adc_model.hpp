@@ -57,6 +57,9 @@ class AdcModel : public RegisterModel<hal::stm32g4::AdcRegisters<Word>> {
   /// Looks at ISR until the next trigger; 0: trigger() is called by the test.
   unsigned looks_a_trigger = 4;
   std::function<void()> on_trigger;
+  /// What the first conversion after the calibration gives: that of channel 0, or nothing that is
+  /// right (ES0431 2.5.7, 2.5.8).
+  std::uint32_t first = 0;
 
   /// TIM1 triggers; `channel` tells what is on a channel.
   template <class Channel>
@@ -67,7 +70,9 @@ class AdcModel : public RegisterModel<hal::stm32g4::AdcRegisters<Word>> {
       return;
     }
     for (unsigned rank = 0; rank <= (jsqr & 3u); ++rank) {
-      registers.jdr[rank].hold(channel(jsqr >> (9 + 6 * rank) & 0x1Fu));
+      const std::uint32_t wanted = channel(jsqr >> (9 + 6 * rank) & 0x1Fu);
+      registers.jdr[rank].hold(fresh_ ? first : wanted);
+      fresh_ = false;
     }
     registers.isr.raise(1u << 5 | 1u << 6);
   }
@@ -102,6 +107,8 @@ class AdcModel : public RegisterModel<hal::stm32g4::AdcRegisters<Word>> {
     const bool setup = &word == &registers.smpr[0] || &word == &registers.smpr[1] ||
                        &word == &registers.jsqr || &word == &registers.cfgr;
     EXPECT_FALSE(setup && registers.cr.has(1u << 3)) << "set up while conversions run (21.4.10)";
+    EXPECT_FALSE(&word == &registers.ier && registers.cr.has(1u << 3))
+        << "an interrupt of injected conversions was chosen while they run (21.6.2)";
     word.hold(value);
   }
 
@@ -155,6 +162,7 @@ class AdcModel : public RegisterModel<hal::stm32g4::AdcRegisters<Word>> {
   const TimerModel& trigger_;
   Delayed calibration_, ready_;
   bool calibrated_ = false;
+  bool fresh_ = true;
   std::uint64_t regulator_us_ = 0;
   std::uint64_t calibrated_us_ = 0;
   unsigned looks_ = 0;

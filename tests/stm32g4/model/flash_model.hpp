@@ -51,6 +51,9 @@ class FlashModel : public RegisterModel<hal::stm32g4::FlashRegisters<Word>> {
   /// An operation that never ends.
   bool stuck = false;
   unsigned operations = 0;
+  /// Looks at SR until an operation ends, and what happens in the time between two of them.
+  unsigned busy_looks = 7;
+  std::function<void()> on_busy;
 
   /// Two bits of a unit are lost.
   void damage(std::uint32_t offset) { torn_.insert(offset / 8); }
@@ -68,6 +71,9 @@ class FlashModel : public RegisterModel<hal::stm32g4::FlashRegisters<Word>> {
   }
 
   std::uint32_t on_read(const Word& word) override {
+    if (&word == &registers.sr && busy_.pending() && on_busy) {
+      on_busy();
+    }
     if (&word == &registers.sr && busy_.due() && !stuck) {
       registers.sr.drop(1u << 16);
       registers.cr.drop(1u << 16);
@@ -146,7 +152,7 @@ class FlashModel : public RegisterModel<hal::stm32g4::FlashRegisters<Word>> {
   bool start() {
     ++operations;
     registers.sr.raise(1u << 16);
-    busy_.begin(7);
+    busy_.begin(busy_looks);
     const std::uint32_t error = next_error;
     next_error = 0;
     registers.sr.raise(error);

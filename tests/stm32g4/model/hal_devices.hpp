@@ -35,6 +35,7 @@ struct HalDevices : ReadyChip {
   FlashOperations operations{flash.registers, flash.array};
   FlashMemory memory{operations, kFirstPage, kStoragePages};
   OutputPin output{{gpio_b.registers, 3}, hal::stm32g4::Active::high};
+  OutputPin brake{{gpio_a.registers, 15}, hal::stm32g4::Active::low};
   Input input{{gpio_b.registers, 7}, hal::stm32g4::Active::high};
   RandomGenerator entropy{random.registers};
   IndependentWatchdog guard{watchdog.registers};
@@ -47,6 +48,7 @@ struct HalDevices : ReadyChip {
     hal::stm32g4::SampleTimer<Word>(tim1.registers).start(hal::stm32g4::kCore_Hz, 10'000);
     EXPECT_EQ(converters.start(clock), hal::Error::none);
     output.start(false);
+    brake.start(true);
     input.start(hal::stm32g4::Pull::up);
     entropy.start();
   }
