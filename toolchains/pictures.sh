@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the pictures of the README anew, after a build with the preset host-release.
+# Makes the pictures of the pages anew, after a build with the preset host-release.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 

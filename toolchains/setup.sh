@@ -2,7 +2,8 @@
 # Installs what the project needs on Debian 12. Quick, and without network, where all is there.
 #
 #   setup.sh run     to build and run host_sim
-#   setup.sh test    the same, and to run every test
+#   setup.sh test    the same, and to build and run the tests on this machine
+#   setup.sh all     the same, and what the tests of the boards, the kernel, the pages and the packages need
 set -euo pipefail
 here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 
@@ -13,14 +14,16 @@ run_packages=(
   ca-certificates openssl
 )
 test_packages=(
-  git python3 ccache
+  git python3 ccache clang-format
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev
+)
+all_packages=(
   libopenmpi-dev openmpi-bin r-base-core r-cran-survival
   gcc-arm-none-eabi binutils-arm-none-eabi libnewlib-arm-none-eabi
   libstdc++-arm-none-eabi-newlib qemu-system-arm
-  clang clang-tidy clang-format libclang-rt-14-dev
+  clang clang-tidy libclang-rt-14-dev
   chromium
-  pkg-config g++-aarch64-linux-gnu g++-arm-linux-gnueabihf qemu-user-static
+  g++-aarch64-linux-gnu g++-arm-linux-gnueabihf qemu-user-static
   tmux libmosquitto-dev mosquitto mosquitto-clients
   zsh fish man-db mandoc debootstrap lintian
   can-utils iproute2 linux-source-6.1 make xz-utils flex bison bc kmod
@@ -33,8 +36,9 @@ backports_source=/etc/apt/sources.list.d/tendonlife-backports.sources
 case "${1:-}" in
   run) wanted=("${run_packages[@]}") ;;
   test) wanted=("${run_packages[@]}" "${test_packages[@]}") ;;
+  all) wanted=("${run_packages[@]}" "${test_packages[@]}" "${all_packages[@]}") ;;
   *)
-    sed -n '2,5s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
+    sed -n '2,6s/^# \{0,1\}//p' "${BASH_SOURCE[0]}" >&2
     exit 2
     ;;
 esac
@@ -48,7 +52,7 @@ for package in "${wanted[@]}"; do
 done
 
 missing_gpio=()
-if [ "$1" = test ]; then
+if [ "$1" = all ]; then
   for package in "${gpio_packages[@]}"; do
     version="$(dpkg-query -W -f '${Version}' "$package" 2> /dev/null || true)"
     if [ -z "$version" ] || dpkg --compare-versions "$version" lt "$gpio_version"; then
@@ -73,17 +77,19 @@ if [ "${#missing[@]}" -gt 0 ] || [ "${#missing_gpio[@]}" -gt 0 ]; then
   echo "Installing ${missing[*]} ${missing_gpio[*]}"
   apt=("${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -y
     -o DPkg::Lock::Timeout=300 -o Acquire::Retries=3)
+  "${apt[@]}" update
   # Packages come from the backports only where they are asked for by name.
   from=()
   if [ "${#missing_gpio[@]}" -gt 0 ] && [ "$(. /etc/os-release && echo "${VERSION_CODENAME:-}")" = bookworm ]; then
     from=(-t bookworm-backports)
     if [ ! -e "$backports_source" ]; then
-      printf '%s\n' 'Types: deb' 'URIs: http://deb.debian.org/debian' 'Suites: bookworm-backports' \
+      mirror="$("$here/mirror.sh")"
+      printf '%s\n' 'Types: deb' "URIs: $mirror" 'Suites: bookworm-backports' \
         'Components: main' 'Signed-By: /usr/share/keyrings/debian-archive-keyring.gpg' |
         "${as_root[@]}" tee "$backports_source" > /dev/null
+      "${apt[@]}" update
     fi
   fi
-  "${apt[@]}" update
   if [ "${#missing[@]}" -gt 0 ]; then
     "${apt[@]}" install --no-install-recommends "${missing[@]}"
   fi
@@ -93,7 +99,7 @@ if [ "${#missing[@]}" -gt 0 ] || [ "${#missing_gpio[@]}" -gt 0 ]; then
 fi
 
 "$here/fetch_uplot.sh"
-if [ "$1" = test ]; then
+if [ "$1" = all ]; then
   "$here/fetch_dbc_decoder.sh"
   "$here/sysroot.sh" arm64
   "$here/sysroot.sh" armhf

@@ -15,7 +15,6 @@ packages=(
   libtomlplusplus-dev libtomlplusplus3 libfmt-dev libfmt9 zlib1g-dev zlib1g
   libcli11-dev nlohmann-json3-dev
 )
-mirror=http://deb.debian.org/debian
 keys=/usr/share/keyrings/debian-archive-keyring.gpg
 
 fail() {
@@ -67,13 +66,14 @@ EOF
 }
 
 fetch() {
-  local architecture=$1 folder=$2 work
+  local architecture=$1 folder=$2 work mirror
   command -v apt-get > /dev/null || fail "needs apt-get; put the files of ${packages[*]} for $architecture into $folder"
   [[ -r $keys ]] || fail "$keys is missing (Debian: apt-get install debian-archive-keyring)"
   mkdir -p "$(dirname "$folder")"
   work=$(mktemp -d "$(dirname "$folder")/sysroot.XXXXXX")
   # shellcheck disable=SC2064  # the folder of now
   trap "rm -rf '$work'" EXIT
+  mirror=$("$(dirname "${BASH_SOURCE[0]}")/mirror.sh") || fail "Debian's packages for $architecture cannot be fetched"
   private_apt "$work/apt" "$architecture"
   export APT_CONFIG="$work/apt/apt.conf"
   apt-get -q update > "$work/log" 2>&1 || { cat "$work/log" >&2; fail "no package lists for $architecture"; }

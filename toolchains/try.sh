@@ -5,9 +5,8 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 toolchains/setup.sh run
 # The tests need more than host_sim does, and stay out.
-build=build/try
-cmake -G Ninja -S . -B "$build" -DCMAKE_BUILD_TYPE=Release -DCMAKE_UNITY_BUILD=ON \
-  -DCMAKE_UNITY_BUILD_BATCH_SIZE=0 -DTENDONLIFE_TESTS=OFF > /dev/null
+build=build/host-release
+cmake --preset host-release -DTENDONLIFE_TESTS=OFF > /dev/null
 cmake --build "$build" --target host_sim
 echo
 "$build/host_sim/host_sim" replay host_sim/examples/upper_arm.csv \

@@ -5,7 +5,6 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
 suite=bookworm
-mirror=http://deb.debian.org/debian
 clean="$PWD/build/clean"
 image="$clean/$suite-$(dpkg --print-architecture).tar"
 
@@ -45,6 +44,7 @@ trap 'rm -rf "$root"' EXIT
 began="$SECONDS"
 if [ ! -s "$image" ]; then
   mkdir -p "$clean"
+  mirror="$(toolchains/mirror.sh)"
   debootstrap --variant=minbase "$suite" "$root" "$mirror" > "$clean/debootstrap.log" 2>&1 ||
     { tail -n 5 "$clean/debootstrap.log"; skip "no $suite from $mirror"; }
   tar -C "$root" -cf "$image.part" .

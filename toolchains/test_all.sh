@@ -1,0 +1,96 @@
+#!/usr/bin/env bash
+# Installs the rest and runs what test.sh leaves out. Stops at the first failure; the last line counts
+# stages and tests: N passed, N failed.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.."
+. toolchains/stages.sh
+
+# What the set-up has installed may not be missing.
+export CI=true TENDONLIFE_REQUIRE_KERNEL=1
+
+# Their kernels wait for their clocks most of the time.
+run_kernel_tests() {
+  ctest --preset host-release -L kernel -j "$((2 * jobs))" --timeout 600
+}
+
+show_budgets() {
+  local checks=tests/target/checks/check_budget.py stm32=build/stm32g431/tests/target/b_g431b_esc1 section
+  for section in instructions size stack firmware_instructions firmware_size firmware_stack \
+    extended_instructions extended_stack; do
+    echo "$section on qemu_mps2"
+    python3 $checks $section build/qemu-m4/tests/target/$section.json
+  done
+  for section in size stack; do
+    echo "$section on b_g431b_esc1"
+    python3 $checks $section $stm32/$section.json tests/target/b_g431b_esc1/budget.json
+  done
+}
+
+compare_host_and_target() {
+  local host
+  for host in host-release host-asan-ubsan; do
+    tests/target/trail/compare.sh "build/$host/tests/target/host/trail" \
+      build/qemu-m4/tests/target/trail/run_trail
+    python3 tests/target/firmware/compare.py "build/$host/tests/target/host/record" \
+      "build/$host/tests/target/host/firmware_host" \
+      build/qemu-m4/tests/target/firmware/run_firmware
+    python3 tests/target/firmware/compare_extended.py \
+      "build/$host/tests/target/host/extended_host" "build/$host/tests/target/host/extended_host" \
+      build/qemu-m4/tests/target/firmware/run_extended
+  done
+}
+
+# lifemodel from its installed package alone, as others use it.
+use_package() {
+  local stage="$PWD/build/package" example
+  rm -rf "$stage"
+  cmake --install build/host-release --prefix "$stage/prefix" --component lifemodel
+  for example in control_loop control_loop_c; do
+    cmake -G Ninja -S "lifemodel/examples/$example" -B "$stage/$example" \
+      -DCMAKE_PREFIX_PATH="$stage/prefix" -DCMAKE_BUILD_TYPE=Release
+    cmake --build "$stage/$example" -j "$jobs"
+  done
+  "$stage/control_loop/control_loop" | grep '^life used: 0\.[0-9]*[1-9]'
+  build/host-release/host_sim/host_sim pack host_sim/examples/upper_arm.toml --out "$stage/block"
+  "$stage/control_loop_c/control_loop_c" "$stage/block" | grep '^life used: [1-9][0-9]* ppb$'
+}
+
+# The analyzer follows every path of what runs on a board. What runs on hosts alone is held by the
+# sanitizers, and would take it longer than all else together. Its sources are read many at a time,
+# from the files of the unity build that include them.
+check_with_clang_tidy() {
+  # Clang does not know all warnings that GCC is told of.
+  local -a tidy=(run-clang-tidy -quiet -j "$jobs" -p build/host-release
+    -extra-arg=-Wno-unknown-warning-option)
+  "${tidy[@]}" "^$PWD/(lifemodel|firmware|hal)/"
+  "${tidy[@]}" -checks='-clang-analyzer-*,-bugprone-suspicious-include' \
+    "^$PWD/(build/host-release/)?host_sim/"
+}
+
+stage "set-up of everything" toolchains/setup.sh all
+use_compiler_cache
+stage "structure of the sources" toolchains/structure.py
+cat "$logs/structure_of_the_sources.log"
+stage "host-release: what needs more to build" build host-release -DTENDONLIFE_MPI=ON -DTENDONLIFE_MQTT=ON
+stage "host-release: what needs more to run" run_tests host-release tools
+stage "host-release: proofs by simulation" run_tests host-release proof
+stage "host-release: blind suite, a sample" run_tests host-release blind
+stage "host-asan-ubsan: build" build host-asan-ubsan
+stage "host-asan-ubsan: tests" run_tests host-asan-ubsan
+stage "host-asan-ubsan: short runs of the fuzzers" run_tests host-asan-ubsan fuzz
+stage "qemu-m4: build" build qemu-m4
+stage "qemu-m4: tests" run_tests qemu-m4
+stage "stm32g431: build" build stm32g431
+stage "stm32g431: tests" run_tests stm32g431
+show_budgets
+for architecture in aarch64 armhf; do
+  stage "linux-$architecture: build" build linux-$architecture
+  stage "linux-$architecture: tests" run_tests linux-$architecture
+done
+stage "kernel: build" toolchains/build_uml.sh
+stage "kernel: tests" run_kernel_tests
+stage "bit-identical on host and target" compare_host_and_target
+stage "lifemodel installed and used" use_package
+stage "package in a clean Debian 12" toolchains/try_package.sh
+stage "clang-tidy" check_with_clang_tidy
+finish
