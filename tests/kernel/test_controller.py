@@ -32,7 +32,7 @@ class ControllerTest(Case):
         tendon = controller.report()["tendons"][0]
 
         def heard_ppb():
-            return [Status.of(frame).damage_ppb for frame in log.frames() if frame.id == frames.STATUS + 5][-1:]
+            return [frames.Status.of(frame).damage_ppb for frame in log.frames() if frame.id == frames.STATUS + 5][-1:]
 
         self.eventually(lambda: heard_ppb() == [tendon["damage_ppb"]], "the log has the last frames")
         log.stop()
