@@ -1,3 +1,4 @@
+# The chart library of the pages: uplot_js, uplot_css and uplot_licence are its files.
 set(fetch_uplot "${PROJECT_SOURCE_DIR}/toolchains/fetch_uplot.sh")
 if(NOT TENDONLIFE_UPLOT_DIR)
   execute_process(COMMAND "${fetch_uplot}" --folder
@@ -16,26 +17,3 @@ if(NOT EXISTS "${uplot_js}" OR NOT EXISTS "${uplot_css}" OR NOT EXISTS "${uplot_
       "TENDONLIFE_UPLOT_DIR to a folder that holds its files.")
   endif()
 endif()
-
-set(assets "${CMAKE_CURRENT_SOURCE_DIR}/assets")
-set(charts)
-foreach(script format theme ticks marks line_chart heat_map plot page)
-  list(APPEND charts "${assets}/${script}.js")
-endforeach()
-list(JOIN charts "+" charts)
-embed_assets("${CMAKE_CURRENT_BINARY_DIR}/assets.cpp"
-  HEADER host_sim/report/page/assets.hpp NAMESPACE host_sim::assets
-  ASSETS "frame_html=${assets}/frame.html" "page_css=${assets}/page.css"
-    "guard_js=${assets}/guard.js" "charts_js=${charts}"
-    "uplot_js=${uplot_js}" "uplot_css=${uplot_css}" "uplot_licence=${uplot_licence}")
-
-add_library(host_sim_report_page STATIC
-  "${CMAKE_CURRENT_BINARY_DIR}/assets.cpp"
-  chart.cpp
-  elements.cpp
-  frame.cpp
-  number_text.cpp)
-target_include_directories(host_sim_report_page PUBLIC "${PROJECT_SOURCE_DIR}")
-target_link_libraries(host_sim_report_page
-  PUBLIC nlohmann_json::nlohmann_json
-  PRIVATE fmt::fmt project_warnings)
