@@ -22,7 +22,7 @@ all_packages=(
   gcc-arm-none-eabi binutils-arm-none-eabi libnewlib-arm-none-eabi
   libstdc++-arm-none-eabi-newlib qemu-system-arm
   clang clang-tidy libclang-rt-14-dev
-  chromium
+  chromium meson
   g++-aarch64-linux-gnu g++-arm-linux-gnueabihf qemu-user-static
   tmux libmosquitto-dev mosquitto mosquitto-clients
   zsh fish man-db mandoc debootstrap lintian

@@ -6,6 +6,7 @@ logs=build/logs
 passed=0
 failed=0
 mkdir -p "$logs"
+export TENDONLIFE_WARNINGS_ARE_ERRORS=ON
 
 # After the set-up, which installs ccache. Builds of one kind find each other's objects, as that of the
 # packages does those of the tests.

@@ -40,21 +40,6 @@ compare_host_and_target() {
   done
 }
 
-# lifemodel from its installed package alone, as others use it.
-use_package() {
-  local stage="$PWD/build/package" example
-  rm -rf "$stage"
-  cmake --install build/host-release --prefix "$stage/prefix" --component lifemodel
-  for example in control_loop control_loop_c; do
-    cmake -G Ninja -S "lifemodel/examples/$example" -B "$stage/$example" \
-      -DCMAKE_PREFIX_PATH="$stage/prefix" -DCMAKE_BUILD_TYPE=Release
-    cmake --build "$stage/$example" -j "$jobs"
-  done
-  "$stage/control_loop/control_loop" | grep '^life used: 0\.[0-9]*[1-9]'
-  build/host-release/host_sim/host_sim pack host_sim/examples/upper_arm.toml --out "$stage/block"
-  "$stage/control_loop_c/control_loop_c" "$stage/block" | grep '^life used: [1-9][0-9]* ppb$'
-}
-
 # The analyzer follows every path of what runs on a board. What runs on hosts alone is held by the
 # sanitizers, and would take it longer than all else together. Its sources are read many at a time,
 # from the files of the unity build that include them.
@@ -90,7 +75,7 @@ done
 stage "kernel: build" toolchains/build_uml.sh
 stage "kernel: tests" run_kernel_tests
 stage "bit-identical on host and target" compare_host_and_target
-stage "lifemodel installed and used" use_package
+stage "lifemodel in builds of others" toolchains/try_lifemodel.sh
 stage "package in a clean Debian 12" toolchains/try_package.sh
 stage "clang-tidy" check_with_clang_tidy
 finish
