@@ -7,16 +7,15 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/monitor/bus/log_source.hpp"
+#include "host_sim/monitor/bus/frame_source.hpp"
 #include "host_sim/monitor/bus/socketcan_source.hpp"
 #include "host_sim/monitor/fleet/fleet.hpp"
-#include "host_sim/monitor/http/page_observer.hpp"
-#include "host_sim/monitor/http/recent_frames.hpp"
-#include "host_sim/monitor/http/recorded_folder.hpp"
-#include "host_sim/monitor/record/record_observer.hpp"
+#include "host_sim/monitor/fleet/watch.hpp"
+#include "host_sim/monitor/http/frame_archive.hpp"
+#include "host_sim/monitor/http/live_page.hpp"
+#include "host_sim/monitor/record/recorder.hpp"
 #include "host_sim/monitor/terminal/table.hpp"
 #include "host_sim/monitor/terminal/terminal.hpp"
-#include "host_sim/monitor/watch/watch.hpp"
 #include "host_sim/verbs/monitor_arguments.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
@@ -104,16 +103,16 @@ class Followers {
       options.archive = &*recent_;
     }
     page_.emplace(options);
-    std::cerr << "live page: " << page_->page().url() << '\n';
+    std::cerr << "live page: " << page_->url() << '\n';
     told_.push_back(&*page_);
   }
 
   std::vector<Observer*> told_;
   // The page ends before the frames that it exports.
-  std::optional<monitor::RecordObserver> record_;
+  std::optional<monitor::Recorder> record_;
   std::optional<monitor::RecordedFolder> recorded_;
   std::optional<monitor::RecentFrames> recent_;
-  std::optional<monitor::PageObserver> page_;
+  std::optional<monitor::LivePage> page_;
 #ifdef TENDONLIFE_MQTT
   std::optional<monitor::MqttObserver> mqtt_;
 #endif

@@ -6,7 +6,7 @@
 
 #include "host_sim/monitor/record/log_folder.hpp"
 #ifdef TENDONLIFE_MQTT
-#include "host_sim/monitor/mqtt/address.hpp"
+#include "host_sim/monitor/mqtt/mqtt_observer.hpp"
 #endif
 
 namespace host_sim {

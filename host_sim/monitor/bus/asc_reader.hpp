@@ -8,7 +8,7 @@
 
 #include "host_sim/io/byte_source.hpp"
 #include "host_sim/io/line_buffer.hpp"
-#include "host_sim/monitor/bus/log_reader.hpp"
+#include "host_sim/monitor/bus/frame_log.hpp"
 
 namespace host_sim::monitor {
 

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 
+#include "hal/can_frame.hpp"
 #include "host_sim/monitor/bus/seen_frame.hpp"
 
 namespace host_sim::monitor {
@@ -18,5 +19,9 @@ enum class PacketKind : std::uint8_t { classic, flexible, as_flag_says };
 /// in a capture (LINKTYPE_CAN_SOCKETCAN); else that of this machine.
 std::optional<SeenFrame> frame_of_packet(std::span<const std::byte> packet, bool big_endian,
                                          PacketKind kind);
+
+/// What an error frame says (linux/can/error.h): its id without the flag is the class, its data say
+/// more.
+BusError bus_error_of(const hal::CanFrame& frame);
 
 }  // namespace host_sim::monitor

@@ -10,7 +10,7 @@
 #include <string>
 #include <string_view>
 
-#include "host_sim/monitor/bus/log_reader.hpp"
+#include "host_sim/monitor/bus/frame_log.hpp"
 
 struct pcap;
 struct pcap_pkthdr;

@@ -7,11 +7,29 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "firmware/protocol/messages.hpp"
+#include "firmware/protocol/schema/plan.hpp"
 
 namespace host_sim::monitor {
+
+/// The names of the schema.
+std::string_view name_of(protocol::LifeState state);
+std::string_view name_of(protocol::Quality quality);
+std::string_view name_of(protocol::NmtState state);
+std::string_view name_of(protocol::EmergencyCode code);
+
+/// What carries the damage of a node.
+inline constexpr protocol::schema::Signal kDamageSignal =
+    protocol::schema::signal_of(&protocol::LifeStatus::damage_ppb);
+
+/// Damage or its rate, told in ppb by a signal, as per cent with as many digits as a ppb needs and
+/// no more: "12.1", "0.0000001"; ">=429.4967295" at the end of its range.
+std::string percent_of(std::uint32_t ppb, const protocol::schema::Signal& signal = kDamageSignal);
 
 /// A value with the time of the frame that brought it. Only frames that passed the integrity check
 /// bring values.
@@ -105,6 +123,45 @@ struct NodeView {
   /// The state to show.
   [[nodiscard]] protocol::LifeState life_state() const;
 };
+
+/// The pages that a node sends, by their names in JSON: the last one, or the last one of each
+/// tendon or bin. What is here is taken from frames, marked as stale and shown in JSON.
+inline constexpr std::tuple kNodePages{std::pair{"identity", &NodeView::identity},
+                                       std::pair{"cycles", &NodeView::cycles},
+                                       std::pair{"rate", &NodeView::rate},
+                                       std::pair{"tendons", &NodeView::tendons},
+                                       std::pair{"bins", &NodeView::bins},
+                                       std::pair{"remaining", &NodeView::remaining},
+                                       std::pair{"storage", &NodeView::storage},
+                                       std::pair{"timing", &NodeView::timing},
+                                       std::pair{"bus", &NodeView::bus}};
+static_assert(std::tuple_size_v<decltype(kNodePages)> == protocol::detail::kPages);
+
+/// Hands each page of `node` to `take`, with its name.
+template <class Node, class Take>
+void each_page(Node& node, Take take) {
+  std::apply([&](const auto&... page) { (take(page.first, node.*(page.second)), ...); },
+             kNodePages);
+}
+
+/// The state of a node, of which two controllers are the gravest: "worn", "two_controllers".
+std::string_view state_name(const NodeView& node);
+
+/// Keeps the damage curve of a view within kMostPoints: points come a step apart, and when there is
+/// no room every second one goes and the step doubles. The last point is always the newest.
+class DamageCurve {
+ public:
+  /// Two points are at least so far apart at first: the cycle of the status.
+  static constexpr std::int64_t kFirstStep_ns = 100'000'000;
+
+  void add(NodeView& view, const DamagePoint& point);
+
+ private:
+  std::int64_t step_ns_ = kFirstStep_ns;
+};
+
+/// Puts an event behind the others; where there is no room the oldest goes.
+void add_event(NodeView& view, Event event);
 
 /// The whole fleet, and the bus that it is on.
 struct FleetView {

@@ -4,17 +4,104 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "firmware/protocol/codec.hpp"
-#include "host_sim/monitor/fleet/ages.hpp"
-#include "host_sim/monitor/fleet/pages.hpp"
-#include "host_sim/monitor/fleet/words.hpp"
 
 namespace host_sim::monitor {
 namespace {
 
+namespace detail = protocol::detail;
 using protocol::schema::kFrames;
+
+/// A value is stale when it is older than so many cycles of its frame, a node has vanished when
+/// nothing was heard for so many heartbeats.
+constexpr std::int64_t kCycles = 3;
+
+/// Three cycle times of a frame.
+constexpr std::int64_t limit_ns(const protocol::schema::Frame& frame) {
+  return kCycles * frame.cycle_ms * 1'000'000;
+}
+
+constexpr std::int64_t kVanished_ns = limit_ns(protocol::schema::kHeartbeatFrame);
+/// The pages share one frame and come in turn, so a page has as many cycles as there are pages; the
+/// tendons and the bins share one page each, and come in turn there.
+constexpr std::int64_t kPage_ns = limit_ns(protocol::schema::kLifeDetailFrame) * detail::kPages;
+
+/// Marks what is older than its limit at a time, and all of a node that has vanished.
+class StaleMarker {
+ public:
+  StaleMarker(std::int64_t now_ns, bool vanished) : now_ns_(now_ns), vanished_(vanished) {}
+
+  template <class Value>
+  void mark(Timed<Value>& timed, std::int64_t most_ns) const {
+    timed.stale = vanished_ || now_ns_ - timed.time_ns > most_ns;
+  }
+  template <class Value>
+  void mark(std::optional<Timed<Value>>& timed, std::int64_t most_ns) const {
+    if (timed) {
+      mark(*timed, most_ns);
+    }
+  }
+  template <class Key, class Value>
+  void mark(std::map<Key, Timed<Value>>& in_turn, std::int64_t most_ns) const {
+    const std::int64_t most_of_all_ns = most_ns * static_cast<std::int64_t>(in_turn.size());
+    for (auto& [key, value] : in_turn) {
+      mark(value, most_of_all_ns);
+    }
+  }
+
+ private:
+  std::int64_t now_ns_;
+  bool vanished_;
+};
+
+void mark_stale(NodeView& view, std::int64_t now_ns) {
+  const StaleMarker marker(now_ns, view.vanished);
+  marker.mark(view.heartbeat, limit_ns(protocol::schema::kHeartbeatFrame));
+  marker.mark(view.status, limit_ns(protocol::schema::kLifeStatusFrame));
+  each_page(view, [&](const char*, auto& page) { marker.mark(page, kPage_ns); });
+  if (view.emergency) {
+    view.emergency->stale = view.vanished;
+  }
+}
+
+std::uint8_t key_of(const detail::TendonDamage& page) {
+  return page.tendon;
+}
+
+std::uint16_t key_of(const detail::RainflowBin& bin) {
+  return static_cast<std::uint16_t>(64 * bin.tendon + 8 * bin.range_class + bin.mean_class);
+}
+
+template <class Page>
+bool take_into(std::optional<Timed<Page>>& last, const hal::CanFrame& frame, std::int64_t time_ns) {
+  const auto page = protocol::decode<Page>(frame);
+  if (page) {
+    last = {*page, time_ns};
+  }
+  return static_cast<bool>(page);
+}
+
+template <class Key, class Page>
+bool take_into(std::map<Key, Timed<Page>>& in_turn, const hal::CanFrame& frame,
+               std::int64_t time_ns) {
+  const auto page = protocol::decode<Page>(frame);
+  if (page) {
+    in_turn[key_of(*page)] = {*page, time_ns};
+  }
+  return static_cast<bool>(page);
+}
+
+/// Puts the page that a LifeDetail frame carries where the view has it; false, and nothing has
+/// happened, where it is no page of the schema. @pre the frame passed the integrity check
+bool take_page(const hal::CanFrame& frame, std::int64_t time_ns, NodeView& view) {
+  bool taken = false;
+  each_page(view,
+            [&](const char*, auto& page) { taken = taken || take_into(page, frame, time_ns); });
+  return taken;
+}
 
 /// Failures that follow each other within this are one event.
 constexpr std::int64_t kFailuresApart_ns = 10'000'000'000;
@@ -142,10 +229,9 @@ void NodeWatch::break_runs(std::size_t kind) {
   }
 }
 
-void NodeWatch::take_storage(const protocol::detail::Storage& storage) {
-  const bool may_be_more =
-      is_at_least(protocol::schema::signal_of(&protocol::detail::Storage::worst_unsaved_ppb),
-                  storage.worst_unsaved_ppb);
+void NodeWatch::take_storage(const detail::Storage& storage) {
+  const bool may_be_more = is_at_least(
+      protocol::schema::signal_of(&detail::Storage::worst_unsaved_ppb), storage.worst_unsaved_ppb);
   const auto unsaved_ppb = may_be_more ? std::nullopt : std::optional(storage.worst_unsaved_ppb);
   damage_.record(storage.sequence, unsaved_ppb);
   for (auto& [tendon, damage] : tendons_) {
@@ -153,7 +239,7 @@ void NodeWatch::take_storage(const protocol::detail::Storage& storage) {
   }
 }
 
-void NodeWatch::take_tendon(const protocol::detail::TendonDamage& tendon) {
+void NodeWatch::take_tendon(const detail::TendonDamage& tendon) {
   DamageWatch& damage = tendons_[tendon.tendon];
   const bool trusted = tendon.state != protocol::LifeState::unknown && view_.status &&
                        view_.status->value.quality != protocol::Quality::untrusted;
@@ -163,7 +249,7 @@ void NodeWatch::take_tendon(const protocol::detail::TendonDamage& tendon) {
   } else {
     (void)damage.report(tendon.damage_ppb, tendon.state, trusted);
   }
-  protocol::detail::TendonDamage& shown = view_.tendons.at(tendon.tendon).value;
+  detail::TendonDamage& shown = view_.tendons.at(tendon.tendon).value;
   shown.damage_ppb = damage.highest_ppb();
   shown.state = graver(damage.gravest(), tendon.state);
   damage_.raise(tendon.damage_ppb);
@@ -176,9 +262,9 @@ void NodeWatch::take_detail(const hal::CanFrame& frame, std::int64_t time_ns, St
     ++stream.malformed;
     return;
   }
-  if (const auto storage = protocol::decode<protocol::detail::Storage>(frame)) {
+  if (const auto storage = protocol::decode<detail::Storage>(frame)) {
     take_storage(*storage);
-  } else if (const auto tendon = protocol::decode<protocol::detail::TendonDamage>(frame)) {
+  } else if (const auto tendon = protocol::decode<detail::TendonDamage>(frame)) {
     take_tendon(*tendon);
   }
 }
@@ -202,7 +288,7 @@ void NodeWatch::show_damage(std::int64_t time_ns) {
   view_.gravest_state = damage_.gravest();
   DamagePoint point{.time_ns = time_ns, .damage_ppb = damage_.highest_ppb(), .rate_ppb_per_h = {}};
   if (view_.rate && !view_.rate->stale &&
-      view_.rate->value.ppb_per_h != protocol::detail::DamageRate::kUnknownRate) {
+      view_.rate->value.ppb_per_h != detail::DamageRate::kUnknownRate) {
     point.rate_ppb_per_h = view_.rate->value.ppb_per_h;
   }
   curve_.add(view_, point);

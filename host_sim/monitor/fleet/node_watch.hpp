@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "host_sim/monitor/fleet/damage_watch.hpp"
-#include "host_sim/monitor/fleet/histories.hpp"
 #include "host_sim/monitor/fleet/node_view.hpp"
 #include "host_sim/monitor/fleet/stream_watch.hpp"
 

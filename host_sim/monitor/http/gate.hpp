@@ -5,9 +5,37 @@
 #include <string>
 #include <string_view>
 
-#include "host_sim/monitor/http/address.hpp"
-
 namespace host_sim::monitor {
+
+/// Where the live page listens.
+struct Address {
+  std::string host;        ///< a name or a number, IPv6 without brackets
+  std::uint16_t port = 0;  ///< 0: any that is free
+
+  /// As it stands in a URL: "127.0.0.1:8080", "[::1]:8080".
+  [[nodiscard]] std::string text() const;
+};
+
+/// "127.0.0.1:8080", "[::1]:8080", "localhost:0".
+/// @throws InputError
+Address parse_address(std::string_view text);
+
+/// Whether only this machine can reach it: 127.0.0.0/8, ::1, localhost.
+bool is_loopback(std::string_view host);
+
+/// Whether the Host header of a request is that of a page on loopback: a page of another site that
+/// had its name resolved to 127.0.0.1 sends its own name.
+bool is_loopback_header(std::string_view header);
+
+/// Takes the same time wherever the texts differ first.
+bool equal_in_constant_time(std::string_view one, std::string_view other);
+
+/// The value of a cookie in a Cookie header; empty without it.
+std::string_view cookie_of(std::string_view header, std::string_view name);
+
+/// A token is 16 to 256 letters, digits and `-._~+/=`, so that it may stand in a header and cookie.
+/// @throws InputError
+void check_token(std::string_view token);
 
 /// What a request brings to be let in.
 struct Credentials {

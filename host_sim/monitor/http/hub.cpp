@@ -2,12 +2,14 @@
 
 #include <utility>
 
-#include "host_sim/monitor/http/json_text.hpp"
-#include "host_sim/monitor/http/merge_patch.hpp"
-#include "host_sim/monitor/http/news.hpp"
 #include "host_sim/monitor/http/view_json.hpp"
 
 namespace host_sim::monitor {
+namespace {
+
+constexpr std::chrono::seconds kHeartbeat{2};
+
+}  // namespace
 
 Hub::Hub() : thread_([this] { run(); }) {}
 
@@ -126,6 +128,31 @@ void Hub::close() {
   }
   offered_.notify_all();
   news_.notify_all();
+}
+
+EventStream::EventStream(Hub& hub) : hub_(hub) {
+  hub_.join();
+}
+
+EventStream::~EventStream() {
+  hub_.leave();
+}
+
+std::string EventStream::next() {
+  if (!started_) {
+    started_ = true;
+    return "retry: 1000\n\n";
+  }
+  const Hub::Message message = hub_.next(version_, kHeartbeat);
+  if (hub_.closed()) {
+    return {};
+  }
+  if (!message.json) {
+    return ": still here\n\n";
+  }
+  version_ = message.version;
+  std::string text = message.whole ? "event: whole\ndata: " : "event: change\ndata: ";
+  return text + *message.json + "\n\n";
 }
 
 }  // namespace host_sim::monitor

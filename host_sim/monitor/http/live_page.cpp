@@ -17,7 +17,6 @@
 
 #include "host_sim/io/input_error.hpp"
 #include "host_sim/io/system_error_text.hpp"
-#include "host_sim/monitor/http/gate.hpp"
 #include "host_sim/monitor/http/hub.hpp"
 #include "host_sim/monitor/http/routes.hpp"
 
@@ -242,7 +241,7 @@ LivePage::LivePage(const LivePageOptions& options) : impl_(std::make_unique<Impl
 
 LivePage::~LivePage() = default;
 
-void LivePage::publish(const FleetView& view) {
+void LivePage::update(const FleetView& view) {
   impl_->hub.offer(view);
 }
 

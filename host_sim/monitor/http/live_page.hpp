@@ -5,9 +5,9 @@
 #include <optional>
 #include <string>
 
-#include "host_sim/monitor/fleet/node_view.hpp"
-#include "host_sim/monitor/http/address.hpp"
+#include "host_sim/monitor/fleet/watch.hpp"
 #include "host_sim/monitor/http/frame_archive.hpp"
+#include "host_sim/monitor/http/gate.hpp"
 
 namespace host_sim::monitor {
 
@@ -25,17 +25,17 @@ struct LivePageOptions {
 ///   /export/N.csv        its damage curve
 ///   /export/N.candump    its recorded frames; /export/all.candump those of all
 ///   /healthz             200 while views come, else 503; needs no token
-class LivePage {
+class LivePage final : public Observer {
  public:
   /// @throws InputError where it cannot listen or must not
   explicit LivePage(const LivePageOptions& options);
-  LivePage(const LivePage&) = delete;
-  LivePage& operator=(const LivePage&) = delete;
-  ~LivePage();
+  ~LivePage() override;
 
   /// Takes a view where one is due, five times a second at most, and never waits for a reader. To
   /// be called on, also where nothing has come, for the page takes silence for a stopped monitor.
-  void publish(const FleetView& view);
+  void update(const FleetView& view) override;
+  /// It stays when a log is at its end.
+  [[nodiscard]] bool outlives_log() const override { return true; }
 
   /// Where the page is, without the token: "http://127.0.0.1:8080/".
   [[nodiscard]] std::string url() const;

@@ -1,13 +1,83 @@
 #include "host_sim/monitor/http/view_json.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <tuple>
+#include <type_traits>
 
-#include "host_sim/monitor/fleet/words.hpp"
-#include "host_sim/monitor/http/message_json.hpp"
+#include "firmware/protocol/schema/plan.hpp"
+#include "host_sim/monitor/fleet/node_view.hpp"
 
 namespace host_sim::monitor {
 namespace {
+
+/// The name of a raw value; empty where it has none.
+std::string_view value_name(const protocol::schema::Signal& signal, std::uint32_t raw) {
+  for (const protocol::schema::ValueName& value : signal.values) {
+    if (value.value == raw) {
+      return value.name;
+    }
+  }
+  return {};
+}
+
+/// The double nearest to raw times the factor of the signal.
+double physical(const protocol::schema::Signal& signal, std::uint32_t raw) {
+  double digits = 0;
+  double divisor = 1;
+  bool fraction = false;
+  for (const char c : signal.factor) {
+    if (c == '.') {
+      fraction = true;
+    } else {
+      digits = 10 * digits + (c - '0');
+      divisor *= fraction ? 10 : 1;
+    }
+  }
+  return raw * digits / divisor;
+}
+
+/// A member as its signal names it: the name of its value, true or false, or the physical value.
+template <class Member>
+nlohmann::json field_json(const protocol::schema::Signal& signal, Member member) {
+  if constexpr (std::is_same_v<Member, bool>) {
+    return member;
+  } else {
+    const auto raw = static_cast<std::uint32_t>(member);
+    const std::string_view name = value_name(signal, raw);
+    if (!name.empty()) {
+      return std::string(name);
+    }
+    if (signal.factor == "1") {
+      return raw;
+    }
+    return physical(signal, raw);
+  }
+}
+
+/// A message with the names of the frame plan, as in the DBC: {"Damage": 0.0123, ..}. The values
+/// that stand for themselves or more are named once more: {.., "at_least": ["Damage"]}.
+template <class Message>
+nlohmann::json message_json(const Message& message) {
+  nlohmann::json json = nlohmann::json::object();
+  const auto put = [&](const auto& field) {
+    json[std::string(field.signal.name)] = field_json(field.signal, message.*(field.member));
+    if (is_at_least(field.signal, static_cast<std::uint32_t>(message.*(field.member)))) {
+      json["at_least"].push_back(field.signal.name);
+    }
+  };
+  std::apply([&](const auto&... fields) { (put(fields), ...); },
+             protocol::schema::Layout<Message>::kFields);
+  return json;
+}
 
 using nlohmann::json;
 
@@ -32,13 +102,12 @@ void put(json& node, const char* name, const std::optional<Timed<Message>>& time
   }
 }
 
-template <class Messages>
-json by_number(const Messages& messages) {
-  json result = json::object();
-  for (const auto& [number, timed] : messages) {
-    result[std::to_string(number)] = timed_json(timed);
+template <class Key, class Message>
+void put(json& node, const char* name, const std::map<Key, Timed<Message>>& by_number) {
+  json& messages = node[name] = json::object();
+  for (const auto& [number, timed] : by_number) {
+    messages[std::to_string(number)] = timed_json(timed);
   }
-  return result;
 }
 
 json stream_json(const StreamView& stream) {
@@ -81,6 +150,13 @@ const char* kind_name(Event::Kind kind) {
   return "";
 }
 
+json event_json(const Event& event) {
+  return {{"kind", kind_name(event.kind)},
+          {"time_us", microseconds(event.time_ns)},
+          {"words", event.words},
+          {"state", name_of(event.state)}};
+}
+
 json point_json(const DamagePoint& point) {
   json result = {microseconds(point.time_ns), point.damage_ppb / kPpb};
   if (point.rate_ppb_per_h) {
@@ -89,14 +165,30 @@ json point_json(const DamagePoint& point) {
   return result;
 }
 
-}  // namespace
-
-json event_json(const Event& event) {
-  return {{"kind", kind_name(event.kind)},
-          {"time_us", microseconds(event.time_ns)},
-          {"words", event.words},
-          {"state", name_of(event.state)}};
+bool same(const Event& one, const Event& other) {
+  return one.time_ns == other.time_ns && one.kind == other.kind && one.state == other.state &&
+         one.words == other.words;
 }
+
+/// Events join at the end and leave at the front, so the new ones follow the last old one.
+nlohmann::json after_last(const std::deque<Event>* before, const std::deque<Event>& after) {
+  auto first = after.begin();
+  if (before != nullptr && !before->empty()) {
+    first = std::find_if(after.rbegin(), after.rend(), [&](const Event& event) {
+              return same(event, before->back());
+            }).base();
+  }
+  nlohmann::json events = nlohmann::json::array();
+  std::transform(first, after.end(), std::back_inserter(events), event_json);
+  return events;
+}
+
+std::string ppb_text(std::uint32_t ppb) {
+  constexpr std::uint32_t kOne = 1'000'000'000;
+  return fmt::format("{}.{:09}", ppb / kOne, ppb % kOne);
+}
+
+}  // namespace
 
 json node_json(const NodeView& node) {
   json result = {{"node", node.node},
@@ -106,9 +198,7 @@ json node_json(const NodeView& node) {
                  {"two_controllers", node.two_controllers},
                  {"last_seen_us", microseconds(node.last_seen_ns)},
                  {"highest_damage", node.highest_damage_ppb / kPpb},
-                 {"integrity_failures", node.integrity_failures()},
-                 {"tendons", by_number(node.tendons)},
-                 {"bins", by_number(node.bins)}};
+                 {"integrity_failures", node.integrity_failures()}};
   if (is_at_least(kDamageSignal, node.highest_damage_ppb)) {
     result["at_least"] = {"highest_damage"};
   }
@@ -117,13 +207,7 @@ json node_json(const NodeView& node) {
         {node.heartbeat->value}, node.heartbeat->time_ns, node.heartbeat->stale});
   }
   put(result, "status", node.status);
-  put(result, "identity", node.identity);
-  put(result, "cycles", node.cycles);
-  put(result, "rate", node.rate);
-  put(result, "remaining", node.remaining);
-  put(result, "storage", node.storage);
-  put(result, "timing", node.timing);
-  put(result, "bus", node.bus);
+  each_page(node, [&](const char* name, const auto& page) { put(result, name, page); });
   put(result, "emergency", node.emergency);
   json& streams = result["streams"] = json::object();
   for (const StreamView& stream : node.streams) {
@@ -162,6 +246,53 @@ json fleet_json(const FleetView& fleet) {
           {"bus_load_percent", fleet.bus_load_percent},
           {"frames_per_s", fleet.frames_per_s},
           {"nodes", std::move(nodes)}};
+}
+
+nlohmann::json new_events(const FleetView& before, const FleetView& after) {
+  nlohmann::json news = nlohmann::json::object();
+  for (const auto& [number, node] : after.nodes) {
+    const auto old = before.nodes.find(number);
+    nlohmann::json events =
+        after_last(old == before.nodes.end() ? nullptr : &old->second.events, node.events);
+    if (!events.empty()) {
+      news[std::to_string(number)] = std::move(events);
+    }
+  }
+  return news;
+}
+
+nlohmann::json merge_patch(const nlohmann::json& before, const nlohmann::json& after) {
+  nlohmann::json patch = nlohmann::json::object();
+  for (const auto& [key, value] : after.items()) {
+    const auto old = before.find(key);
+    if (old != before.end() && *old == value) {
+      continue;
+    }
+    const bool both_objects = old != before.end() && old->is_object() && value.is_object();
+    patch[key] = both_objects ? merge_patch(*old, value) : value;
+  }
+  for (const auto& [key, value] : before.items()) {
+    if (!after.contains(key)) {
+      patch[key] = nullptr;
+    }
+  }
+  return patch;
+}
+
+std::string json_text(const nlohmann::json& json) {
+  return json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+std::string history_csv(const NodeView& node) {
+  std::string text = "time_s,damage,damage_rate_per_h\n";
+  constexpr std::int64_t kSecond_us = 1'000'000;
+  for (const DamagePoint& point : node.curve) {
+    const std::int64_t time_us = point.time_ns / 1000;
+    fmt::format_to(std::back_inserter(text), "{}.{:06},{},{}\n", time_us / kSecond_us,
+                   time_us % kSecond_us, ppb_text(point.damage_ppb),
+                   point.rate_ppb_per_h ? ppb_text(*point.rate_ppb_per_h) : "");
+  }
+  return text;
 }
 
 }  // namespace host_sim::monitor

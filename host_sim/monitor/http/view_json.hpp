@@ -1,6 +1,7 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <string>
 
 #include "host_sim/monitor/fleet/node_view.hpp"
 
@@ -18,6 +19,17 @@ nlohmann::json node_json(const NodeView& node);
 /// {"events": [..], "curve": [[time_us, damage, rate per hour], [time_us, damage], ..]}.
 nlohmann::json history_json(const NodeView& node);
 
-nlohmann::json event_json(const Event& event);
+/// The events that `after` has and `before` has not, by node: {"5": [event, ..]}.
+nlohmann::json new_events(const FleetView& before, const FleetView& after);
+
+/// What turns `before` into `after` (RFC 7396). Precondition: no null in `after`.
+nlohmann::json merge_patch(const nlohmann::json& before, const nlohmann::json& after);
+
+/// One line. Bytes that are not UTF-8 become U+FFFD, numbers that are not finite null.
+std::string json_text(const nlohmann::json& json);
+
+/// The damage curve of a node: time_s,damage,damage_rate_per_h; the rate is empty where none is
+/// known.
+std::string history_csv(const NodeView& node);
 
 }  // namespace host_sim::monitor

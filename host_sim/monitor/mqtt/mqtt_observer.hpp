@@ -2,19 +2,29 @@
 
 #include <atomic>
 #include <chrono>
+#include <cstdint>
 #include <map>
 #include <memory>
+#include <optional>
 #include <stop_token>
 #include <string>
 #include <string_view>
 #include <thread>
 
-#include "host_sim/monitor/mqtt/address.hpp"
-#include "host_sim/monitor/watch/observer.hpp"
+#include "host_sim/monitor/fleet/watch.hpp"
 
 struct mosquitto;
 
 namespace host_sim::monitor {
+
+/// Where a broker listens.
+struct BrokerAddress {
+  std::string host;
+  std::uint16_t port = 1883;  ///< that of MQTT (IANA)
+};
+
+/// HOST, HOST:PORT, or [IPV6]:PORT; nothing where it is none.
+std::optional<BrokerAddress> broker_address_of(std::string_view text);
 
 /// Tells an MQTT broker of every node: status_json() retained under tendonlife/NODE/status, once a
 /// second, and at once where its state changes, it turns stale, vanishes or comes back.

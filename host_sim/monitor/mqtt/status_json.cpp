@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/monitor/fleet/words.hpp"
+#include "host_sim/monitor/fleet/node_view.hpp"
 
 namespace host_sim::monitor {
 namespace {

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "host_sim/io/output_file.hpp"
-#include "host_sim/monitor/record/log_line.hpp"
+#include "host_sim/monitor/bus/frame_log.hpp"
 
 namespace host_sim::monitor {
 

@@ -8,7 +8,7 @@
 #include <string>
 #include <thread>
 
-#include "host_sim/monitor/bus/seen_frame.hpp"
+#include "host_sim/monitor/fleet/watch.hpp"
 #include "host_sim/monitor/record/log_folder.hpp"
 
 namespace host_sim::monitor {
@@ -17,7 +17,7 @@ namespace host_sim::monitor {
 /// and at each new log, so that a slow disk delays no frame. What came after the last sync is lost
 /// with the power; what came within the last kWrite with the process. What cannot be written waits
 /// and is tried again.
-class Recorder {
+class Recorder final : public Observer {
  public:
   static constexpr std::chrono::milliseconds kWrite{100};
   static constexpr std::chrono::milliseconds kSync{1000};
@@ -27,21 +27,20 @@ class Recorder {
   /// `interface`: the name in the logs, 1 .. 15 printable characters without spaces.
   /// @throws OutputError
   Recorder(const std::filesystem::path& folder, const Rotation& rotation, std::string interface);
-  Recorder(const Recorder&) = delete;
-  Recorder& operator=(const Recorder&) = delete;
   /// Writes and syncs what waits.
-  ~Recorder();
+  ~Recorder() override;
 
-  void see(const SeenFrame& seen);
+  void see(const SeenFrame& seen) override;
   /// All that was seen can be read in the folder, or trouble() says why not.
   void flush();
   /// All that was seen is on the disk, or trouble() says why not.
   void sync();
+  void finish() override { sync(); }
 
   /// What was found torn at the start, in words; empty where nothing was.
   [[nodiscard]] const std::string& repaired() const { return folder_.repaired(); }
   /// Why frames are not recorded at present, and how many are not; empty where all is well.
-  [[nodiscard]] std::string trouble() const;
+  [[nodiscard]] std::string trouble() const override;
 
  private:
   void run();

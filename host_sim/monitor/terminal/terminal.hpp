@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/monitor/watch/observer.hpp"
+#include "host_sim/monitor/fleet/watch.hpp"
 
 struct termios;
 

@@ -6,8 +6,7 @@
 #include <string_view>
 
 #include "host_sim/io/input_error.hpp"
-#include "host_sim/monitor/bus/candump_log_reader.hpp"
-#include "host_sim/monitor/record/log_line.hpp"
+#include "host_sim/monitor/bus/frame_log.hpp"
 #include "tests/fuzz/monitor/sound.hpp"
 
 namespace {

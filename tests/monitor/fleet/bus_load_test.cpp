@@ -2,12 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/monitor/fleet/sender.hpp"
+
 namespace host_sim::monitor {
 namespace {
 
-constexpr std::int64_t kMs = 1'000'000;
+using test::kMs;
 
-SeenFrame frame_of(std::uint32_t id, bool extended, std::initializer_list<int> data) {
+SeenFrame load_frame(std::uint32_t id, bool extended, std::initializer_list<int> data) {
   SeenFrame seen;
   seen.frame.id = id;
   seen.frame.extended = extended;
@@ -22,7 +24,7 @@ SeenFrame frame_of(std::uint32_t id, bool extended, std::initializer_list<int> d
 // has none of five.
 TEST(BitsOnBus, AFrameWithoutRunsHasFewStuffBits) {
   const std::uint32_t bits =
-      bits_on_bus(frame_of(0x555, false, {0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55}));
+      bits_on_bus(load_frame(0x555, false, {0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55, 0x55}));
   EXPECT_GE(bits, 111u);
   EXPECT_LE(bits, 114u);
 }
@@ -32,7 +34,7 @@ TEST(BitsOnBus, AFrameWithoutRunsHasFewStuffBits) {
 // zeros each (a stuff bit breaks the run, and is no zero): after 5, 10, 15. Then 1 and 67
 // zeros: 13.
 TEST(BitsOnBus, AFrameOfZerosHasAStuffBitAfterEachFiveZeros) {
-  const std::uint32_t bits = bits_on_bus(frame_of(0, false, {0, 0, 0, 0, 0, 0, 0, 0}));
+  const std::uint32_t bits = bits_on_bus(load_frame(0, false, {0, 0, 0, 0, 0, 0, 0, 0}));
   EXPECT_GE(bits, 111u + 3 + 13);
   EXPECT_LE(bits, 111u + 3 + 13 + 4);
 }
@@ -55,7 +57,7 @@ TEST(BitsOnBus, NeverMoreThanTheWorstOfTheStandard) {
 }
 
 TEST(BitsOnBus, ARemoteFrameHasNoData) {
-  SeenFrame remote = frame_of(0x555, false, {1, 2, 3, 4, 5, 6, 7, 8});
+  SeenFrame remote = load_frame(0x555, false, {1, 2, 3, 4, 5, 6, 7, 8});
   remote.remote_request = true;
   EXPECT_GE(bits_on_bus(remote), 47u);
   EXPECT_LE(bits_on_bus(remote), 47u + 8);

@@ -12,21 +12,12 @@ namespace {
 using test::kMs;
 using test::kS;
 using test::Sender;
+using test::words_of;
 
 constexpr std::size_t kHeartbeat = 0, kStatus = 1, kDetail = 2, kEmergency = 3;
 
 const NodeView& node_of(const Fleet& fleet, protocol::Node node) {
   return fleet.view().nodes.at(node);
-}
-
-std::vector<std::string> words_of(const NodeView& node, Event::Kind kind) {
-  std::vector<std::string> words;
-  for (const Event& event : node.events) {
-    if (event.kind == kind) {
-      words.push_back(event.words);
-    }
-  }
-  return words;
 }
 
 TEST(Fleet, ShowsAStatusThatPassedTheCheck) {
@@ -197,170 +188,6 @@ TEST(Fleet, NoNodeVanishesFromABusThatCannotBeHeard) {
   EXPECT_TRUE(node_of(fleet, 3).vanished);
 }
 
-/// Node 3, that tells its damage every 100 ms and its last record where it is asked to.
-class Told {
- public:
-  void damage(std::uint32_t damage_ppb, int times = 1,
-              protocol::LifeState state = protocol::LifeState::normal) {
-    for (int i = 0; i < times; ++i) {
-      fleet.see(sender.status(now_ns += 100 * kMs, {.state = state, .damage_ppb = damage_ppb}));
-    }
-  }
-  void record(std::uint32_t sequence, std::uint32_t unsaved_ppb) {
-    fleet.see(sender.page(
-        now_ns += kMs,
-        protocol::detail::Storage{.sequence = sequence, .worst_unsaved_ppb = unsaved_ppb}));
-  }
-  void restart() {
-    sender = Sender(3);
-    fleet.see(sender.heartbeat(now_ns += kS, protocol::NmtState::boot_up));
-  }
-  [[nodiscard]] const NodeView& node() const { return fleet.view().nodes.at(3); }
-  [[nodiscard]] std::uint32_t shown_ppb() const { return node().highest_damage_ppb; }
-  [[nodiscard]] std::vector<std::string> epochs() const {
-    return words_of(node(), Event::Kind::epoch);
-  }
-
-  Fleet fleet;
-  Sender sender{3};
-  std::int64_t now_ns = 0;
-};
-
-TEST(Fleet, DamageFallsWithANewEpochOnly) {
-  Told told;
-  told.damage(121'000'000, 2);
-  told.record(7, 1'000);
-  told.damage(121'000'000);
-  told.damage(0);
-  told.damage(10);
-  told.record(8, 1'000);
-  told.damage(20, 2);
-  EXPECT_EQ(told.shown_ppb(), 121'000'000u);
-  told.damage(20);
-  EXPECT_EQ(told.shown_ppb(), 20u);
-  EXPECT_EQ(told.epochs(),
-            std::vector<std::string>{"epoch opened: damage fell from 12.1 to 0.000002 %"});
-}
-
-TEST(Fleet, APowerCutIsNoNewEpoch) {
-  Told told;
-  told.damage(5'000);
-  told.record(7, 1'000);
-  told.damage(5'000);
-  told.restart();
-  for (std::uint32_t sequence = 7; sequence < 20; ++sequence) {
-    told.damage(4'000, 9);
-    told.record(sequence, 0);
-  }
-  EXPECT_EQ(told.shown_ppb(), 5'000u);
-  told.restart();
-  told.damage(3'999);
-  told.record(20, 0);
-  told.damage(3'999, 3);
-  EXPECT_EQ(told.shown_ppb(), 3'999u);
-}
-
-// 24 bits, all ones: a power cut may lose more.
-TEST(Fleet, TheEndOfARangeIsNoBound) {
-  Told told;
-  told.damage(500'000'000);
-  told.record(7, 0xff'ffff);
-  told.damage(500'000'000);
-  told.restart();
-  for (std::uint32_t sequence = 7; sequence < 20; ++sequence) {
-    told.damage(400'000'000, 9);
-    told.record(sequence, 0);
-  }
-  EXPECT_EQ(told.shown_ppb(), 500'000'000u);
-  EXPECT_TRUE(told.epochs().empty());
-}
-
-TEST(Fleet, ANewWireIsSeenHoweverLittleTheOldOneHadSuffered) {
-  Told told;
-  told.record(7, 1'000);
-  told.damage(500, 9);
-  told.record(7, 1'000);
-  told.damage(500, 5);
-  told.record(8, 1'000);  // before a status tells of the new wire
-  told.damage(0, 9);
-  EXPECT_EQ(told.shown_ppb(), 500u);
-  told.record(8, 1'000);
-  told.damage(0, 9);
-  EXPECT_EQ(told.shown_ppb(), 0u);
-  EXPECT_EQ(told.epochs().size(), 1u);
-}
-
-// The log that is played again has records of the past.
-TEST(Fleet, AnOldLogThatIsPlayedAgainIsNoNewEpoch) {
-  Told told;
-  told.damage(700'000'000, 3, protocol::LifeState::worn);
-  told.record(90, 1'000);
-  told.damage(700'000'000, 3, protocol::LifeState::worn);
-  told.sender = Sender(3);
-  told.now_ns += kS;
-  for (std::uint32_t sequence = 50; sequence < 60; ++sequence) {
-    told.damage(100'000'000 + sequence, 9);
-    told.record(sequence, 1'000);
-  }
-  EXPECT_EQ(told.shown_ppb(), 700'000'000u);
-  EXPECT_EQ(told.node().life_state(), protocol::LifeState::worn);
-  EXPECT_TRUE(told.epochs().empty());
-}
-
-TEST(Fleet, ALostRecordIsNoNewEpoch) {
-  Told told;
-  told.damage(700'000'000);
-  told.record(90, 1'000);
-  told.damage(700'000'000);
-  told.restart();
-  for (std::uint32_t sequence = 91; sequence < 99; ++sequence) {
-    for (int i = 0; i < 9; ++i) {
-      told.fleet.see(
-          told.sender.status(told.now_ns += 100 * kMs, {.state = protocol::LifeState::normal,
-                                                        .damage_ppb = 5,
-                                                        .quality = protocol::Quality::untrusted}));
-    }
-    told.record(sequence, 0);
-  }
-  EXPECT_EQ(told.shown_ppb(), 700'000'000u);
-}
-
-// A silence of more than 0.3 s begins the counters anew.
-TEST(Fleet, NoStateFallsWithoutANewEpoch) {
-  Told told;
-  told.damage(900'000'000, 1, protocol::LifeState::worn);
-  told.now_ns += 400 * kMs;
-  told.damage(100'000'000, 1, protocol::LifeState::normal);
-  EXPECT_EQ(told.node().life_state(), protocol::LifeState::worn);
-  EXPECT_EQ(words_of(told.node(), Event::Kind::state), std::vector<std::string>{"worn"});
-  told.damage(900'000'000, 1, protocol::LifeState::unknown);
-  EXPECT_EQ(told.node().life_state(), protocol::LifeState::worn);
-}
-
-TEST(Fleet, TheDamageOfATendonFallsWithANewEpochOnly) {
-  Told told;
-  const auto tendon = [&](std::uint32_t damage_ppb, protocol::LifeState state) {
-    told.fleet.see(told.sender.page(
-        told.now_ns += 100 * kMs,
-        protocol::detail::TendonDamage{.tendon = 2, .damage_ppb = damage_ppb, .state = state}));
-  };
-  const auto shown = [&] { return told.node().tendons.at(2).value; };
-  told.damage(600'000'000);
-  tendon(600'000'000, protocol::LifeState::replace);
-  told.record(7, 1'000);
-  tendon(600'000'000, protocol::LifeState::replace);
-  tendon(0, protocol::LifeState::normal);
-  EXPECT_EQ(shown().damage_ppb, 600'000'000u);
-  EXPECT_EQ(shown().state, protocol::LifeState::replace);
-  told.record(8, 1'000);
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(shown().damage_ppb, 600'000'000u);
-    tendon(5, protocol::LifeState::normal);
-  }
-  EXPECT_EQ(shown().damage_ppb, 5u);
-  EXPECT_EQ(shown().state, protocol::LifeState::normal);
-}
-
 /// What two controllers tell in turn, the first counter of the second one so far ahead.
 void hear_two(Fleet& fleet, int ahead, protocol::LifeState other_state, std::uint32_t other_ppb) {
   constexpr int kTurns = 20;
@@ -427,17 +254,6 @@ TEST(Fleet, DoubledLateAndLostFramesAreOfOneController) {
     }
   }
   EXPECT_FALSE(node_of(fleet, 3).two_controllers);
-}
-
-TEST(Fleet, OneLateStatusAmongOthersIsNoNewEpoch) {
-  Fleet fleet;
-  Sender sender(3);
-  fleet.see(sender.damage(0, 500));
-  for (int i = 1; i < 30; ++i) {
-    fleet.see(sender.damage(i * 100 * kMs, i % 3 == 0 ? 500u : 400u));
-  }
-  EXPECT_EQ(node_of(fleet, 3).highest_damage_ppb, 500u);
-  EXPECT_TRUE(words_of(node_of(fleet, 3), Event::Kind::epoch).empty());
 }
 
 TEST(Fleet, ABootBeginsTheCountersAnew) {

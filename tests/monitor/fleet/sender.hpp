@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <vector>
 
 #include "firmware/protocol/codec.hpp"
 #include "firmware/protocol/e2e.hpp"
 #include "host_sim/monitor/bus/seen_frame.hpp"
+#include "host_sim/monitor/fleet/node_view.hpp"
 
 namespace host_sim::monitor::test {
 
@@ -17,6 +19,17 @@ inline SeenFrame seen(std::int64_t time_ns, const hal::CanFrame& frame) {
   out.time_ns = time_ns;
   out.frame = frame;
   return out;
+}
+
+/// What the events of a kind say, oldest first.
+inline std::vector<std::string> words_of(const NodeView& node, Event::Kind kind) {
+  std::vector<std::string> words;
+  for (const Event& event : node.events) {
+    if (event.kind == kind) {
+      words.push_back(event.words);
+    }
+  }
+  return words;
 }
 
 /// A node whose frames are genuine.

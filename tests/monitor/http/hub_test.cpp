@@ -4,7 +4,6 @@
 
 #include <thread>
 
-#include "host_sim/monitor/http/event_stream.hpp"
 #include "tests/monitor/http/made_view.hpp"
 
 namespace host_sim::monitor {

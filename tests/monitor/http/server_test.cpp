@@ -16,7 +16,7 @@ namespace {
 
 using nlohmann::json;
 
-class Log : public FrameArchive {
+class TwoLines : public FrameArchive {
  public:
   void read(std::optional<protocol::Node> node,
             const std::function<bool(std::string_view)>& take) const override {
@@ -29,7 +29,7 @@ class Served {
  public:
   explicit Served(std::optional<std::string> token = {}, const FrameArchive* archive = nullptr)
       : page({{"127.0.0.1", 0}, std::move(token), archive}), client("127.0.0.1", page.port()) {
-    page.publish(test::made_view());
+    page.update(test::made_view());
     while (!token_is_needed() && !client.Get("/api/fleet")->body.size()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
@@ -40,7 +40,7 @@ class Served {
   httplib::Client client;
 };
 
-const std::string kToken = "abcdefgh12345678";
+const std::string kPageToken = "abcdefgh12345678";
 
 TEST(Server, ServesThePageWithoutOutsideResources) {
   Served served;
@@ -92,7 +92,7 @@ TEST(Server, TellsTheFleetAndANode) {
 }
 
 TEST(Server, ExportsWhatWasRecorded) {
-  const Log log;
+  const TwoLines log;
   Served served({}, &log);
   const auto csv = served.client.Get("/export/5.csv");
   EXPECT_EQ(csv->body.substr(0, 7), "time_s,");
@@ -111,30 +111,30 @@ TEST(Server, SaysWhereNothingIsRecorded) {
 }
 
 TEST(Server, AsksForItsToken) {
-  Served served(kToken);
+  Served served(kPageToken);
   for (const char* path :
        {"/", "/events", "/api/fleet", "/export/all.candump", "/assets/main.js"}) {
     const auto answer = served.client.Get(path);
     EXPECT_EQ(answer->status, 401) << path;
-    EXPECT_EQ(answer->body.find(kToken), std::string::npos);
+    EXPECT_EQ(answer->body.find(kPageToken), std::string::npos);
   }
   EXPECT_NE(served.client.Get("/healthz")->status, 401);
-  served.client.set_bearer_token_auth(kToken);
+  served.client.set_bearer_token_auth(kPageToken);
   EXPECT_EQ(served.client.Get("/")->status, 200);
   served.client.set_bearer_token_auth("abcdefgh12345679");
   EXPECT_EQ(served.client.Get("/")->status, 401);
 }
 
 TEST(Server, TurnsATokenOfTheAddressIntoACookie) {
-  Served served(kToken);
-  const auto first = served.client.Get("/?token=" + kToken);
+  Served served(kPageToken);
+  const auto first = served.client.Get("/?token=" + kPageToken);
   EXPECT_EQ(first->status, 303);
   EXPECT_EQ(first->get_header_value("Location"), "/");
   const std::string cookie = first->get_header_value("Set-Cookie");
   EXPECT_NE(cookie.find("HttpOnly"), std::string::npos);
   const httplib::Headers back = {{"Cookie", cookie.substr(0, cookie.find(';'))}};
   EXPECT_EQ(served.client.Get("/", back)->status, 200);
-  EXPECT_EQ(served.client.Get("/?token=" + kToken + "x")->status, 401);
+  EXPECT_EQ(served.client.Get("/?token=" + kPageToken + "x")->status, 401);
 }
 
 TEST(Server, StreamsAWholeViewFirst) {
@@ -212,7 +212,7 @@ TEST(Server, SlowConnectionsKeepNobodyOut) {
                                         "GET /export/all.candump HTTP/1.1\r\n" + host + "\r\n"));
     slow.push_back(connection_that_sent(served.page.port(), ""));
   }
-  served.page.publish(test::made_view());
+  served.page.update(test::made_view());
   const auto began = std::chrono::steady_clock::now();
   for (const char* path : {"/healthz", "/", "/api/fleet"}) {
     httplib::Client client("127.0.0.1", served.page.port());
@@ -239,7 +239,7 @@ TEST(Server, ARequestThatTakesTooLongIsNotWaitedFor) {
 }
 
 TEST(Server, IgnoresRanges) {
-  Served served(kToken);
+  Served served(kPageToken);
   std::string ranges = "bytes=0-";
   for (int i = 1; i < 2600; ++i) {
     ranges += ",0-";
@@ -249,7 +249,7 @@ TEST(Server, IgnoresRanges) {
     EXPECT_EQ(refused->status, 401);
     EXPECT_LT(refused->body.size(), 200u);
     const auto whole =
-        served.client.Get("/", {{"Authorization", "Bearer " + kToken}, {"Range", range}});
+        served.client.Get("/", {{"Authorization", "Bearer " + kPageToken}, {"Range", range}});
     EXPECT_EQ(whole->status, 200);
     EXPECT_TRUE(whole->body.starts_with("<!DOCTYPE html>"));
     EXPECT_LT(whole->body.size(), 100'000u);

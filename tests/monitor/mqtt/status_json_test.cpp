@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "host_sim/monitor/mqtt/address.hpp"
+#include "host_sim/monitor/mqtt/mqtt_observer.hpp"
 
 namespace host_sim::monitor {
 namespace {

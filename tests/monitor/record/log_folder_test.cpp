@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "host_sim/io/output_file.hpp"
-#include "host_sim/monitor/record/log_line.hpp"
+#include "host_sim/monitor/bus/frame_log.hpp"
 #include "host_sim/monitor/record/recorder.hpp"
 
 namespace host_sim::monitor {

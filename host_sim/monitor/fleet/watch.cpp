@@ -1,4 +1,4 @@
-#include "host_sim/monitor/watch/watch.hpp"
+#include "host_sim/monitor/fleet/watch.hpp"
 
 #include <algorithm>
 

@@ -3,7 +3,11 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
 
+#include "host_sim/io/candump.hpp"
 #include "host_sim/monitor/bus/seen_frame.hpp"
 
 namespace host_sim::monitor {
@@ -21,6 +25,26 @@ class LogReader {
   /// @throws InputError, and is then of no further use
   virtual std::optional<SeenFrame> next() = 0;
 };
+
+/// A log of candump -L. Lines of all interfaces are taken.
+class CandumpLogReader final : public LogReader {
+ public:
+  /// `-` is standard input. @throws InputError
+  explicit CandumpLogReader(const std::filesystem::path& path)
+      : name_(path.string()), reader_(path) {}
+  CandumpLogReader(std::unique_ptr<ByteSource> source, std::string_view name)
+      : name_(name), reader_(std::move(source), name) {}
+
+  std::optional<SeenFrame> next() override;
+
+ private:
+  std::string name_;
+  CandumpReader reader_;
+};
+
+/// The line that `candump -L` writes for what was seen, with its line end: data, remote and error
+/// frames and those of CAN FD.
+std::string log_line(const SeenFrame& seen, std::string_view interface);
 
 /// Opens a log of candump -L, a Vector ASC file, or PCAP or PCAPNG of SocketCAN, and tells by its
 /// first bytes which of them it is. `-` is a log of candump -L on standard input.

@@ -1,7 +1,6 @@
-#include <gtest/gtest.h>
+#include "host_sim/monitor/fleet/node_view.hpp"
 
-#include "host_sim/monitor/fleet/histories.hpp"
-#include "host_sim/monitor/fleet/words.hpp"
+#include <gtest/gtest.h>
 
 namespace host_sim::monitor {
 namespace {

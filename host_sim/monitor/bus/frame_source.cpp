@@ -1,4 +1,4 @@
-#include "host_sim/monitor/bus/log_source.hpp"
+#include "host_sim/monitor/bus/frame_source.hpp"
 
 #include <algorithm>
 #include <thread>

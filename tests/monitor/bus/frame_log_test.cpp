@@ -1,3 +1,5 @@
+#include "host_sim/monitor/bus/frame_log.hpp"
+
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -9,8 +11,7 @@
 #include <vector>
 
 #include "host_sim/io/input_error.hpp"
-#include "host_sim/monitor/bus/candump_log_reader.hpp"
-#include "host_sim/monitor/bus/log_source.hpp"
+#include "host_sim/monitor/bus/frame_source.hpp"
 #include "tests/monitor/bus/capture.hpp"
 
 namespace host_sim::monitor {

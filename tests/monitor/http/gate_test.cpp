@@ -1,11 +1,10 @@
+#include "host_sim/monitor/http/gate.hpp"
+
 #include <gtest/gtest.h>
 
 #include <string>
 
 #include "host_sim/io/input_error.hpp"
-#include "host_sim/monitor/http/address.hpp"
-#include "host_sim/monitor/http/gate.hpp"
-#include "host_sim/monitor/http/token.hpp"
 
 namespace host_sim::monitor {
 namespace {

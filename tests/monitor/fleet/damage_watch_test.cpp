@@ -1,0 +1,302 @@
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host_sim/monitor/fleet/fleet.hpp"
+#include "tests/monitor/fleet/sender.hpp"
+
+namespace host_sim::monitor {
+namespace {
+
+using test::kMs;
+using test::kS;
+using test::Sender;
+using test::words_of;
+
+/// Node 3, that tells its damage every 100 ms and its last record where it is asked to.
+class Told {
+ public:
+  void damage(std::uint32_t damage_ppb, int times = 1,
+              protocol::LifeState state = protocol::LifeState::normal) {
+    for (int i = 0; i < times; ++i) {
+      fleet.see(sender.status(now_ns += 100 * kMs, {.state = state, .damage_ppb = damage_ppb}));
+    }
+  }
+  void record(std::uint32_t sequence, std::uint32_t unsaved_ppb) {
+    fleet.see(sender.page(
+        now_ns += kMs,
+        protocol::detail::Storage{.sequence = sequence, .worst_unsaved_ppb = unsaved_ppb}));
+  }
+  void restart() {
+    sender = Sender(3);
+    fleet.see(sender.heartbeat(now_ns += kS, protocol::NmtState::boot_up));
+  }
+  [[nodiscard]] const NodeView& node() const { return fleet.view().nodes.at(3); }
+  [[nodiscard]] std::uint32_t shown_ppb() const { return node().highest_damage_ppb; }
+  [[nodiscard]] std::vector<std::string> epochs() const {
+    return words_of(node(), Event::Kind::epoch);
+  }
+
+  Fleet fleet;
+  Sender sender{3};
+  std::int64_t now_ns = 0;
+};
+
+TEST(Fleet, DamageFallsWithANewEpochOnly) {
+  Told told;
+  told.damage(121'000'000, 2);
+  told.record(7, 1'000);
+  told.damage(121'000'000);
+  told.damage(0);
+  told.damage(10);
+  told.record(8, 1'000);
+  told.damage(20, 2);
+  EXPECT_EQ(told.shown_ppb(), 121'000'000u);
+  told.damage(20);
+  EXPECT_EQ(told.shown_ppb(), 20u);
+  EXPECT_EQ(told.epochs(),
+            std::vector<std::string>{"epoch opened: damage fell from 12.1 to 0.000002 %"});
+}
+
+TEST(Fleet, APowerCutIsNoNewEpoch) {
+  Told told;
+  told.damage(5'000);
+  told.record(7, 1'000);
+  told.damage(5'000);
+  told.restart();
+  for (std::uint32_t sequence = 7; sequence < 20; ++sequence) {
+    told.damage(4'000, 9);
+    told.record(sequence, 0);
+  }
+  EXPECT_EQ(told.shown_ppb(), 5'000u);
+  told.restart();
+  told.damage(3'999);
+  told.record(20, 0);
+  told.damage(3'999, 3);
+  EXPECT_EQ(told.shown_ppb(), 3'999u);
+}
+
+// 24 bits, all ones: a power cut may lose more.
+TEST(Fleet, TheEndOfARangeIsNoBound) {
+  Told told;
+  told.damage(500'000'000);
+  told.record(7, 0xff'ffff);
+  told.damage(500'000'000);
+  told.restart();
+  for (std::uint32_t sequence = 7; sequence < 20; ++sequence) {
+    told.damage(400'000'000, 9);
+    told.record(sequence, 0);
+  }
+  EXPECT_EQ(told.shown_ppb(), 500'000'000u);
+  EXPECT_TRUE(told.epochs().empty());
+}
+
+TEST(Fleet, ANewWireIsSeenHoweverLittleTheOldOneHadSuffered) {
+  Told told;
+  told.record(7, 1'000);
+  told.damage(500, 9);
+  told.record(7, 1'000);
+  told.damage(500, 5);
+  told.record(8, 1'000);  // before a status tells of the new wire
+  told.damage(0, 9);
+  EXPECT_EQ(told.shown_ppb(), 500u);
+  told.record(8, 1'000);
+  told.damage(0, 9);
+  EXPECT_EQ(told.shown_ppb(), 0u);
+  EXPECT_EQ(told.epochs().size(), 1u);
+}
+
+// The log that is played again has records of the past.
+TEST(Fleet, AnOldLogThatIsPlayedAgainIsNoNewEpoch) {
+  Told told;
+  told.damage(700'000'000, 3, protocol::LifeState::worn);
+  told.record(90, 1'000);
+  told.damage(700'000'000, 3, protocol::LifeState::worn);
+  told.sender = Sender(3);
+  told.now_ns += kS;
+  for (std::uint32_t sequence = 50; sequence < 60; ++sequence) {
+    told.damage(100'000'000 + sequence, 9);
+    told.record(sequence, 1'000);
+  }
+  EXPECT_EQ(told.shown_ppb(), 700'000'000u);
+  EXPECT_EQ(told.node().life_state(), protocol::LifeState::worn);
+  EXPECT_TRUE(told.epochs().empty());
+}
+
+TEST(Fleet, ALostRecordIsNoNewEpoch) {
+  Told told;
+  told.damage(700'000'000);
+  told.record(90, 1'000);
+  told.damage(700'000'000);
+  told.restart();
+  for (std::uint32_t sequence = 91; sequence < 99; ++sequence) {
+    for (int i = 0; i < 9; ++i) {
+      told.fleet.see(
+          told.sender.status(told.now_ns += 100 * kMs, {.state = protocol::LifeState::normal,
+                                                        .damage_ppb = 5,
+                                                        .quality = protocol::Quality::untrusted}));
+    }
+    told.record(sequence, 0);
+  }
+  EXPECT_EQ(told.shown_ppb(), 700'000'000u);
+}
+
+// A silence of more than 0.3 s begins the counters anew.
+TEST(Fleet, NoStateFallsWithoutANewEpoch) {
+  Told told;
+  told.damage(900'000'000, 1, protocol::LifeState::worn);
+  told.now_ns += 400 * kMs;
+  told.damage(100'000'000, 1, protocol::LifeState::normal);
+  EXPECT_EQ(told.node().life_state(), protocol::LifeState::worn);
+  EXPECT_EQ(words_of(told.node(), Event::Kind::state), std::vector<std::string>{"worn"});
+  told.damage(900'000'000, 1, protocol::LifeState::unknown);
+  EXPECT_EQ(told.node().life_state(), protocol::LifeState::worn);
+}
+
+TEST(Fleet, TheDamageOfATendonFallsWithANewEpochOnly) {
+  Told told;
+  const auto tendon = [&](std::uint32_t damage_ppb, protocol::LifeState state) {
+    told.fleet.see(told.sender.page(
+        told.now_ns += 100 * kMs,
+        protocol::detail::TendonDamage{.tendon = 2, .damage_ppb = damage_ppb, .state = state}));
+  };
+  const auto shown = [&] { return told.node().tendons.at(2).value; };
+  told.damage(600'000'000);
+  tendon(600'000'000, protocol::LifeState::replace);
+  told.record(7, 1'000);
+  tendon(600'000'000, protocol::LifeState::replace);
+  tendon(0, protocol::LifeState::normal);
+  EXPECT_EQ(shown().damage_ppb, 600'000'000u);
+  EXPECT_EQ(shown().state, protocol::LifeState::replace);
+  told.record(8, 1'000);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(shown().damage_ppb, 600'000'000u);
+    tendon(5, protocol::LifeState::normal);
+  }
+  EXPECT_EQ(shown().damage_ppb, 5u);
+  EXPECT_EQ(shown().state, protocol::LifeState::normal);
+}
+
+TEST(Fleet, OneLateStatusAmongOthersIsNoNewEpoch) {
+  Fleet fleet;
+  Sender sender(3);
+  fleet.see(sender.damage(0, 500));
+  for (int i = 1; i < 30; ++i) {
+    fleet.see(sender.damage(i * 100 * kMs, i % 3 == 0 ? 500u : 400u));
+  }
+  EXPECT_EQ(fleet.view().nodes.at(3).highest_damage_ppb, 500u);
+  EXPECT_TRUE(words_of(fleet.view().nodes.at(3), Event::Kind::epoch).empty());
+}
+
+// Whatever becomes of the frames of a node on their way, no damage is shown that no genuine frame
+// told. Damaged frames have up to three wrong bits of data, which the protection finds for certain,
+// or wrong bits of their identifier.
+
+struct Traffic {
+  std::vector<SeenFrame> frames;
+  std::set<std::uint32_t> damages_ppb{0};
+  std::set<std::uint32_t> tendon_damages_ppb;
+};
+
+Traffic genuine_traffic() {
+  Traffic traffic;
+  Sender sender(static_cast<protocol::Node>(*rc::gen::inRange(1, 128)));
+  auto damage_ppb = *rc::gen::inRange<std::uint32_t>(0, 2'000'000'000);
+  const int count = *rc::gen::inRange(1, 120);
+  for (int i = 0; i < count; ++i) {
+    const std::int64_t time_ns = i * 100 * kMs;
+    damage_ppb = *rc::gen::inRange(0, 40) == 0
+                     ? 0
+                     : damage_ppb + *rc::gen::inRange<std::uint32_t>(0, 1'000'000);
+    traffic.damages_ppb.insert(damage_ppb);
+    traffic.frames.push_back(sender.damage(time_ns, damage_ppb));
+    if (i % 9 == 3) {
+      traffic.tendon_damages_ppb.insert(damage_ppb);
+      traffic.frames.push_back(sender.page(
+          time_ns, protocol::detail::TendonDamage{.tendon = 1, .damage_ppb = damage_ppb}));
+    }
+    if (i % 10 == 0) {
+      traffic.frames.push_back(sender.heartbeat(time_ns));
+      const std::uint32_t damage_ppm = damage_ppb / 1000;
+      traffic.damages_ppb.insert(damage_ppm * 1000);
+      traffic.frames.push_back(sender.emergency(time_ns, {.code = protocol::EmergencyCode::overload,
+                                                          .error_register = 0,
+                                                          .damage_ppm = damage_ppm}));
+    }
+  }
+  return traffic;
+}
+
+void spoil(SeenFrame& seen) {
+  if (*rc::gen::inRange(0, 4) == 0) {
+    seen.frame.id ^= *rc::gen::inRange<std::uint32_t>(1, 0x800);
+    return;
+  }
+  if (seen.frame.length < 8) {
+    return;  // a heartbeat tells no damage
+  }
+  const auto bits = *rc::gen::unique<std::vector<int>>(
+      static_cast<std::size_t>(*rc::gen::inRange(1, 4)), rc::gen::inRange(0, 64));
+  for (const int bit : bits) {
+    seen.frame.data[static_cast<std::size_t>(bit / 8)] ^= std::byte{1} << (bit % 8);
+  }
+}
+
+/// What arrives of `sent`, at the times at which it arrives.
+std::vector<SeenFrame> spoiled(const std::vector<SeenFrame>& sent) {
+  std::vector<SeenFrame> arrived;
+  for (const SeenFrame& frame : sent) {
+    switch (*rc::gen::inRange(0, 8)) {
+      case 0:
+        break;
+      case 1:
+        arrived.insert(arrived.end(), 2, frame);
+        break;
+      case 2:
+        arrived.push_back(frame);
+        spoil(arrived.back());
+        break;
+      default:
+        arrived.push_back(frame);
+    }
+    if (arrived.size() >= 2 && *rc::gen::inRange(0, 6) == 0) {
+      const auto back =
+          *rc::gen::inRange<std::size_t>(2, std::min<std::size_t>(arrived.size(), 12) + 1);
+      std::swap(arrived.back(), arrived[arrived.size() - back]);
+    }
+  }
+  std::int64_t time_ns = 0;
+  for (SeenFrame& frame : arrived) {
+    time_ns += *rc::gen::element<std::int64_t>(0, 10, 50, 100, 900) * kMs;
+    frame.time_ns = time_ns;
+  }
+  return arrived;
+}
+
+RC_GTEST_PROP(FleetProperty, ShowsNoDamageThatNoGenuineFrameTold, ()) {
+  const Traffic traffic = genuine_traffic();
+  Fleet fleet;
+  for (const SeenFrame& frame : spoiled(traffic.frames)) {
+    fleet.see(frame);
+    for (const auto& [number, node] : fleet.view().nodes) {
+      RC_ASSERT(traffic.damages_ppb.contains(node.highest_damage_ppb));
+      if (node.status) {
+        RC_ASSERT(traffic.damages_ppb.contains(node.status->value.damage_ppb));
+      }
+      for (const auto& [tendon, value] : node.tendons) {
+        RC_ASSERT(tendon == 1);
+        RC_ASSERT(traffic.tendon_damages_ppb.contains(value.value.damage_ppb));
+      }
+      for (const DamagePoint& point : node.curve) {
+        RC_ASSERT(traffic.damages_ppb.contains(point.damage_ppb));
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace host_sim::monitor
