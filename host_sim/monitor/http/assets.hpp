@@ -8,7 +8,7 @@ namespace host_sim::monitor::assets {
 // NOLINTBEGIN(readability-identifier-naming): named after the files
 extern const std::string_view index_html;
 extern const std::string_view live_css;
-extern const std::string_view bins_js;
+extern const std::string_view address_js;
 extern const std::string_view curves_js;
 extern const std::string_view dom_js;
 extern const std::string_view events_js;
@@ -16,14 +16,10 @@ extern const std::string_view fleet_js;
 extern const std::string_view history_js;
 extern const std::string_view main_js;
 extern const std::string_view node_js;
-extern const std::string_view patch_js;
-extern const std::string_view place_js;
+extern const std::string_view prose_js;
 extern const std::string_view stream_js;
 extern const std::string_view tendons_js;
-extern const std::string_view tiles_js;
-extern const std::string_view time_js;
 extern const std::string_view trust_js;
-extern const std::string_view words_js;
 // NOLINTEND(readability-identifier-naming)
 
 }  // namespace host_sim::monitor::assets

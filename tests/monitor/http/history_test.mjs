@@ -4,7 +4,7 @@ import { test } from 'node:test';
 
 const assets = process.env.LIVE_ASSETS;
 const { kept, Moments, NodeHistory } = await import(`${assets}/history.js`);
-const { merged } = await import(`${assets}/patch.js`);
+const { merged } = await import(`${assets}/stream.js`);
 
 const VIEW_US = 200e3;
 const DAY_US = 86400e6;
@@ -122,7 +122,7 @@ test('what is not known is no number, and the end of a range no exact one', asyn
   const { readFileSync } = await import('node:fs');
   const { runInThisContext } = await import('node:vm');
   runInThisContext(readFileSync(`${assets}/../../../report/page/assets/format.js`, 'utf8'));
-  const { percentField, rateText, wholeField } = await import(`${assets}/words.js`);
+  const { percentField, rateText, wholeField } = await import(`${assets}/prose.js`);
   const history = new NodeHistory({ node: 5, curve: [[1e6, 0.25, 0.5], [2e6, 4.294967295]], events: [] });
   const before = history.at(1e6);
   assert.equal(percentField(before.rate, 'UnsavedDamage'), 'not known');

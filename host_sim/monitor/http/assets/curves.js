@@ -1,5 +1,5 @@
 import { byId, make, setAttribute } from './dom.js';
-import { clockText, isCalendar, momentText } from './time.js';
+import { clockText, isCalendar, momentText } from './prose.js';
 
 const REDRAW_MS = 1000;
 

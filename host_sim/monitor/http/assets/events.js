@@ -1,6 +1,5 @@
 import { byId, make, makeSvg, setText } from './dom.js';
-import { clockText, momentText } from './time.js';
-import { plain } from './words.js';
+import { clockText, momentText, plain } from './prose.js';
 
 const MOST_LISTED = 200;
 const REDRAW_MS = 1000;

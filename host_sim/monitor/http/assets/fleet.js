@@ -1,7 +1,14 @@
+import { hashOf } from './address.js';
 import { byId, Keyed, make, setAttribute, setText, Value } from './dom.js';
-import { hashOf } from './place.js';
-import { ageText } from './time.js';
-import { percentField, rateText, remainingText, stateWords, UNKNOWN, wholeText } from './words.js';
+import {
+  ageText,
+  percentField,
+  rateText,
+  remainingText,
+  stateWords,
+  UNKNOWN,
+  wholeText,
+} from './prose.js';
 
 const COLUMNS = [
   'State',

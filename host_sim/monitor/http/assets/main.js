@@ -1,12 +1,10 @@
+import { hashOf, placeOf } from './address.js';
 import { byId, setAttribute, setText } from './dom.js';
 import { FleetTable } from './fleet.js';
 import { kept, Moments } from './history.js';
 import { NodeView } from './node.js';
-import { merged } from './patch.js';
-import { hashOf, placeOf } from './place.js';
-import { Stream } from './stream.js';
-import { momentText } from './time.js';
-import { wholeText } from './words.js';
+import { momentText, wholeText } from './prose.js';
+import { merged, Stream } from './stream.js';
 
 const DRAW_MS = 150;
 

@@ -1,13 +1,89 @@
-import { Bins } from './bins.js';
+import { hashOf } from './address.js';
 import { Curves } from './curves.js';
-import { byId, setAttribute, setText } from './dom.js';
+import { byId, setAttribute, setText, Tiles } from './dom.js';
 import { Timeline } from './events.js';
 import { NodeHistory } from './history.js';
-import { hashOf } from './place.js';
-import { Tendons } from './tendons.js';
-import { NodeTiles } from './tiles.js';
-import { momentText } from './time.js';
+import {
+  ageText,
+  cycleRateText,
+  emergencyText,
+  flagText,
+  momentText,
+  percentField,
+  plain,
+  rateText,
+  remainingText,
+  UNKNOWN,
+  wholeField,
+} from './prose.js';
+import { Bins, Tendons } from './tendons.js';
 import { Trust } from './trust.js';
+
+/** The key numbers of a node. */
+class NodeTiles {
+  constructor() {
+    this.tiles = new Tiles(byId('tiles'));
+  }
+
+  show({ node, view, isStale }) {
+    const { status, remaining, rate, cycles, heartbeat, emergency } = node;
+    this.tiles.show([
+      [
+        'Damage',
+        status ? percentField(node, 'highest_damage', 7) : UNKNOWN,
+        isStale(status),
+        status && status.WorstTendon !== undefined
+          ? `of tendon ${status.WorstTendon}, the worst`
+          : '',
+      ],
+      [
+        'Life state',
+        status && node.life_state ? node.life_state : UNKNOWN,
+        isStale(status),
+        node.two_controllers ? 'TWO CONTROLLERS have this node id; the graver state of both' : '',
+      ],
+      [
+        'Remaining life, B10 to B90',
+        remainingText(remaining),
+        isStale(remaining),
+        remaining
+          ? `B50 ${
+              remaining.RemainingB50 === 'unknown'
+                ? 'unknown'
+                : `${numberText(remaining.RemainingB50, 5)} h`
+            }`
+          : '',
+      ],
+      ['Damage rate', rateText(rate), isStale(rate), 'over the last minute'],
+      [
+        'Cycles',
+        wholeField(cycles, 'Cycles'),
+        isStale(cycles),
+        cycles ? cycleRateText(cycles) : '',
+      ],
+      [
+        'Reading',
+        status && status.Quality ? status.Quality : UNKNOWN,
+        isStale(status),
+        status && status.Quality ? flagText(status) : '',
+      ],
+      [
+        'Heartbeat',
+        heartbeat ? plain(heartbeat.NmtState) : 'none',
+        isStale(heartbeat),
+        heartbeat ? ageText(view.now_us, heartbeat.time_us) : '',
+      ],
+      [
+        'Last emergency',
+        emergency ? emergencyText(emergency) : 'none heard',
+        isStale({}),
+        emergency
+          ? `error register ${emergency.ErrorRegister}, ${ageText(view.now_us, emergency.time_us)}`
+          : '',
+      ],
+    ]);
+  }
+}
 
 /** All about one node. Its history comes from the monitor and goes on with the views. */
 export class NodeView {

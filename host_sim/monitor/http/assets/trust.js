@@ -1,5 +1,5 @@
 import { byId, Keyed, make, makeSvg, setText, Tiles } from './dom.js';
-import { percentField, UNKNOWN, wholeField, wholeText as whole } from './words.js';
+import { percentField, UNKNOWN, wholeField, wholeText as whole } from './prose.js';
 
 const COUNTS = [
   ['good', 'Good'],
