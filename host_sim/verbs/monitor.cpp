@@ -114,7 +114,7 @@ void add_record_options(CLI::App& verb, MonitorArguments& arguments) {
       verb.add_option(
               "--record", arguments.record,
               "Record every frame to logs of candump -L in this folder, synced each second; "
-              "what is there is gone on with")
+              "what is there is continued")
           ->type_name(command_line::kFolder);
   verb.add_option("--record-rotate", arguments.rotation.bytes,
                   "Size of a log: bytes, or with K, M or G")
@@ -138,7 +138,7 @@ void add_mqtt_option(CLI::App& verb, MonitorArguments& arguments) {
               throw CLI::ValidationError("--mqtt", "'" + text + "' is none; accepted: HOST:PORT");
             }
           },
-          "Tell the MQTT broker at HOST:PORT of each node: retained JSON under "
+          "Publish each node to the MQTT broker at HOST:PORT: retained JSON under "
           "tendonlife/NODE/status")
       ->type_name("HOST:PORT");
 }
@@ -163,13 +163,14 @@ void add_monitor_options(CLI::App& verb, MonitorArguments& arguments) {
       ->capture_default_str();
 }
 
-/// What of the command line would do nothing beside the rest of it, in words; empty where all does.
+/// What of the command line would do nothing beside the rest of it, for people; empty where all
+/// does.
 std::string without_effect(const CLI::App& verb, const MonitorArguments& arguments) {
   if (verb.count("--listen") > 0 && arguments.interface.empty()) {
     return "--listen requires --interface: a log ends by itself";
   }
-  const bool told = verb.count("--http-token") > 0 && std::getenv(kTokenVariable) == nullptr;
-  return told && arguments.http.empty() ? "--http-token requires --http" : "";
+  const bool given = verb.count("--http-token") > 0 && std::getenv(kTokenVariable) == nullptr;
+  return given && arguments.http.empty() ? "--http-token requires --http" : "";
 }
 
 /// What was asked for beside the table, such as a record, was not done in full.
@@ -216,14 +217,14 @@ class Followers {
     }
 #ifdef TENDONLIFE_MQTT
     if (arguments.mqtt) {
-      told_.push_back(&mqtt_.emplace(*arguments.mqtt));
+      observers_.push_back(&mqtt_.emplace(*arguments.mqtt));
     }
 #endif
   }
 
-  /// In the order in which they are told.
-  [[nodiscard]] const std::vector<Observer*>& told() const {
-    return told_;
+  /// In the order in which they see a frame.
+  [[nodiscard]] const std::vector<Observer*>& observers() const {
+    return observers_;
   }
 
  private:
@@ -232,7 +233,7 @@ class Followers {
     if (!record_->repaired().empty()) {
       std::cerr << record_->repaired() << '\n';
     }
-    told_.push_back(&*record_);
+    observers_.push_back(&*record_);
     recorded_.emplace(arguments.record, [this] { record_->flush(); });
   }
 
@@ -245,15 +246,15 @@ class Followers {
       options.archive = &*recorded_;
     } else {
       recent_.emplace(interface_in_lines(arguments));
-      told_.push_back(&*recent_);
+      observers_.push_back(&*recent_);
       options.archive = &*recent_;
     }
     page_.emplace(options);
     std::cerr << "live page: " << page_->url() << '\n';
-    told_.push_back(&*page_);
+    observers_.push_back(&*page_);
   }
 
-  std::vector<Observer*> told_;
+  std::vector<Observer*> observers_;
   // The page ends before the frames that it exports.
   std::optional<monitor::Recorder> record_;
   std::optional<monitor::RecordedFolder> recorded_;
@@ -275,7 +276,7 @@ std::vector<std::string> troubles_of(const std::vector<Observer*>& observers) {
 }
 
 /// Reports on standard error what keeps the others from their work: when it has lasted a moment,
-/// when it changes, though not on and on, and when it is over.
+/// when it changes, though no more often than once a minute, and when it is over.
 class TroubleReport final : public Observer {
  public:
   explicit TroubleReport(const std::vector<Observer*>& observers) {
@@ -298,24 +299,24 @@ class TroubleReport final : public Observer {
 
   struct Report {
     const Observer* observer = nullptr;
-    std::string told = {};
-    Clock::time_point since = {};  ///< of a trouble that is not told yet, or of the last line
+    std::string reported = {};
+    Clock::time_point since = {};  ///< of a trouble that is not reported yet, or of the last line
     bool pending = false;
 
     void keep_up(Clock::time_point now) {
       const std::string trouble = observer->trouble();
-      if (trouble == told) {
+      if (trouble == reported) {
         pending = false;
         return;
       }
-      if (told.empty() && !std::exchange(pending, true)) {
+      if (reported.empty() && !std::exchange(pending, true)) {
         since = now;
       }
       const bool due = trouble.empty() ||
-                       now - since >= (told.empty() ? Clock::duration(kMoment) : kChangesApart);
+                       now - since >= (reported.empty() ? Clock::duration(kMoment) : kChangesApart);
       if (due) {
-        std::cerr << (trouble.empty() ? "it is over: " + told : trouble) << std::endl;
-        told = trouble;
+        std::cerr << (trouble.empty() ? "it is over: " + reported : trouble) << std::endl;
+        reported = trouble;
         since = now;
         pending = false;
       }
@@ -329,7 +330,7 @@ int run(const MonitorArguments& arguments) {
   const auto source = open_source_of(arguments);
   monitor::Fleet fleet(arguments.bit_rate_bit_s);
   const Followers followers(arguments);
-  const std::vector<Observer*>& observers = followers.told();
+  const std::vector<Observer*>& observers = followers.observers();
   const bool on_terminal = !arguments.once && monitor::can_draw();
   {
     std::optional<monitor::Terminal> terminal;
@@ -368,7 +369,7 @@ int run(const MonitorArguments& arguments) {
 void add_monitor(CLI::App& app, int& status) {
   auto arguments = std::make_shared<MonitorArguments>();
   CLI::App* verb =
-      app.add_subcommand("monitor", "What the nodes of a bus tell of their lives, live");
+      app.add_subcommand("monitor", "What the nodes of a bus report of their lives, live");
   add_monitor_options(*verb, *arguments);
   verb->footer(
       "On a terminal q ends it; elsewhere it prints a table when the log or the program ends.\n"

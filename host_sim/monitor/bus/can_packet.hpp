@@ -10,7 +10,7 @@
 
 namespace host_sim::monitor {
 
-/// What tells frames of CAN FD from those of classic CAN.
+/// What distinguishes frames of CAN FD from those of classic CAN.
 enum class PacketKind : std::uint8_t { classic, flexible, as_flag_says };
 
 /// A frame as struct can_frame and struct canfd_frame hold it, without a time (linux/can.h): 4
@@ -20,8 +20,8 @@ enum class PacketKind : std::uint8_t { classic, flexible, as_flag_says };
 std::optional<SeenFrame> frame_of_packet(std::span<const std::byte> packet, bool big_endian,
                                          PacketKind kind);
 
-/// What an error frame says (linux/can/error.h): its id without the flag is the class, its data say
-/// more.
+/// What an error frame reports (linux/can/error.h): its id without the flag is the class, its data
+/// hold more.
 BusError bus_error_of(const hal::CanFrame& frame);
 
 }  // namespace host_sim::monitor

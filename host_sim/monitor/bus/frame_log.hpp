@@ -46,8 +46,8 @@ class CandumpLogReader final : public LogReader {
 /// frames and those of CAN FD.
 std::string log_line(const SeenFrame& seen, std::string_view interface);
 
-/// Opens a log of candump -L, a Vector ASC file, or PCAP or PCAPNG of SocketCAN, and tells by its
-/// first bytes which of them it is. `-` is a log of candump -L on standard input.
+/// Opens a log of candump -L, a Vector ASC file, or PCAP or PCAPNG of SocketCAN, whichever its
+/// first bytes show it to be. `-` is a log of candump -L on standard input.
 /// @throws InputError
 std::unique_ptr<LogReader> open_log(const std::filesystem::path& path);
 

@@ -59,7 +59,7 @@ FrameSource::State LogSource::state() const {
   return ended_ ? State::ended : State::running;
 }
 
-std::string LogSource::words() const {
+std::string LogSource::description() const {
   return ended_ ? name_ + ", at its end" : name_;
 }
 

@@ -30,8 +30,8 @@ class FrameSource {
   virtual std::optional<SeenFrame> next(std::chrono::milliseconds most) = 0;
 
   [[nodiscard]] virtual State state() const = 0;
-  /// In words: "can0", "can0 is down", "run1.log, at its end".
-  [[nodiscard]] virtual std::string words() const = 0;
+  /// For people: "can0", "can0 is down", "run1.log, at its end".
+  [[nodiscard]] virtual std::string description() const = 0;
   /// The time of the clock that stamps the frames, now: what staleness is measured by.
   [[nodiscard]] virtual std::int64_t now_ns() const = 0;
 };
@@ -45,7 +45,7 @@ class LogSource final : public FrameSource {
 
   std::optional<SeenFrame> next(std::chrono::milliseconds most) override;
   [[nodiscard]] State state() const override;
-  [[nodiscard]] std::string words() const override;
+  [[nodiscard]] std::string description() const override;
   [[nodiscard]] std::int64_t now_ns() const override;
 
  private:

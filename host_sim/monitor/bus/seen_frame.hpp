@@ -9,7 +9,7 @@
 
 namespace host_sim::monitor {
 
-/// What the controller of the monitor's own end says about the bus (linux/can/error.h).
+/// What the controller of the monitor's own end reports of the bus (linux/can/error.h).
 struct BusError {
   bool bus_off = false;
   bool restarted = false;
@@ -25,7 +25,7 @@ struct SeenFrame {
   /// Nanoseconds since the epoch of the clock that stamped it: 1970 for SocketCAN, candump -L with
   /// absolute times and PCAP, the start of the log for others. Never falls within one source.
   std::int64_t time_ns = 0;
-  /// Where `error` is set its id is the class of the error, and its data say more
+  /// Where `error` is set its id is the class of the error, and its data hold more
   /// (linux/can/error.h). Of a remote request `length` is what it asks for.
   hal::CanFrame frame;
   std::optional<BusError> error;

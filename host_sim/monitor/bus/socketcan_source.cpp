@@ -100,7 +100,7 @@ Extras extras_of(::msghdr& message) {
   return extras;
 }
 
-std::string words_of(int error) {
+std::string trouble_of(int error) {
   switch (error) {
     case ENETDOWN:
       return "is down";
@@ -131,7 +131,7 @@ SocketCanSource::SocketCanSource(std::string interface)
       throw DeviceError(interface_, "this kernel has no SocketCAN",
                         "a kernel with CONFIG_CAN and CONFIG_CAN_RAW (modprobe can_raw)");
     default:
-      throw DeviceError(interface_, words_of(error), accepted);
+      throw DeviceError(interface_, trouble_of(error), accepted);
   }
 }
 
@@ -165,7 +165,7 @@ int SocketCanSource::open() {
 
 void SocketCanSource::lose(int error) {
   socket_ = Descriptor();
-  trouble_ = words_of(error);
+  trouble_ = trouble_of(error);
 }
 
 void SocketCanSource::try_again(std::chrono::milliseconds most) {
@@ -229,7 +229,7 @@ FrameSource::State SocketCanSource::state() const {
   return trouble_.empty() ? State::running : State::lost;
 }
 
-std::string SocketCanSource::words() const {
+std::string SocketCanSource::description() const {
   return trouble_.empty() ? interface_ : interface_ + " " + trouble_;
 }
 

@@ -11,9 +11,9 @@
 namespace host_sim::monitor {
 
 /// Frames of a CAN interface: all of them, CAN FD and remote frames too, and what the controller
-/// tells of errors. Never sends. An interface that goes down or vanishes is tried again until it is
-/// back. Times are of the kernel, carried over to a clock that nobody sets: 1970 as it was when the
-/// source was opened.
+/// reports of errors. Never sends. An interface that goes down or vanishes is tried again until it
+/// is back. Times are of the kernel, carried over to a clock that nobody sets: 1970 as it was when
+/// the source was opened.
 class SocketCanSource final : public FrameSource {
  public:
   /// @throws hal::linux_os::DeviceError where there is no such CAN interface, or it cannot be used
@@ -21,7 +21,7 @@ class SocketCanSource final : public FrameSource {
 
   std::optional<SeenFrame> next(std::chrono::milliseconds most) override;
   [[nodiscard]] State state() const override;
-  [[nodiscard]] std::string words() const override;
+  [[nodiscard]] std::string description() const override;
   [[nodiscard]] std::int64_t now_ns() const override;
 
  private:

@@ -17,17 +17,17 @@ constexpr protocol::LifeState graver(protocol::LifeState one, protocol::LifeStat
   return low == LifeState::unknown && high == LifeState::normal ? low : high;
 }
 
-/// The highest damage and the gravest state that genuine reports told of one epoch of a node, or of
+/// The highest damage and the gravest state that genuine reports gave of one epoch of a node, or of
 /// one of its tendons. This is the one place that lets them fall, and it does so for a proven new
 /// epoch alone.
 ///
-/// Reports come late, twice, out of order, from a log that is played again: that a node tells less,
-/// and goes on doing so, proves nothing. What none of these can tell is a record of the future.
-/// Within an epoch, a damage that was told with one record is never undercut with a later one; but
-/// for a power cut, of which the node tells the most that it loses. So the proof is a low report,
-/// then a record that is later than that of a mark, then kWitnesses more low reports, without a
-/// break. A mark is a record and the damage that was told before and after it, without a break.
-/// Low is a damage
+/// Reports come late, twice, out of order, from a log that is played again: that a node reports
+/// less, and continues to, proves nothing. What none of these can hold is a record of the future.
+/// Within an epoch, a damage that was reported with one record is never undercut with a later one;
+/// but for a power cut, of which the node reports the most that it loses. So the proof is a low
+/// report, then a record that is later than that of a mark, then kWitnesses more low reports,
+/// without a break. A mark is a record and the damage that was reported before and after it,
+/// without a break. Low is a damage
 ///   - below that of a mark by more than a power cut loses, where that is known, or
 ///   - below that of a mark of the same run of reports at all: without a break there was no
 ///   restart.
@@ -37,7 +37,7 @@ class DamageWatch {
  public:
   static constexpr int kWitnesses = 3;
 
-  /// What another frame than the reports told: it raises only.
+  /// What another frame than the reports gave: it raises only.
   void raise(std::uint32_t damage_ppb) { highest_ppb_ = std::max(highest_ppb_, damage_ppb); }
   void raise(protocol::LifeState state) { gravest_ = std::max(gravest_, state); }
 
@@ -49,8 +49,8 @@ class DamageWatch {
     forget_low();
   }
 
-  /// The node tells of its last record, and what a power cut may lose: none where that may be more
-  /// than it can tell.
+  /// The node reports its last record, and what a power cut may lose: none where that may be more
+  /// than it can report.
   void record(std::uint32_t sequence, std::optional<std::uint32_t> unsaved_ppb) {
     if (sequence < latest_) {
       forget_low();  // an old log
@@ -139,10 +139,10 @@ class DamageWatch {
 
   std::uint32_t highest_ppb_ = 0;
   protocol::LifeState gravest_ = protocol::LifeState::unknown;
-  std::uint32_t latest_ = 0;                      ///< record that was told
+  std::uint32_t latest_ = 0;                      ///< record that was reported
   std::optional<std::uint32_t> unsaved_ppb_ = 0;  ///< none: not known
   std::uint32_t run_ppb_ = 0;                     ///< highest of this run of reports
-  std::optional<Mark> next_;                      ///< its damage was not told again yet
+  std::optional<Mark> next_;                      ///< its damage was not reported again yet
   std::optional<Mark> of_run_;
   std::optional<Mark> of_all_;
   int low_ = 0;  ///< reports: the first, and those after a later record

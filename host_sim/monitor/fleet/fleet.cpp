@@ -18,15 +18,16 @@ using protocol::schema::kFrames;
 /// What is too old is looked for so often while frames come.
 constexpr std::int64_t kLookAgain_ns = 50'000'000;
 
-struct Kind {
-  std::size_t number = 0;
+/// A frame of the plan.
+struct PlannedFrame {
+  std::size_t number = 0;  ///< in schema::kFrames
   protocol::Node node = 0;
 };
 
-std::optional<Kind> kind_of(const hal::CanFrame& frame) {
+std::optional<PlannedFrame> planned_frame(const hal::CanFrame& frame) {
   for (std::size_t number = 0; number < kFrames.size(); ++number) {
     if (const auto node = protocol::node_of(*kFrames[number], frame)) {
-      return Kind{number, *node};
+      return PlannedFrame{number, *node};
     }
   }
   return std::nullopt;
@@ -59,15 +60,15 @@ struct Fleet::Impl {
   }
 
   void take_data(const SeenFrame& seen) {
-    const auto kind = kind_of(seen.frame);
-    if (!kind) {
+    const auto planned = planned_frame(seen.frame);
+    if (!planned) {
       ++view.foreign_frames;
       return;
     }
-    NodeWatch& watch = watch_of(kind->node);
-    watch.take(kind->number, seen.frame, seen.time_ns);
-    if (watch.known() && unknown.contains(kind->node)) {
-      view.nodes.insert(unknown.extract(kind->node));  // keeps its place in memory
+    NodeWatch& watch = watch_of(planned->node);
+    watch.take(planned->number, seen.frame, seen.time_ns);
+    if (watch.known() && unknown.contains(planned->node)) {
+      view.nodes.insert(unknown.extract(planned->node));  // keeps its place in memory
     } else if (!watch.known()) {
       ++view.foreign_frames;
     }
@@ -128,7 +129,7 @@ void Fleet::tick(std::int64_t now_ns) {
   impl_->show_load();
 }
 
-void Fleet::source_is(FrameSource::State state, const std::string& words) {
+void Fleet::source_is(FrameSource::State state, const std::string& description) {
   const bool lost = state == FrameSource::State::lost;
   if (impl_->view.source_lost && !lost) {
     impl_->heard_from_ns = impl_->view.now_ns;
@@ -136,7 +137,7 @@ void Fleet::source_is(FrameSource::State state, const std::string& words) {
   }
   impl_->view.source_lost = lost;
   impl_->view.source_ended = state == FrameSource::State::ended;
-  impl_->view.source = words;
+  impl_->view.source = description;
 }
 
 const FleetView& Fleet::view() const {

@@ -17,9 +17,9 @@ class Fleet {
   ~Fleet();
 
   void see(const SeenFrame& seen);
-  /// Time goes on without a frame: what is too old turns stale, nodes vanish.
+  /// Time passes without a frame: what is too old turns stale, nodes vanish.
   void tick(std::int64_t now_ns);
-  void source_is(FrameSource::State state, const std::string& words);
+  void source_is(FrameSource::State state, const std::string& description);
 
   [[nodiscard]] const FleetView& view() const;
 

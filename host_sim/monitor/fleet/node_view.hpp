@@ -27,7 +27,7 @@ std::string_view name_of(protocol::EmergencyCode code);
 inline constexpr protocol::schema::Signal kDamageSignal =
     protocol::schema::signal_of(&protocol::LifeStatus::damage_ppb);
 
-/// Damage or its rate, told in ppb by a signal, as per cent with as many digits as a ppb needs and
+/// Damage or its rate, in ppb of a signal, as per cent with as many digits as a ppb needs and
 /// no more: "12.1", "0.0000001"; ">=429.4967295" at the end of its range.
 std::string percent_of(std::uint32_t ppb, const protocol::schema::Signal& signal = kDamageSignal);
 
@@ -49,7 +49,7 @@ struct StreamView {
   std::uint64_t wrong_sequence = 0;
   std::uint64_t damaged = 0;    ///< wrong CRC or length
   std::uint64_t malformed = 0;  ///< right CRC, and a value that the schema does not have
-  /// How often it was silent for longer than its counter can tell, and was begun anew. What was
+  /// How often it was silent for longer than its counter can show, and was begun anew. What was
   /// lost then is in no other count.
   std::uint64_t silences = 0;
   /// Times between two frames of the stream, counted in classes of interval_class_ms from 0 on, the
@@ -59,21 +59,22 @@ struct StreamView {
   std::array<std::uint64_t, kIntervalClasses> intervals{};
 };
 
+enum class EventKind : std::uint8_t {
+  state,
+  emergency,
+  boot,
+  vanished,
+  back,
+  epoch,
+  integrity,
+  two_controllers
+};
+
 /// One thing that happened to a node, for the timeline.
 struct Event {
-  enum class Kind : std::uint8_t {
-    state,
-    emergency,
-    boot,
-    vanished,
-    back,
-    epoch,
-    integrity,
-    two_controllers
-  };
-  Kind kind = Kind::state;
+  EventKind kind = EventKind::state;
   std::int64_t time_ns = 0;
-  std::string words;  ///< "inspect", "overload", "epoch opened: damage fell from 12.1 to 0 %"
+  std::string text;  ///< "inspect", "overload", "epoch opened: damage fell from 12.1 to 0 %"
   protocol::LifeState state = protocol::LifeState::unknown;  ///< after it
 };
 
@@ -94,11 +95,11 @@ struct NodeView {
 
   std::optional<Timed<protocol::NmtState>> heartbeat;
   std::optional<Timed<protocol::LifeStatus>> status;
-  /// Highest damage and gravest state of this epoch that any genuine frame told: what is shown
+  /// Highest damage and gravest state of this epoch that any genuine frame reported: what is shown
   /// never falls but for a proven new epoch (DamageWatch). So, too, for each tendon.
   std::uint32_t highest_damage_ppb = 0;
   protocol::LifeState gravest_state = protocol::LifeState::normal;
-  /// Two controllers have told as this node at once. It stays so: what is shown is of both.
+  /// Two controllers have reported as this node at once. It stays so: what is shown is of both.
   bool two_controllers = false;
   std::optional<Timed<protocol::detail::Identity>> identity;
   std::optional<Timed<protocol::detail::Cycles>> cycles;
@@ -166,7 +167,7 @@ void add_event(NodeView& view, Event event);
 /// The whole fleet, and the bus that it is on.
 struct FleetView {
   std::int64_t now_ns = 0;
-  std::string source;  ///< FrameSource::words()
+  std::string source;  ///< FrameSource::description()
   bool source_lost = false;
   bool source_ended = false;
   double bit_rate_bit_s = 0;
@@ -175,7 +176,7 @@ struct FleetView {
   std::uint64_t foreign_frames = 0;  ///< of no kind of the schema, or of no node that is known
   std::uint64_t error_frames = 0;
   std::uint64_t receive_overflows = 0;
-  double bus_load_percent = 0;  ///< of the last second, at the bit rate told
+  double bus_load_percent = 0;  ///< of the last second, at the bit rate given
   double frames_per_s = 0;
   std::map<protocol::Node, NodeView> nodes;
 };

@@ -168,7 +168,7 @@ void NodeWatch::take_heartbeat(const hal::CanFrame& frame, std::int64_t time_ns,
       streams_[kind].begin_anew();
       break_runs(kind);
     }
-    note(Event::Kind::boot, time_ns, "started");
+    note(EventKind::boot, time_ns, "started");
   }
 }
 
@@ -194,17 +194,17 @@ void NodeWatch::take_status(const hal::CanFrame& frame, std::int64_t time_ns, St
     damage_.raise(status->damage_ppb);
     damage_.raise(status->state);
   } else if (const auto before_ppb = damage_.report(status->damage_ppb, status->state, trusted)) {
-    note(Event::Kind::epoch, time_ns,
+    note(EventKind::epoch, time_ns,
          fmt::format("epoch opened: damage fell from {} to {} %", percent_of(*before_ppb),
                      percent_of(damage_.highest_ppb())));
   }
   show_damage(time_ns);
   if (first || before != view_.life_state()) {
-    note(Event::Kind::state, time_ns, std::string(name_of(view_.life_state())));
+    note(EventKind::state, time_ns, std::string(name_of(view_.life_state())));
   }
 }
 
-/// What another speaker told does not go with the counters of the first.
+/// What another speaker reported does not go with the counters of the first.
 void NodeWatch::take_of_two(std::size_t kind, const hal::CanFrame& frame, std::int64_t time_ns) {
   if (view_.two_controllers && kFrames[kind] == &protocol::schema::kLifeStatusFrame) {
     take_status(frame, time_ns, view_.streams[kind]);
@@ -215,7 +215,7 @@ void NodeWatch::look_for_a_second_speaker(std::int64_t time_ns) {
   const auto hears_two = [](const StreamWatch& stream) { return stream.two_speakers(); };
   if (!view_.two_controllers && std::any_of(streams_.begin(), streams_.end(), hears_two)) {
     view_.two_controllers = true;
-    note(Event::Kind::two_controllers, time_ns, "two controllers have this node id");
+    note(EventKind::two_controllers, time_ns, "two controllers have this node id");
   }
 }
 
@@ -280,7 +280,7 @@ void NodeWatch::take_emergency(const hal::CanFrame& frame, std::int64_t time_ns,
   view_.emergency = {*emergency, time_ns};
   damage_.raise(ppb_of(emergency->damage_ppm));
   view_.highest_damage_ppb = damage_.highest_ppb();
-  note(Event::Kind::emergency, time_ns, std::string(name_of(emergency->code)));
+  note(EventKind::emergency, time_ns, std::string(name_of(emergency->code)));
 }
 
 void NodeWatch::show_damage(std::int64_t time_ns) {
@@ -297,28 +297,28 @@ void NodeWatch::show_damage(std::int64_t time_ns) {
 void NodeWatch::is_alive(std::int64_t time_ns) {
   view_.last_seen_ns = time_ns;
   if (std::exchange(view_.vanished, false)) {
-    note(Event::Kind::back, time_ns, "heard again");
+    note(EventKind::back, time_ns, "heard again");
   }
 }
 
 void NodeWatch::was_damaged(std::int64_t time_ns, const StreamView& stream) {
   if (!last_damaged_ns_ || time_ns - *last_damaged_ns_ > kFailuresApart_ns) {
-    note(Event::Kind::integrity, time_ns, "damaged frames: " + stream.frame);
+    note(EventKind::integrity, time_ns, "damaged frames: " + stream.frame);
   }
   last_damaged_ns_ = time_ns;
 }
 
-void NodeWatch::note(Event::Kind kind, std::int64_t time_ns, std::string words) {
+void NodeWatch::note(EventKind kind, std::int64_t time_ns, std::string text) {
   add_event(
       view_,
-      {.kind = kind, .time_ns = time_ns, .words = std::move(words), .state = view_.life_state()});
+      {.kind = kind, .time_ns = time_ns, .text = std::move(text), .state = view_.life_state()});
 }
 
 void NodeWatch::tick(std::int64_t now_ns, bool while_listening, std::int64_t heard_from_ns) {
   const std::int64_t silent_from_ns = std::max(view_.last_seen_ns, heard_from_ns);
   if (while_listening && !view_.vanished && now_ns - silent_from_ns > kVanished_ns) {
     view_.vanished = true;
-    note(Event::Kind::vanished, silent_from_ns + kVanished_ns, "not heard for three heartbeats");
+    note(EventKind::vanished, silent_from_ns + kVanished_ns, "not heard for three heartbeats");
   }
   mark_stale(view_, now_ns);
 }

@@ -17,10 +17,10 @@ class NodeWatch {
   /// `view` outlives the watch.
   explicit NodeWatch(NodeView& view);
 
-  /// A frame of the kind with this number in schema::kFrames. Precondition: it is of this node.
+  /// A frame of the kind with this number in schema::kFrames. @pre it is of this node
   void take(std::size_t kind, const hal::CanFrame& frame, std::int64_t time_ns);
   /// Marks what is too old. A node vanishes only `while_listening`: silence of a bus that cannot be
-  /// heard tells nothing of the node. `heard_from_ns`: since when the bus can be heard.
+  /// heard shows nothing of the node. `heard_from_ns`: since when the bus can be heard.
   void tick(std::int64_t now_ns, bool while_listening, std::int64_t heard_from_ns);
 
   [[nodiscard]] bool known() const { return known_; }
@@ -38,7 +38,7 @@ class NodeWatch {
   void show_damage(std::int64_t time_ns);
   void is_alive(std::int64_t time_ns);
   void was_damaged(std::int64_t time_ns, const StreamView& stream);
-  void note(Event::Kind kind, std::int64_t time_ns, std::string words);
+  void note(EventKind kind, std::int64_t time_ns, std::string text);
 
   NodeView& view_;
   std::vector<StreamWatch> streams_;

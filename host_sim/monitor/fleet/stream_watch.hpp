@@ -13,9 +13,9 @@ namespace host_sim::monitor {
 
 /// Whether the frames of a stream are of two speakers, each of which counts its own.
 ///
-/// A frame goes on with the count that it is the next one of. Late, doubled and lost frames make no
-/// second count that goes on: there are two speakers where two counts, in turn and neither silent,
-/// have gone on kInARow times without a gap.
+/// A frame continues the count that it is the next one of. Late, doubled and lost frames make no
+/// second count that continues: there are two speakers where two counts, in turn and neither
+/// silent, have continued kInARow times without a gap.
 class Speakers {
  public:
   static constexpr int kInARow = 8;
@@ -48,7 +48,7 @@ class StreamWatch {
  public:
   StreamWatch(const protocol::schema::Frame& frame, protocol::Node node);
 
-  /// What the frame is worth. Precondition: it has the identifier of the stream.
+  /// What the frame is worth. @pre it has the identifier of the stream
   protocol::e2e::Status take(const hal::CanFrame& frame, std::int64_t time_ns, StreamView& view);
 
   /// The last genuine frame is, bit for bit, the one before it.

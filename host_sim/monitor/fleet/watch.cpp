@@ -56,7 +56,7 @@ void watch(FrameSource& source, Fleet& fleet, std::span<Observer* const> observe
       take_frames(source, fleet, observers);
     } catch (const Interruption&) {  // of a source that was waited for: the loop ends with it
     }
-    fleet.source_is(source.state(), source.words());
+    fleet.source_is(source.state(), source.description());
     fleet.tick(source.now_ns());
     for (Observer* observer : observers) {
       observer->update(fleet.view());

@@ -60,7 +60,7 @@ class Gate {
 
   [[nodiscard]] Answer ask(const Credentials& credentials) const;
 
-  /// Cookies do not tell ports apart by themselves. Before the first ask().
+  /// Cookies do not distinguish ports by themselves. Before the first ask().
   void listens_at(std::uint16_t port) { port_ = port; }
   /// The Set-Cookie header.
   [[nodiscard]] std::string set_cookie() const;

@@ -128,32 +128,32 @@ json stream_json(const StreamView& stream) {
           {"interval_class_ms", stream.interval_class_ms}};
 }
 
-const char* kind_name(Event::Kind kind) {
+const char* event_kind_name(EventKind kind) {
   switch (kind) {
-    case Event::Kind::state:
+    case EventKind::state:
       return "state";
-    case Event::Kind::emergency:
+    case EventKind::emergency:
       return "emergency";
-    case Event::Kind::boot:
+    case EventKind::boot:
       return "boot";
-    case Event::Kind::vanished:
+    case EventKind::vanished:
       return "vanished";
-    case Event::Kind::back:
+    case EventKind::back:
       return "back";
-    case Event::Kind::epoch:
+    case EventKind::epoch:
       return "epoch";
-    case Event::Kind::integrity:
+    case EventKind::integrity:
       return "integrity";
-    case Event::Kind::two_controllers:
+    case EventKind::two_controllers:
       return "two_controllers";
   }
   return "";
 }
 
 json event_json(const Event& event) {
-  return {{"kind", kind_name(event.kind)},
+  return {{"kind", event_kind_name(event.kind)},
           {"time_us", microseconds(event.time_ns)},
-          {"words", event.words},
+          {"words", event.text},
           {"state", name_of(event.state)}};
 }
 
@@ -167,7 +167,7 @@ json point_json(const DamagePoint& point) {
 
 bool same(const Event& one, const Event& other) {
   return one.time_ns == other.time_ns && one.kind == other.kind && one.state == other.state &&
-         one.words == other.words;
+         one.text == other.text;
 }
 
 /// Events join at the end and leave at the front, so the new ones follow the last old one.

@@ -22,7 +22,7 @@ nlohmann::json history_json(const NodeView& node);
 /// The events that `after` has and `before` has not, by node: {"5": [event, ..]}.
 nlohmann::json new_events(const FleetView& before, const FleetView& after);
 
-/// What turns `before` into `after` (RFC 7396). Precondition: no null in `after`.
+/// What turns `before` into `after` (RFC 7396). @pre no null in `after`
 nlohmann::json merge_patch(const nlohmann::json& before, const nlohmann::json& after);
 
 /// One line. Bytes that are not UTF-8 become U+FFFD, numbers that are not finite null.

@@ -14,7 +14,7 @@
 namespace host_sim::monitor {
 namespace {
 
-constexpr std::chrono::seconds kTellAgain{1};
+constexpr std::chrono::seconds kPublishAgain{1};
 constexpr std::chrono::milliseconds kMostAtEnd{1000};
 constexpr std::chrono::milliseconds kTryAgain{1000};
 constexpr int kMostWait_ms = 100;
@@ -107,7 +107,7 @@ void MqttObserver::connected(::mosquitto* /*client*/, void* self, int result) {
   observer.connected_ = result == 0;
   if (result == 0) {
     observer.publish(kMonitorTopic, std::string(kOnline));
-    observer.tell_all_ = true;
+    observer.publish_all_ = true;
   }
 }
 
@@ -131,30 +131,30 @@ void MqttObserver::update(const FleetView& view) {
   if (!connected_) {
     return;
   }
-  if (tell_all_.exchange(false)) {
-    told_.clear();
+  if (publish_all_.exchange(false)) {
+    published_.clear();
   }
   const Clock::time_point now = Clock::now();
   for (const auto& [number, node] : view.nodes) {
     if (node.status) {
-      tell(node, now);
+      publish_status(node, now);
     }
   }
 }
 
-void MqttObserver::tell(const NodeView& node, Clock::time_point now) {
-  const auto [place, is_new] = told_.try_emplace(node.node);
-  Told& told = place->second;
-  const bool changed = is_new || told.state != state_name(node) ||
-                       told.stale != node.status->stale || told.vanished != node.vanished;
-  if (!changed && now - told.at < kTellAgain) {
+void MqttObserver::publish_status(const NodeView& node, Clock::time_point now) {
+  const auto [entry, is_new] = published_.try_emplace(node.node);
+  Published& last = entry->second;
+  const bool changed = is_new || last.state != state_name(node) ||
+                       last.stale != node.status->stale || last.vanished != node.vanished;
+  if (!changed && now - last.at < kPublishAgain) {
     return;
   }
   std::string json = status_json(node);
-  if (json != told.json) {
+  if (json != last.json) {
     publish(topic_of(node.node), json);
   }
-  told = {state_name(node), node.status->stale, node.vanished, now, std::move(json)};
+  last = {state_name(node), node.status->stale, node.vanished, now, std::move(json)};
 }
 
 void MqttObserver::end() {
@@ -162,9 +162,9 @@ void MqttObserver::end() {
     return;
   }
   constexpr std::string_view kFresh = R"("stale":false)";
-  for (auto& [number, told] : told_) {
-    if (const std::size_t at = told.json.find(kFresh); at != std::string::npos) {
-      publish(topic_of(number), told.json.replace(at, kFresh.size(), R"("stale":true)"));
+  for (auto& [number, last] : published_) {
+    if (const std::size_t at = last.json.find(kFresh); at != std::string::npos) {
+      publish(topic_of(number), last.json.replace(at, kFresh.size(), R"("stale":true)"));
     }
   }
   publish(kMonitorTopic, std::string(kOffline));

@@ -26,12 +26,12 @@ struct BrokerAddress {
 /// HOST, HOST:PORT, or [IPV6]:PORT; nothing where it is none.
 std::optional<BrokerAddress> broker_address_of(std::string_view text);
 
-/// Tells an MQTT broker of every node: status_json() retained under tendonlife/NODE/status, once a
-/// second, and at once where its state changes, it turns stale, vanishes or comes back.
+/// Publishes every node to an MQTT broker: status_json() retained under tendonlife/NODE/status,
+/// once a second, and at once where its state changes, it turns stale, vanishes or comes back.
 ///
-/// tendonlife/monitor says whether anyone keeps this up: {"online": true}, and false as the last
-/// will and at the end, where every status is told once more as stale. A broker that is lost is
-/// tried again for as long as it takes.
+/// tendonlife/monitor holds whether anyone keeps this up: {"online": true}, and false as the last
+/// will and at the end, where every status is published once more as stale. A broker that is lost
+/// is tried again for as long as it takes.
 class MqttObserver final : public Observer {
  public:
   /// @throws std::runtime_error where the library cannot be used
@@ -44,7 +44,7 @@ class MqttObserver final : public Observer {
  private:
   using Clock = std::chrono::steady_clock;
 
-  struct Told {
+  struct Published {
     std::string_view state = {};
     bool stale = false;
     bool vanished = false;
@@ -57,14 +57,14 @@ class MqttObserver final : public Observer {
   static void acknowledged(::mosquitto* client, void* self, int message);
   static void disconnected(::mosquitto* client, void* self, int result);
   void publish(const std::string& topic, const std::string& payload);
-  void tell(const NodeView& node, Clock::time_point now);
+  void publish_status(const NodeView& node, Clock::time_point now);
   void end();
 
   BrokerAddress broker_;
-  std::map<protocol::Node, Told> told_;
+  std::map<protocol::Node, Published> published_;
   std::atomic<bool> connected_ = false;
   std::atomic<int> unacknowledged_ = 0;
-  std::atomic<bool> tell_all_ = false;  ///< a broker has forgotten what it was told
+  std::atomic<bool> publish_all_ = false;  ///< a broker has forgotten what it was sent
   std::unique_ptr<::mosquitto, void (*)(::mosquitto*)> client_;
   std::jthread thread_;
 };

@@ -24,7 +24,7 @@ std::vector<std::filesystem::path> logs_in(const std::filesystem::path& folder);
 /// whole line. Files with other names are left alone, and no link is followed to what it points at.
 class LogFolder {
  public:
-  /// Makes the folder where it is missing, and goes on with the last log in it: a line that was cut
+  /// Makes the folder where it is missing, and continues the last log in it: a line that was cut
   /// off by the end of a process or a machine is removed. One process at a time has the folder.
   /// @throws OutputError
   LogFolder(const std::filesystem::path& folder, const Rotation& rotation);
@@ -36,7 +36,7 @@ class LogFolder {
   /// What was added is on the disk. @throws OutputError
   void sync();
 
-  /// What was found torn, in words; empty where nothing was.
+  /// What was found torn, for people; empty where nothing was.
   [[nodiscard]] const std::string& repaired() const { return repaired_; }
   [[nodiscard]] std::filesystem::path current() const { return path_of(number_); }
 

@@ -51,13 +51,13 @@ void Recorder::sync() {
 
 std::string Recorder::trouble() const {
   const std::scoped_lock lock(mutex_);
-  std::string words = trouble_.empty() ? sync_trouble_ : trouble_;
+  std::string report = trouble_.empty() ? sync_trouble_ : trouble_;
   const std::uint64_t missing =
       lost_frames_ + (trouble_.empty() ? 0 : waiting_frames_ + writing_frames_);
   if (missing != 0) {
-    words += fmt::format("{}{} frames were not recorded", words.empty() ? "" : "; ", missing);
+    report += fmt::format("{}{} frames were not recorded", report.empty() ? "" : "; ", missing);
   }
-  return words;
+  return report;
 }
 
 void Recorder::run() {

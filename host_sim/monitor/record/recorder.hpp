@@ -37,7 +37,7 @@ class Recorder final : public Observer {
   void sync();
   void finish() override { sync(); }
 
-  /// What was found torn at the start, in words; empty where nothing was.
+  /// What was found torn at the start, for people; empty where nothing was.
   [[nodiscard]] const std::string& repaired() const { return folder_.repaired(); }
   /// Why frames are not recorded at present, and how many are not; empty where all is well.
   [[nodiscard]] std::string trouble() const override;

@@ -15,11 +15,20 @@ namespace host_sim::monitor {
 namespace {
 
 /// How a cell looks where there are colours. Words say the same.
-enum class Look : std::uint8_t { plain, normal, inspect, replace, worn, unknown, stale, alarm };
+enum class CellStyle : std::uint8_t {
+  plain,
+  normal,
+  inspect,
+  replace,
+  worn,
+  unknown,
+  stale,
+  alarm
+};
 
 struct Cell {
   std::string text;
-  Look look = Look::plain;
+  CellStyle style = CellStyle::plain;
 };
 
 using protocol::detail::DamageRate;
@@ -29,48 +38,48 @@ constexpr std::string_view kNothing = "-";
 constexpr protocol::schema::Signal kRateSignal =
     protocol::schema::signal_of(&DamageRate::ppb_per_h);
 
-Look look_of(protocol::LifeState state) {
+CellStyle style_of(protocol::LifeState state) {
   switch (state) {
     case protocol::LifeState::unknown:
-      return Look::unknown;
+      return CellStyle::unknown;
     case protocol::LifeState::normal:
-      return Look::normal;
+      return CellStyle::normal;
     case protocol::LifeState::inspect:
-      return Look::inspect;
+      return CellStyle::inspect;
     case protocol::LifeState::replace:
-      return Look::replace;
+      return CellStyle::replace;
     case protocol::LifeState::worn:
-      return Look::worn;
+      return CellStyle::worn;
   }
-  return Look::unknown;
+  return CellStyle::unknown;
 }
 
 /// A value, which nobody takes for a live one where it is stale.
 Cell value_cell(std::string text, bool stale) {
   if (!stale) {
-    return {std::move(text), Look::plain};
+    return {std::move(text), CellStyle::plain};
   }
-  return {std::move(text) + " STALE", Look::stale};
+  return {std::move(text) + " STALE", CellStyle::stale};
 }
 
 Cell state_cell(const NodeView& node) {
   if (node.two_controllers) {
-    return {fmt::format("TWO CONTROLLERS ({})", name_of(node.life_state())), Look::worn};
+    return {fmt::format("TWO CONTROLLERS ({})", name_of(node.life_state())), CellStyle::worn};
   }
   if (!node.status) {
     return {node.vanished ? "no status VANISHED" : "no status",
-            node.vanished ? Look::stale : Look::unknown};
+            node.vanished ? CellStyle::stale : CellStyle::unknown};
   }
   const std::string name(name_of(node.life_state()));
   if (node.vanished) {
-    return {name + " VANISHED", Look::stale};
+    return {name + " VANISHED", CellStyle::stale};
   }
-  return node.status->stale ? value_cell(name, true) : Cell{name, look_of(node.life_state())};
+  return node.status->stale ? value_cell(name, true) : Cell{name, style_of(node.life_state())};
 }
 
 Cell damage_cell(const NodeView& node) {
   if (!node.status) {
-    return {std::string(kNothing), Look::plain};
+    return {std::string(kNothing), CellStyle::plain};
   }
   return value_cell(percent_of(node.highest_damage_ppb), node.status->stale);
 }
@@ -91,7 +100,7 @@ std::string band_of(const RemainingLife& life) {
 
 Cell remaining_cell(const NodeView& node) {
   return node.remaining ? value_cell(band_of(node.remaining->value), node.remaining->stale)
-                        : Cell{std::string(kNothing), Look::plain};
+                        : Cell{std::string(kNothing), CellStyle::plain};
 }
 
 std::string rate_of(const DamageRate& rate) {
@@ -101,7 +110,7 @@ std::string rate_of(const DamageRate& rate) {
 
 Cell rate_cell(const NodeView& node) {
   return node.rate ? value_cell(rate_of(node.rate->value), node.rate->stale)
-                   : Cell{std::string(kNothing), Look::plain};
+                   : Cell{std::string(kNothing), CellStyle::plain};
 }
 
 std::string age_of(std::int64_t age_ns) {
@@ -112,12 +121,12 @@ std::string age_of(std::int64_t age_ns) {
 Cell heartbeat_cell(const NodeView& node, std::int64_t now_ns) {
   return node.heartbeat
              ? value_cell(age_of(now_ns - node.heartbeat->time_ns), node.heartbeat->stale)
-             : Cell{std::string(kNothing), Look::plain};
+             : Cell{std::string(kNothing), CellStyle::plain};
 }
 
 Cell failures_cell(const NodeView& node) {
   const std::uint64_t failures = node.integrity_failures();
-  return {std::to_string(failures), failures == 0 ? Look::plain : Look::alarm};
+  return {std::to_string(failures), failures == 0 ? CellStyle::plain : CellStyle::alarm};
 }
 
 std::uint64_t lost_of(const NodeView& node) {
@@ -131,7 +140,7 @@ std::uint64_t lost_of(const NodeView& node) {
 void add_note(Cell& notes, bool there, std::string_view note) {
   if (there) {
     notes.text.append(notes.text.empty() ? "" : ", ").append(note);
-    notes.look = Look::alarm;
+    notes.style = CellStyle::alarm;
   }
 }
 
@@ -148,7 +157,7 @@ Cell notes_cell(const NodeView& node) {
     add_note(notes, !status.storage_ok, "storage fault");
     add_note(notes, status.quality != protocol::Quality::measured, name_of(status.quality));
   }
-  if (notes.look == Look::alarm && (node.vanished || (node.status && node.status->stale))) {
+  if (notes.style == CellStyle::alarm && (node.vanished || (node.status && node.status->stale))) {
     return value_cell(std::move(notes.text), true);
   }
   return notes;
@@ -168,43 +177,43 @@ std::vector<Column> columns() {
 
 /// What a node is called, shows and suffers from, a cell for each of columns().
 std::vector<Cell> cells_of(const NodeView& node, std::int64_t now_ns) {
-  return {{std::to_string(node.node), Look::plain},
+  return {{std::to_string(node.node), CellStyle::plain},
           state_cell(node),
           damage_cell(node),
           remaining_cell(node),
           rate_cell(node),
           heartbeat_cell(node, now_ns),
           failures_cell(node),
-          {std::to_string(lost_of(node)), Look::plain},
+          {std::to_string(lost_of(node)), CellStyle::plain},
           notes_cell(node)};
 }
 
 constexpr std::size_t kGap = 2;
 
-std::string_view code_of(Look look) {
-  switch (look) {
-    case Look::plain:
+std::string_view code_of(CellStyle style) {
+  switch (style) {
+    case CellStyle::plain:
       return "";
-    case Look::normal:
+    case CellStyle::normal:
       return "32";
-    case Look::inspect:
+    case CellStyle::inspect:
       return "33";
-    case Look::replace:
+    case CellStyle::replace:
       return "1;31";
-    case Look::worn:
+    case CellStyle::worn:
       return "1;37;41";
-    case Look::unknown:
+    case CellStyle::unknown:
       return "35";
-    case Look::stale:
+    case CellStyle::stale:
       return "90";
-    case Look::alarm:
+    case CellStyle::alarm:
       return "31";
   }
   return "";
 }
 
-std::string painted(std::string_view text, Look look, bool colours) {
-  const std::string_view code = colours ? code_of(look) : std::string_view();
+std::string painted(std::string_view text, CellStyle style, bool colours) {
+  const std::string_view code = colours ? code_of(style) : std::string_view();
   return code.empty() ? std::string(text) : fmt::format("\x1b[{}m{}\x1b[0m", code, text);
 }
 
@@ -227,7 +236,7 @@ class Table {
   [[nodiscard]] std::vector<std::string> lines() const {
     Row head;
     for (const Column& column : columns()) {
-      head.push_back({std::string(column.title), Look::plain});
+      head.push_back({std::string(column.title), CellStyle::plain});
     }
     std::vector<std::string> lines{line_of(head)};
     for (const Row& row : rows_) {
@@ -267,7 +276,7 @@ class Table {
         continue;
       }
       line.append(owed, ' ');
-      line += painted(row[i].text, row[i].look, style_.colours);
+      line += painted(row[i].text, row[i].style, style_.colours);
       owed = widths_[i] - row[i].text.size() + kGap;
     }
     return line;
@@ -310,7 +319,7 @@ std::string cut(const std::string& line, std::size_t width) {
 std::vector<std::string> table_of(const FleetView& view, const TableStyle& style) {
   std::vector<std::string> lines{cut(bus_line(view), style.width)};
   for (const std::string& alarm : alarms_of(view)) {
-    lines.push_back(painted(cut(alarm, style.width), Look::alarm, style.colours));
+    lines.push_back(painted(cut(alarm, style.width), CellStyle::alarm, style.colours));
   }
   std::vector<Row> rows;
   for (const auto& [number, node] : view.nodes) {

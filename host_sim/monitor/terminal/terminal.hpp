@@ -21,7 +21,7 @@ bool wants_colours();
 /// The terminal is as it was when this is gone.
 class Terminal final : public Observer {
  public:
-  /// `troubles` says what else the user has to know, a line each. Precondition: can_draw().
+  /// `troubles` gives what else the user has to know, a line each. @pre can_draw()
   explicit Terminal(std::function<std::vector<std::string>()> troubles);
   ~Terminal() override;
 

@@ -1,7 +1,8 @@
 // Whatever becomes of the frames of a controller on their way, lost, doubled, out of order, played
 // again later or among the others: what is shown of its present wire is never less than what was
-// told of that wire with a record after it, and the state never less grave; and without any of it
-// one controller is no two. What no record follows cannot be told from what came before it.
+// reported of that wire with a record after it, and the state never less grave; and without any of
+// it one controller is no two. What no record follows cannot be distinguished from what came before
+// it.
 //
 // Input: for each 100 ms of the controller a byte of what happens to it and a byte of what becomes
 // of its frames.
@@ -40,11 +41,11 @@ struct Sent {
   int wire = 0;
   std::uint32_t damage_ppb = 0;
   bool of_tendon = false;
-  bool tells_damage = false;
+  bool has_damage = false;
 };
 
 /// As the firmware does: records go forward, a new wire is recorded at once, and no more is unsaved
-/// than was told before.
+/// than was reported before.
 class Controller {
  public:
   void step(std::uint8_t what) {
@@ -78,9 +79,9 @@ class Controller {
         break;
       case 6:
         if (worst_unsaved_ppb_ <
-            kMostTold_ppb) {  // a store that does not take a record is told first
-          worst_unsaved_ppb_ = kMostTold_ppb;
-          tell_record_ = true;
+            kMostReported_ppb) {  // a store that takes no record is reported first
+          worst_unsaved_ppb_ = kMostReported_ppb;
+          report_record_ = true;
         } else {
           damage_ppb_ += 10'000 * argument;
         }
@@ -88,7 +89,7 @@ class Controller {
       default:
         break;
     }
-    tell();
+    report();
     for (std::size_t i = 0; i < sent.size() - begin; ++i) {
       sent[begin + i].number = begin + i;
     }
@@ -98,7 +99,7 @@ class Controller {
 
  private:
   static constexpr std::uint32_t kMostUnsaved_ppb = 1'000;
-  static constexpr std::uint32_t kMostTold_ppb = 0xff'ffff;
+  static constexpr std::uint32_t kMostReported_ppb = 0xff'ffff;
 
   void wear(std::uint32_t damage_ppb) {
     damage_ppb_ += damage_ppb;
@@ -118,17 +119,17 @@ class Controller {
     turn_ = 0;
     sent.push_back({.frame = sender_.heartbeat(now_ns_, protocol::NmtState::boot_up)});
   }
-  void tell() {
+  void report() {
     sent.push_back({.frame = sender_.status(now_ns_, {.state = state_at(damage_ppb_),
                                                       .damage_ppb = damage_ppb_,
                                                       .storage_ok = true,
                                                       .sensor_ok = true}),
                     .wire = wire_,
                     .damage_ppb = damage_ppb_,
-                    .tells_damage = true});
+                    .has_damage = true});
     switch (turn_++ % 3) {
       case 0:
-        tell_record_ = true;
+        report_record_ = true;
         break;
       case 1:
         sent.push_back(
@@ -139,13 +140,13 @@ class Controller {
              .wire = wire_,
              .damage_ppb = damage_ppb_,
              .of_tendon = true,
-             .tells_damage = true});
+             .has_damage = true});
         break;
       default:
         break;
     }
-    if (tell_record_) {
-      tell_record_ = false;
+    if (report_record_) {
+      report_record_ = false;
       const std::uint32_t bound_ppb = std::max(worst_unsaved_ppb_, kMostUnsaved_ppb);
       sent.push_back({.frame = sender_.page(now_ns_ + 40 * kMs,
                                             protocol::detail::Storage{sequence_, bound_ppb})});
@@ -160,40 +161,40 @@ class Controller {
   std::uint32_t worst_unsaved_ppb_ = 0;
   std::uint32_t sequence_ = 1;
   unsigned turn_ = 0;
-  bool tell_record_ = false;
+  bool report_record_ = false;
 };
 
-/// What was told of the newest wire that was told of, and taken.
+/// What was reported of the newest wire that was reported, and taken.
 class Truth {
  public:
   void see(const Sent& sent) {
-    if (sent.tells_damage) {
-      if (Told& told = told_[sent.of_tendon ? 1 : 0]; sent.wire > told.wire) {
-        told = {sent.wire, 0};
+    if (sent.has_damage) {
+      if (Reported& reported = reported_[sent.of_tendon ? 1 : 0]; sent.wire > reported.wire) {
+        reported = {sent.wire, 0};
       }
       waiting_.push_back(sent);
       return;
     }
     const auto later = std::partition(waiting_.begin(), waiting_.end(),
                                       [&](const Sent& one) { return one.number < sent.number; });
-    std::for_each(waiting_.begin(), later, [this](const Sent& one) { tell(one); });
+    std::for_each(waiting_.begin(), later, [this](const Sent& one) { keep(one); });
     waiting_.erase(waiting_.begin(), later);
   }
   void require_shown(const NodeView& node) {
     fall(shown_[0], node.highest_damage_ppb, false);
     if (node.status) {
-      require(node.highest_damage_ppb >= told_[0].damage_ppb);
-      require(node.life_state() >= state_at(told_[0].damage_ppb));
+      require(node.highest_damage_ppb >= reported_[0].damage_ppb);
+      require(node.life_state() >= state_at(reported_[0].damage_ppb));
     }
     if (const auto tendon = node.tendons.find(0); tendon != node.tendons.end()) {
       fall(shown_[1], tendon->second.value.damage_ppb, true);
-      require(tendon->second.value.damage_ppb >= told_[1].damage_ppb);
-      require(tendon->second.value.state >= state_at(told_[1].damage_ppb));
+      require(tendon->second.value.damage_ppb >= reported_[1].damage_ppb);
+      require(tendon->second.value.state >= state_at(reported_[1].damage_ppb));
     }
   }
 
  private:
-  struct Told {
+  struct Reported {
     int wire = -1;
     std::uint32_t damage_ppb = 0;
   };
@@ -206,14 +207,14 @@ class Truth {
     before_ppb = shown_ppb;
   }
 
-  void tell(const Sent& sent) {
-    Told& told = told_[sent.of_tendon ? 1 : 0];
-    if (sent.wire == told.wire) {
-      told.damage_ppb = std::max(told.damage_ppb, sent.damage_ppb);
+  void keep(const Sent& sent) {
+    Reported& reported = reported_[sent.of_tendon ? 1 : 0];
+    if (sent.wire == reported.wire) {
+      reported.damage_ppb = std::max(reported.damage_ppb, sent.damage_ppb);
     }
   }
 
-  std::array<Told, 2> told_;
+  std::array<Reported, 2> reported_;
   std::array<std::uint32_t, 2> shown_{};
   std::vector<Sent> waiting_;  ///< for a record that was sent after it
 };

@@ -120,7 +120,7 @@ TEST(LogSource, GivesAllAtOnceAndEnds) {
     }
   }
   EXPECT_EQ(times_ns, (std::vector<std::int64_t>{10'000'000'000, 10'100'000'000, 10'100'000'000}));
-  EXPECT_EQ(source.words(), "run.log, at its end");
+  EXPECT_EQ(source.description(), "run.log, at its end");
   EXPECT_FALSE(source.next(1ms));
   EXPECT_EQ(source.now_ns(), 10'100'000'000);
 }

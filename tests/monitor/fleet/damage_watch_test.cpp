@@ -12,13 +12,13 @@
 namespace host_sim::monitor {
 namespace {
 
+using test::event_texts;
 using test::kMs;
 using test::kS;
 using test::Sender;
-using test::words_of;
 
-/// Node 3, that tells its damage every 100 ms and its last record where it is asked to.
-class Told {
+/// Node 3, which reports its damage every 100 ms, and its last record where it is asked to.
+class Reports {
  public:
   void damage(std::uint32_t damage_ppb, int times = 1,
               protocol::LifeState state = protocol::LifeState::normal) {
@@ -38,7 +38,7 @@ class Told {
   [[nodiscard]] const NodeView& node() const { return fleet.view().nodes.at(3); }
   [[nodiscard]] std::uint32_t shown_ppb() const { return node().highest_damage_ppb; }
   [[nodiscard]] std::vector<std::string> epochs() const {
-    return words_of(node(), Event::Kind::epoch);
+    return event_texts(node(), EventKind::epoch);
   }
 
   Fleet fleet;
@@ -47,132 +47,132 @@ class Told {
 };
 
 TEST(Fleet, DamageFallsWithANewEpochOnly) {
-  Told told;
-  told.damage(121'000'000, 2);
-  told.record(7, 1'000);
-  told.damage(121'000'000);
-  told.damage(0);
-  told.damage(10);
-  told.record(8, 1'000);
-  told.damage(20, 2);
-  EXPECT_EQ(told.shown_ppb(), 121'000'000u);
-  told.damage(20);
-  EXPECT_EQ(told.shown_ppb(), 20u);
-  EXPECT_EQ(told.epochs(),
+  Reports reports;
+  reports.damage(121'000'000, 2);
+  reports.record(7, 1'000);
+  reports.damage(121'000'000);
+  reports.damage(0);
+  reports.damage(10);
+  reports.record(8, 1'000);
+  reports.damage(20, 2);
+  EXPECT_EQ(reports.shown_ppb(), 121'000'000u);
+  reports.damage(20);
+  EXPECT_EQ(reports.shown_ppb(), 20u);
+  EXPECT_EQ(reports.epochs(),
             std::vector<std::string>{"epoch opened: damage fell from 12.1 to 0.000002 %"});
 }
 
 TEST(Fleet, APowerCutIsNoNewEpoch) {
-  Told told;
-  told.damage(5'000);
-  told.record(7, 1'000);
-  told.damage(5'000);
-  told.restart();
+  Reports reports;
+  reports.damage(5'000);
+  reports.record(7, 1'000);
+  reports.damage(5'000);
+  reports.restart();
   for (std::uint32_t sequence = 7; sequence < 20; ++sequence) {
-    told.damage(4'000, 9);
-    told.record(sequence, 0);
+    reports.damage(4'000, 9);
+    reports.record(sequence, 0);
   }
-  EXPECT_EQ(told.shown_ppb(), 5'000u);
-  told.restart();
-  told.damage(3'999);
-  told.record(20, 0);
-  told.damage(3'999, 3);
-  EXPECT_EQ(told.shown_ppb(), 3'999u);
+  EXPECT_EQ(reports.shown_ppb(), 5'000u);
+  reports.restart();
+  reports.damage(3'999);
+  reports.record(20, 0);
+  reports.damage(3'999, 3);
+  EXPECT_EQ(reports.shown_ppb(), 3'999u);
 }
 
 // 24 bits, all ones: a power cut may lose more.
 TEST(Fleet, TheEndOfARangeIsNoBound) {
-  Told told;
-  told.damage(500'000'000);
-  told.record(7, 0xff'ffff);
-  told.damage(500'000'000);
-  told.restart();
+  Reports reports;
+  reports.damage(500'000'000);
+  reports.record(7, 0xff'ffff);
+  reports.damage(500'000'000);
+  reports.restart();
   for (std::uint32_t sequence = 7; sequence < 20; ++sequence) {
-    told.damage(400'000'000, 9);
-    told.record(sequence, 0);
+    reports.damage(400'000'000, 9);
+    reports.record(sequence, 0);
   }
-  EXPECT_EQ(told.shown_ppb(), 500'000'000u);
-  EXPECT_TRUE(told.epochs().empty());
+  EXPECT_EQ(reports.shown_ppb(), 500'000'000u);
+  EXPECT_TRUE(reports.epochs().empty());
 }
 
 TEST(Fleet, ANewWireIsSeenHoweverLittleTheOldOneHadSuffered) {
-  Told told;
-  told.record(7, 1'000);
-  told.damage(500, 9);
-  told.record(7, 1'000);
-  told.damage(500, 5);
-  told.record(8, 1'000);  // before a status tells of the new wire
-  told.damage(0, 9);
-  EXPECT_EQ(told.shown_ppb(), 500u);
-  told.record(8, 1'000);
-  told.damage(0, 9);
-  EXPECT_EQ(told.shown_ppb(), 0u);
-  EXPECT_EQ(told.epochs().size(), 1u);
+  Reports reports;
+  reports.record(7, 1'000);
+  reports.damage(500, 9);
+  reports.record(7, 1'000);
+  reports.damage(500, 5);
+  reports.record(8, 1'000);  // before a status is of the new wire
+  reports.damage(0, 9);
+  EXPECT_EQ(reports.shown_ppb(), 500u);
+  reports.record(8, 1'000);
+  reports.damage(0, 9);
+  EXPECT_EQ(reports.shown_ppb(), 0u);
+  EXPECT_EQ(reports.epochs().size(), 1u);
 }
 
 // The log that is played again has records of the past.
 TEST(Fleet, AnOldLogThatIsPlayedAgainIsNoNewEpoch) {
-  Told told;
-  told.damage(700'000'000, 3, protocol::LifeState::worn);
-  told.record(90, 1'000);
-  told.damage(700'000'000, 3, protocol::LifeState::worn);
-  told.sender = Sender(3);
-  told.now_ns += kS;
+  Reports reports;
+  reports.damage(700'000'000, 3, protocol::LifeState::worn);
+  reports.record(90, 1'000);
+  reports.damage(700'000'000, 3, protocol::LifeState::worn);
+  reports.sender = Sender(3);
+  reports.now_ns += kS;
   for (std::uint32_t sequence = 50; sequence < 60; ++sequence) {
-    told.damage(100'000'000 + sequence, 9);
-    told.record(sequence, 1'000);
+    reports.damage(100'000'000 + sequence, 9);
+    reports.record(sequence, 1'000);
   }
-  EXPECT_EQ(told.shown_ppb(), 700'000'000u);
-  EXPECT_EQ(told.node().life_state(), protocol::LifeState::worn);
-  EXPECT_TRUE(told.epochs().empty());
+  EXPECT_EQ(reports.shown_ppb(), 700'000'000u);
+  EXPECT_EQ(reports.node().life_state(), protocol::LifeState::worn);
+  EXPECT_TRUE(reports.epochs().empty());
 }
 
 TEST(Fleet, ALostRecordIsNoNewEpoch) {
-  Told told;
-  told.damage(700'000'000);
-  told.record(90, 1'000);
-  told.damage(700'000'000);
-  told.restart();
+  Reports reports;
+  reports.damage(700'000'000);
+  reports.record(90, 1'000);
+  reports.damage(700'000'000);
+  reports.restart();
   for (std::uint32_t sequence = 91; sequence < 99; ++sequence) {
     for (int i = 0; i < 9; ++i) {
-      told.fleet.see(
-          told.sender.status(told.now_ns += 100 * kMs, {.state = protocol::LifeState::normal,
-                                                        .damage_ppb = 5,
-                                                        .quality = protocol::Quality::untrusted}));
+      reports.fleet.see(reports.sender.status(reports.now_ns += 100 * kMs,
+                                              {.state = protocol::LifeState::normal,
+                                               .damage_ppb = 5,
+                                               .quality = protocol::Quality::untrusted}));
     }
-    told.record(sequence, 0);
+    reports.record(sequence, 0);
   }
-  EXPECT_EQ(told.shown_ppb(), 700'000'000u);
+  EXPECT_EQ(reports.shown_ppb(), 700'000'000u);
 }
 
 // A silence of more than 0.3 s begins the counters anew.
 TEST(Fleet, NoStateFallsWithoutANewEpoch) {
-  Told told;
-  told.damage(900'000'000, 1, protocol::LifeState::worn);
-  told.now_ns += 400 * kMs;
-  told.damage(100'000'000, 1, protocol::LifeState::normal);
-  EXPECT_EQ(told.node().life_state(), protocol::LifeState::worn);
-  EXPECT_EQ(words_of(told.node(), Event::Kind::state), std::vector<std::string>{"worn"});
-  told.damage(900'000'000, 1, protocol::LifeState::unknown);
-  EXPECT_EQ(told.node().life_state(), protocol::LifeState::worn);
+  Reports reports;
+  reports.damage(900'000'000, 1, protocol::LifeState::worn);
+  reports.now_ns += 400 * kMs;
+  reports.damage(100'000'000, 1, protocol::LifeState::normal);
+  EXPECT_EQ(reports.node().life_state(), protocol::LifeState::worn);
+  EXPECT_EQ(event_texts(reports.node(), EventKind::state), std::vector<std::string>{"worn"});
+  reports.damage(900'000'000, 1, protocol::LifeState::unknown);
+  EXPECT_EQ(reports.node().life_state(), protocol::LifeState::worn);
 }
 
 TEST(Fleet, TheDamageOfATendonFallsWithANewEpochOnly) {
-  Told told;
+  Reports reports;
   const auto tendon = [&](std::uint32_t damage_ppb, protocol::LifeState state) {
-    told.fleet.see(told.sender.page(
-        told.now_ns += 100 * kMs,
+    reports.fleet.see(reports.sender.page(
+        reports.now_ns += 100 * kMs,
         protocol::detail::TendonDamage{.tendon = 2, .damage_ppb = damage_ppb, .state = state}));
   };
-  const auto shown = [&] { return told.node().tendons.at(2).value; };
-  told.damage(600'000'000);
+  const auto shown = [&] { return reports.node().tendons.at(2).value; };
+  reports.damage(600'000'000);
   tendon(600'000'000, protocol::LifeState::replace);
-  told.record(7, 1'000);
+  reports.record(7, 1'000);
   tendon(600'000'000, protocol::LifeState::replace);
   tendon(0, protocol::LifeState::normal);
   EXPECT_EQ(shown().damage_ppb, 600'000'000u);
   EXPECT_EQ(shown().state, protocol::LifeState::replace);
-  told.record(8, 1'000);
+  reports.record(8, 1'000);
   for (int i = 0; i < 3; ++i) {
     EXPECT_EQ(shown().damage_ppb, 600'000'000u);
     tendon(5, protocol::LifeState::normal);
@@ -189,12 +189,12 @@ TEST(Fleet, OneLateStatusAmongOthersIsNoNewEpoch) {
     fleet.see(sender.damage(i * 100 * kMs, i % 3 == 0 ? 500u : 400u));
   }
   EXPECT_EQ(fleet.view().nodes.at(3).highest_damage_ppb, 500u);
-  EXPECT_TRUE(words_of(fleet.view().nodes.at(3), Event::Kind::epoch).empty());
+  EXPECT_TRUE(event_texts(fleet.view().nodes.at(3), EventKind::epoch).empty());
 }
 
 // Whatever becomes of the frames of a node on their way, no damage is shown that no genuine frame
-// told. Damaged frames have up to three wrong bits of data, which the protection finds for certain,
-// or wrong bits of their identifier.
+// reported. Damaged frames have up to three wrong bits of data, which the protection finds for
+// certain, or wrong bits of their identifier.
 
 struct Traffic {
   std::vector<SeenFrame> frames;
@@ -237,7 +237,7 @@ void spoil(SeenFrame& seen) {
     return;
   }
   if (seen.frame.length < 8) {
-    return;  // a heartbeat tells no damage
+    return;  // a heartbeat has no damage
   }
   const auto bits = *rc::gen::unique<std::vector<int>>(
       static_cast<std::size_t>(*rc::gen::inRange(1, 4)), rc::gen::inRange(0, 64));

@@ -9,10 +9,10 @@
 namespace host_sim::monitor {
 namespace {
 
+using test::event_texts;
 using test::kMs;
 using test::kS;
 using test::Sender;
-using test::words_of;
 
 constexpr std::size_t kHeartbeat = 0, kStatus = 1, kDetail = 2, kEmergency = 3;
 
@@ -35,7 +35,7 @@ TEST(Fleet, ShowsAStatusThatPassedTheCheck) {
   EXPECT_EQ(node.status->time_ns, 7 * kS);
   EXPECT_FALSE(node.status->stale);
   EXPECT_EQ(node.highest_damage_ppb, 121'000'000u);
-  EXPECT_EQ(words_of(node, Event::Kind::state), std::vector<std::string>{"inspect"});
+  EXPECT_EQ(event_texts(node, EventKind::state), std::vector<std::string>{"inspect"});
 }
 
 TEST(Fleet, ShowsNothingOfAFrameWithAWrongBit) {
@@ -52,7 +52,7 @@ TEST(Fleet, ShowsNothingOfAFrameWithAWrongBit) {
     EXPECT_EQ(node.highest_damage_ppb, 0u) << bit;
     EXPECT_EQ(node.streams[kStatus].damaged, 1u) << bit;
     EXPECT_EQ(node.integrity_failures(), 1u) << bit;
-    EXPECT_EQ(words_of(node, Event::Kind::integrity).size(), 1u) << bit;
+    EXPECT_EQ(event_texts(node, EventKind::integrity).size(), 1u) << bit;
   }
 }
 
@@ -151,11 +151,11 @@ TEST(Fleet, ShowsThatANodeVanishedAndCameBack) {
   fleet.tick(4 * kS + 1);
   EXPECT_TRUE(node_of(fleet, 3).vanished);
   EXPECT_TRUE(node_of(fleet, 3).emergency->stale);
-  EXPECT_EQ(node_of(fleet, 3).events.back().kind, Event::Kind::vanished);
+  EXPECT_EQ(node_of(fleet, 3).events.back().kind, EventKind::vanished);
   EXPECT_EQ(node_of(fleet, 3).events.back().time_ns, 4 * kS);
   fleet.see(sender.heartbeat(9 * kS));
   EXPECT_FALSE(node_of(fleet, 3).vanished);
-  EXPECT_EQ(node_of(fleet, 3).events.back().kind, Event::Kind::back);
+  EXPECT_EQ(node_of(fleet, 3).events.back().kind, EventKind::back);
 }
 
 TEST(Fleet, DamagedFramesAreNoSignOfLife) {
@@ -168,7 +168,7 @@ TEST(Fleet, DamagedFramesAreNoSignOfLife) {
     fleet.see(frame);
   }
   EXPECT_TRUE(node_of(fleet, 3).vanished);
-  EXPECT_EQ(words_of(node_of(fleet, 3), Event::Kind::integrity).size(), 1u);
+  EXPECT_EQ(event_texts(node_of(fleet, 3), EventKind::integrity).size(), 1u);
 }
 
 TEST(Fleet, NoNodeVanishesFromABusThatCannotBeHeard) {
@@ -188,7 +188,7 @@ TEST(Fleet, NoNodeVanishesFromABusThatCannotBeHeard) {
   EXPECT_TRUE(node_of(fleet, 3).vanished);
 }
 
-/// What two controllers tell in turn, the first counter of the second one so far ahead.
+/// What two controllers report in turn, the first counter of the second one so far ahead.
 void hear_two(Fleet& fleet, int ahead, protocol::LifeState other_state, std::uint32_t other_ppb) {
   constexpr int kTurns = 20;
   Sender one(3);
@@ -212,10 +212,10 @@ TEST(Fleet, TwoControllersWithOneNodeIdAreTheGravestState) {
     EXPECT_EQ(node.life_state(), protocol::LifeState::worn) << ahead;
     EXPECT_EQ(node.highest_damage_ppb, 1'500'000'000u) << ahead;
     EXPECT_FALSE(node.status->stale) << ahead;
-    EXPECT_EQ(words_of(node, Event::Kind::two_controllers),
+    EXPECT_EQ(event_texts(node, EventKind::two_controllers),
               std::vector<std::string>{"two controllers have this node id"})
         << ahead;
-    EXPECT_TRUE(words_of(node, Event::Kind::epoch).empty()) << ahead;
+    EXPECT_TRUE(event_texts(node, EventKind::epoch).empty()) << ahead;
   }
 }
 
@@ -267,7 +267,7 @@ TEST(Fleet, ABootBeginsTheCountersAnew) {
   fleet.see(after.emergency(kS, {.code = protocol::EmergencyCode::sensor}));
   EXPECT_EQ(node_of(fleet, 3).emergency->value.code, protocol::EmergencyCode::sensor);
   EXPECT_EQ(node_of(fleet, 3).streams[kEmergency].wrong_sequence, 0u);
-  EXPECT_EQ(words_of(node_of(fleet, 3), Event::Kind::boot).size(), 1u);
+  EXPECT_EQ(event_texts(node_of(fleet, 3), EventKind::boot).size(), 1u);
 }
 
 TEST(Fleet, AnEmergencyAfterManyLostOnesIsShown) {

@@ -37,9 +37,9 @@ TEST(DamageCurve, KeepsTheNewestPoint) {
 TEST(Events, TheOldestGoFirst) {
   NodeView view;
   for (std::size_t i = 0; i < NodeView::kMostEvents + 5; ++i) {
-    add_event(view, {.kind = Event::Kind::state,
+    add_event(view, {.kind = EventKind::state,
                      .time_ns = static_cast<std::int64_t>(i),
-                     .words = {},
+                     .text = {},
                      .state = protocol::LifeState::normal});
   }
   EXPECT_EQ(view.events.size(), NodeView::kMostEvents);

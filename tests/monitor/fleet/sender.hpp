@@ -21,15 +21,15 @@ inline SeenFrame seen(std::int64_t time_ns, const hal::CanFrame& frame) {
   return out;
 }
 
-/// What the events of a kind say, oldest first.
-inline std::vector<std::string> words_of(const NodeView& node, Event::Kind kind) {
-  std::vector<std::string> words;
+/// The texts of the events of a kind, oldest first.
+inline std::vector<std::string> event_texts(const NodeView& node, EventKind kind) {
+  std::vector<std::string> texts;
   for (const Event& event : node.events) {
     if (event.kind == kind) {
-      words.push_back(event.words);
+      texts.push_back(event.text);
     }
   }
-  return words;
+  return texts;
 }
 
 /// A node whose frames are genuine.

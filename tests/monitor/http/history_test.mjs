@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 const assets = process.env.LIVE_ASSETS;
-const { kept, Moments, NodeHistory } = await import(`${assets}/history.js`);
+const { kept, PastViews, NodeHistory } = await import(`${assets}/history.js`);
 const { merged } = await import(`${assets}/stream.js`);
 
 const VIEW_US = 200e3;
@@ -17,12 +17,12 @@ function fleetOf(nodes, now_us) {
 }
 
 test('moments of a day are bounded, dense of late and reach back to the start', () => {
-  const moments = new Moments();
+  const past = new PastViews();
   const view = fleetOf(20, 0);
   for (let now_us = 0; now_us <= DAY_US; now_us += VIEW_US) {
-    moments.add({ ...view, now_us });
+    past.add({ ...view, now_us });
   }
-  const times = moments.views.map(({ now_us }) => now_us);
+  const times = past.views.map(({ now_us }) => now_us);
   assert.equal(times.length, 400);
   assert.equal(times[0], 0);
   assert.equal(times.at(-1), DAY_US);
@@ -36,26 +36,26 @@ test('moments of a day are bounded, dense of late and reach back to the start', 
 });
 
 test('moments of many nodes are fewer', () => {
-  const moments = new Moments();
+  const past = new PastViews();
   for (let i = 0; i < 1000; i += 1) {
-    moments.add(fleetOf(127, i));
+    past.add(fleetOf(127, i));
   }
-  assert.equal(moments.views.length, 100);
+  assert.equal(past.views.length, 100);
 });
 
 test('a clock that stands still keeps one moment, one that is set back begins anew', () => {
-  const moments = new Moments();
-  [1, 2, 2, 2].forEach((now_us) => moments.add(fleetOf(1, now_us)));
-  assert.equal(moments.views.length, 2);
-  moments.add(fleetOf(1, 1));
-  assert.equal(moments.views.length, 1);
+  const past = new PastViews();
+  [1, 2, 2, 2].forEach((now_us) => past.add(fleetOf(1, now_us)));
+  assert.equal(past.views.length, 2);
+  past.add(fleetOf(1, 1));
+  assert.equal(past.views.length, 1);
 });
 
 test('the moment before a time', () => {
-  const moments = new Moments();
-  [10, 20, 30].forEach((now_us) => moments.add(fleetOf(1, now_us)));
+  const past = new PastViews();
+  [10, 20, 30].forEach((now_us) => past.add(fleetOf(1, now_us)));
   assert.deepEqual(
-    [9, 10, 25, 99].map((time_us) => moments.before(time_us)),
+    [9, 10, 25, 99].map((time_us) => past.before(time_us)),
     [-1, 0, 1, 2],
   );
 });
@@ -74,7 +74,7 @@ test('the history of a node is bounded and keeps its ends', () => {
   assert.equal(history.events.at(-1).words, String(last));
 });
 
-test('the slider can stand at what a history tells of earlier times', () => {
+test('the slider can stand at what a history has of earlier times', () => {
   const curve = (count) => Array.from({ length: count }, (_, i) => [10 * i, 0.1]);
   const few = new NodeHistory({ node: 3, curve: curve(4), events: [] });
   assert.deepEqual(few.timesBefore(20), [0, 10]);

@@ -13,7 +13,7 @@ using nlohmann::json;
 using std::chrono::milliseconds;
 constexpr milliseconds kPatience{10'000};
 
-/// Offers until it is taken, and tells the version that a reader gets then.
+/// Offers until it is taken.
 void offer_until_taken(Hub& hub, const FleetView& view) {
   for (;;) {
     hub.offer(view);
@@ -45,7 +45,7 @@ TEST(Hub, GivesAWholeViewThenChanges) {
 
   view.now_ns += 1'000'000;
   view.frames = 43;
-  view.nodes[5].events.push_back({Event::Kind::boot, 1, "boot", protocol::LifeState::inspect});
+  view.nodes[5].events.push_back({EventKind::boot, 1, "boot", protocol::LifeState::inspect});
   offer_until_taken(hub, view);
   const Hub::Message second = hub.next(first.version, kPatience);
   ASSERT_TRUE(second.json);

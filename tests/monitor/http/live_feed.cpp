@@ -1,13 +1,13 @@
 // live_feed LOG [PORT [NODES]]
 //
-// Serves the live page of a made bus for the tests in a browser. The clock of the bus goes on by
+// Serves the live page of a made bus for the tests in a browser. The clock of the bus advances by
 // commands on standard input alone, as fast as the machine can; each is answered by a line with the
 // time of the clock in microseconds. Every frame is written to LOG as well.
 //
 //   run SECONDS          the nodes send
 //   silent NODE 0|1      a node sends nothing
 //   corrupt NODE 0|1     its frames are damaged on the way
-//   emergency NODE CODE  it tells an emergency
+//   emergency NODE CODE  it reports an emergency
 //   epoch NODE           its tendon is new
 //   bus-off 0|1          the controller of the monitor is off the bus
 //   source STATE         running, lost or ended
@@ -48,8 +48,8 @@ std::uint8_t u8(std::uint32_t value) {
   return static_cast<std::uint8_t>(value);
 }
 
-/// A node whose life is made up: its damage grows steadily, and it tells all that a controller
-/// tells.
+/// A node whose life is made up: its damage grows steadily, and it reports all that a controller
+/// reports.
 class MadeNode {
  public:
   using Take = std::function<void(const SeenFrame&)>;
@@ -76,7 +76,7 @@ class MadeNode {
   double rate_per_h_;
   std::uint32_t steps_ = 0;
   std::uint32_t pages_ = 0;
-  protocol::EmergencyCode told_ = protocol::EmergencyCode::none;
+  protocol::EmergencyCode reported_ = protocol::EmergencyCode::none;
 };
 
 /// A bus of nodes 1 to `nodes`.
@@ -129,11 +129,11 @@ void MadeNode::run(std::int64_t time_ns, const Take& take) {
       take(beat);
     }
   }
-  if (emergency != told_) {
-    told_ = emergency;
+  if (emergency != reported_) {
+    reported_ = emergency;
     send(sender_.emergency(time_ns + kMs,
                            {.code = emergency,
-                            .error_register = u8(told_ == decltype(told_)::none ? 0 : 1),
+                            .error_register = u8(reported_ == decltype(reported_)::none ? 0 : 1),
                             .damage_ppm = ppb(damage) / 1000}),
          take);
   }
@@ -207,14 +207,14 @@ class Feed {
   }
 
   void obey(const std::string& line) {
-    std::istringstream words(line);
+    std::istringstream command(line);
     std::string verb;
-    words >> verb;
+    command >> verb;
     if (verb == "flood") {
-      flood(words);
+      flood(command);
     } else {
       const std::lock_guard lock(mutex_);
-      change(verb, words);
+      change(verb, command);
       fleet_.tick(now_ns_);
     }
     fmt::print("{}\n", now_ns_ / 1000);
@@ -222,34 +222,34 @@ class Feed {
   }
 
  private:
-  void change(const std::string& verb, std::istringstream& words) {
+  void change(const std::string& verb, std::istringstream& command) {
     int number = 0;
     if (verb == "run" || verb == "pass") {
       double seconds = 0;
-      words >> seconds;
+      command >> seconds;
       for (int steps = static_cast<int>(10 * seconds); steps > 0; --steps) {
         step(verb == "run");
       }
     } else if (verb == "silent") {
-      words >> number >> bus_.node(number).silent;
+      command >> number >> bus_.node(number).silent;
     } else if (verb == "corrupt") {
-      words >> number >> bus_.node(number).corrupt;
+      command >> number >> bus_.node(number).corrupt;
     } else if (verb == "emergency") {
       std::uint16_t code = 0;
-      words >> number >> std::hex >> code;
+      command >> number >> std::hex >> code;
       bus_.node(number).emergency = static_cast<protocol::EmergencyCode>(code);
     } else if (verb == "epoch") {
-      words >> number;
+      command >> number;
       bus_.node(number).damage = 0;
     } else if (verb == "bus-off") {
       SeenFrame seen;
       seen.time_ns = now_ns_;
-      words >> number;
+      command >> number;
       seen.error = BusError{.bus_off = number != 0, .restarted = number == 0};
       fleet_.see(seen);
     } else if (verb == "source") {
       std::string state;
-      words >> state;
+      command >> state;
       using State = FrameSource::State;
       fleet_.source_is(state == "lost"    ? State::lost
                        : state == "ended" ? State::ended
@@ -273,10 +273,10 @@ class Feed {
   }
 
   /// As the loop of the monitor does: frames, a tick and a view each 10 ms.
-  void flood(std::istringstream& words) {
+  void flood(std::istringstream& command) {
     double seconds = 0;
     double rate = 0;
-    words >> seconds >> rate;
+    command >> seconds >> rate;
     const auto start = std::chrono::steady_clock::now();
     const std::int64_t start_ns = now_ns_;
     std::uint64_t sent = 0;

@@ -180,9 +180,9 @@ async function scrubsBackBeforeItWasOpened() {
   await sleep(400);
   const { shown_us } = await page.evaluate(shownPage);
   const { note, tiles } = await page.evaluate(shownNode);
-  problems.same('before it nothing was told', decoded(shown_us).nodes[1]?.messages.LifeStatus, undefined);
+  problems.same('before it nothing was sent', decoded(shown_us).nodes[1]?.messages.LifeStatus, undefined);
   problems.expect('long before the page was opened', shown_us < opened_us - 60e6);
-  problems.expect('told in words', note.includes('before this page was opened'));
+  problems.expect('said in words', note.includes('before this page was opened'));
   const texts = Object.values(tiles).flatMap((tile) => [tile.text, tile.note]);
   problems.same('no NaN', texts.filter((text) => /NaN|undefined/.test(text)).join(), '');
   problems.same('no unsaved damage', tiles['Unsaved damage'].text, 'not known');

@@ -3,7 +3,7 @@
 //
 // How much a flood of frames costs: the processor and memory of the server, which makes the frames as
 // well, and the heap of a page that shows a node. Writes a line every five seconds. With `day`, the clock
-// of the bus goes on by a day within the 500 views that the page is sent, so that they share little.
+// of the bus advances by a day within the 500 views that the page is sent, so that they share little.
 import { mkdirSync, readFileSync } from 'node:fs';
 import { Browser, sleep } from '../../support/browser.mjs';
 import { LiveFeed } from './live_feed.mjs';

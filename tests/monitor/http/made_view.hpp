@@ -35,7 +35,7 @@ inline FleetView made_view() {
   stream.damaged = 3;
   stream.intervals[20] = 89;
   node.streams.push_back(stream);
-  node.events.push_back({Event::Kind::state, kS, "inspect", protocol::LifeState::inspect});
+  node.events.push_back({EventKind::state, kS, "inspect", protocol::LifeState::inspect});
   node.curve.push_back({kS, 123'000'000, std::nullopt});
   node.curve.push_back({9 * kS, 123'456'789, 5});
   return fleet;

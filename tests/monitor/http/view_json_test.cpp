@@ -39,15 +39,15 @@ TEST(ViewJson, NamesWhatIsAtTheEndOfItsRange) {
   node.rate = {protocol::detail::DamageRate{0xffff'ffff, 0xffff}, 0, false};
   node.storage = {protocol::detail::Storage{0xffff'ff, 0xffff'ff}, 0, false};
   node.bus = {protocol::detail::Bus{255, 255, 255, 254, 0xffff}, 0, false};
-  const json told = node_json(node);
-  EXPECT_EQ(told["at_least"], json::parse(R"(["highest_damage"])"));
-  EXPECT_EQ(told["status"]["at_least"], json::parse(R"(["Damage"])"));
-  EXPECT_EQ(told["cycles"]["at_least"], json::parse(R"(["CycleRate"])"));
-  EXPECT_EQ(told["rate"]["at_least"], json::parse(R"(["UnsavedDamage"])"));
-  EXPECT_EQ(told["storage"]["at_least"],
+  const json full = node_json(node);
+  EXPECT_EQ(full["at_least"], json::parse(R"(["highest_damage"])"));
+  EXPECT_EQ(full["status"]["at_least"], json::parse(R"(["Damage"])"));
+  EXPECT_EQ(full["cycles"]["at_least"], json::parse(R"(["CycleRate"])"));
+  EXPECT_EQ(full["rate"]["at_least"], json::parse(R"(["UnsavedDamage"])"));
+  EXPECT_EQ(full["storage"]["at_least"],
             json::parse(R"(["StorageSequence", "WorstUnsavedDamage"])"));
-  EXPECT_EQ(told["bus"]["at_least"], json::parse(R"(["BusOffs", "Refused"])"));
-  EXPECT_FALSE(told["identity"].contains("at_least"));
+  EXPECT_EQ(full["bus"]["at_least"], json::parse(R"(["BusOffs", "Refused"])"));
+  EXPECT_FALSE(full["identity"].contains("at_least"));
 }
 
 TEST(ViewJson, TwoControllersAreTheGravestState) {

@@ -52,7 +52,7 @@ class BrokerTest(unittest.TestCase):
         return self.start(HOST_SIM, "monitor", "--log", self.folder / "run.log", "--mqtt", f"127.0.0.1:{self.port}")
 
     def retained(self):
-        """What a client that comes now is told at once, by topic."""
+        """What a client that comes now gets at once, by topic."""
         done = subprocess.run(["mosquitto_sub", "-p", str(self.port), "-t", "tendonlife/#", "-v", "-W", "1"],
                               capture_output=True, text=True, check=False)
         lines = (line.split(" ", 1) for line in done.stdout.splitlines())
@@ -60,34 +60,34 @@ class BrokerTest(unittest.TestCase):
 
     def eventually(self, condition, what, seconds=30):
         deadline = time.monotonic() + seconds
-        while not condition(told := self.retained()):
+        while not condition(retained := self.retained()):
             if time.monotonic() > deadline:
-                self.fail(f"not within {seconds} s: {what}: {told}")
-        return told
+                self.fail(f"not within {seconds} s: {what}: {retained}")
+        return retained
 
     def test_each_node_is_retained_until_the_end_and_then_stale(self):
         self.broker()
         monitor = self.monitor(60)
         both = {"tendonlife/5/status", "tendonlife/9/status"}
-        told = self.eventually(lambda told: both <= set(told), "two nodes")
-        self.assertEqual(told["tendonlife/monitor"], {"online": True})
-        five = told["tendonlife/5/status"]
+        retained = self.eventually(lambda retained: both <= set(retained), "two nodes")
+        self.assertEqual(retained["tendonlife/monitor"], {"online": True})
+        five = retained["tendonlife/5/status"]
         self.assertEqual((five["state"], five["damage_percent"]), ("inspect", 61.2345678))
-        told = self.eventually(lambda told: told["tendonlife/5/status"]["vanished"], "node 5 has vanished")
-        self.assertTrue(told["tendonlife/5/status"]["stale"])
-        self.assertFalse(told["tendonlife/9/status"]["stale"])
+        retained = self.eventually(lambda retained: retained["tendonlife/5/status"]["vanished"], "node 5 has vanished")
+        self.assertTrue(retained["tendonlife/5/status"]["stale"])
+        self.assertFalse(retained["tendonlife/9/status"]["stale"])
         monitor.terminate()
         self.assertEqual(monitor.wait(20), 0)
-        told = self.retained()
-        self.assertEqual(told["tendonlife/monitor"], {"online": False})
-        self.assertTrue(told["tendonlife/9/status"]["stale"])
+        retained = self.retained()
+        self.assertEqual(retained["tendonlife/monitor"], {"online": False})
+        self.assertTrue(retained["tendonlife/9/status"]["stale"])
 
     def test_the_last_will_of_a_monitor_that_is_killed(self):
         self.broker()
         monitor = self.monitor(60)
-        self.eventually(lambda told: told.get("tendonlife/monitor") == {"online": True}, "the monitor is there")
+        self.eventually(lambda retained: retained.get("tendonlife/monitor") == {"online": True}, "the monitor is there")
         monitor.kill()
-        self.eventually(lambda told: told["tendonlife/monitor"] == {"online": False}, "its last will")
+        self.eventually(lambda retained: retained["tendonlife/monitor"] == {"online": False}, "its last will")
 
     def test_a_broker_that_comes_late_and_goes_and_comes_again(self):
         monitor = self.monitor(120)
@@ -95,7 +95,7 @@ class BrokerTest(unittest.TestCase):
         self.assertIsNone(monitor.poll())
         for _ in range(2):
             broker = self.broker()
-            self.eventually(lambda told: "tendonlife/9/status" in told, "it is told all")
+            self.eventually(lambda retained: "tendonlife/9/status" in retained, "it gets all")
             broker.kill()
             broker.wait()
 

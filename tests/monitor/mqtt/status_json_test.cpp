@@ -9,7 +9,7 @@
 namespace host_sim::monitor {
 namespace {
 
-NodeView told_node() {
+NodeView reported_node() {
   NodeView node;
   node.node = 5;
   node.status = {{.state = protocol::LifeState::inspect,
@@ -26,7 +26,7 @@ NodeView told_node() {
 }
 
 TEST(StatusJson, HoldsWhatTheNodeTold) {
-  const auto json = nlohmann::json::parse(status_json(told_node()));
+  const auto json = nlohmann::json::parse(status_json(reported_node()));
   EXPECT_EQ(json, nlohmann::json::parse(R"({
     "state": "inspect", "damage_ppb": 612345678, "damage_percent": 61.2345678, "worst_tendon": 2,
     "quality": "gaps", "storage_ok": true, "sensor_ok": false, "gap": true, "saturated": false,
@@ -36,13 +36,13 @@ TEST(StatusJson, HoldsWhatTheNodeTold) {
 }
 
 TEST(StatusJson, ARateThatIsNotKnownYetIsNull) {
-  NodeView node = told_node();
+  NodeView node = reported_node();
   node.rate->value.ppb_per_h = 0xffff'ffff;
   EXPECT_TRUE(nlohmann::json::parse(status_json(node)).at("damage_percent_per_h").is_null());
 }
 
 TEST(StatusJson, NamesWhatIsAtTheEndOfItsRange) {
-  NodeView node = told_node();
+  NodeView node = reported_node();
   node.highest_damage_ppb = 0xffff'ffff;
   node.rate->value.ppb_per_h = 0xffff'fffe;
   EXPECT_EQ(nlohmann::json::parse(status_json(node)).at("at_least"),
@@ -50,7 +50,7 @@ TEST(StatusJson, NamesWhatIsAtTheEndOfItsRange) {
 }
 
 TEST(StatusJson, TwoControllersAreTheGravestState) {
-  NodeView node = told_node();
+  NodeView node = reported_node();
   node.two_controllers = true;
   const auto json = nlohmann::json::parse(status_json(node));
   EXPECT_EQ(json.at("state"), "two_controllers");
@@ -58,7 +58,7 @@ TEST(StatusJson, TwoControllersAreTheGravestState) {
 }
 
 TEST(StatusJson, LeavesOutPagesThatAreStale) {
-  NodeView node = told_node();
+  NodeView node = reported_node();
   node.status->stale = true;
   node.rate->stale = true;
   node.remaining->stale = true;

@@ -1,5 +1,5 @@
 // A recorder that is killed at a random moment of its work: what was synced is there, every log is
-// of whole lines but the last one of the last, and the next recorder goes on.
+// of whole lines but the last one of the last, and the next recorder continues.
 
 #include <gtest/gtest.h>
 #include <signal.h>

@@ -93,32 +93,32 @@ export class Curves {
 
   describe(chart, [times, values]) {
     const known = values.filter((value) => value !== null && value !== undefined);
-    const words =
+    const summary =
       known.length === 0
         ? 'nothing known yet'
         : `from ${numberText(known[0], 4)} to ${numberText(known.at(-1), 4)} between `
           + `${clockText(times[0] * 1e6)} and ${clockText(times.at(-1) * 1e6)}`;
-    setAttribute(chart.ctx.canvas, 'aria-label', `${chart.series[1].label}, over time: ${words}`);
+    setAttribute(chart.ctx.canvas, 'aria-label', `${chart.series[1].label}, over time: ${summary}`);
   }
 
-  /** Draws anew at most once a second, but at once where `place` changes. */
-  show({ history, place, view }) {
-    const key = [history.node, place.axes, place.at].join();
+  /** Draws anew at most once a second, but at once where the selection changes. */
+  show({ history, selection, view }) {
+    const key = [history.node, selection.axes, selection.at].join();
     const now_ms = performance.now();
     if (key === this.key && now_ms - this.drawn_ms < REDRAW_MS) {
       return;
     }
-    const rebuilt = [history.node, place.axes].join();
-    const { damage, rate } = this.dataOf(history, place.axes);
+    const rebuilt = [history.node, selection.axes].join();
+    const { damage, rate } = this.dataOf(history, selection.axes);
     this.marks = history.events
       .filter(({ kind }) => kind === 'epoch')
       .map(({ time_us }) => ({ time_s: time_us / 1e6, ink: 'level-3', dashed: true }));
-    if (place.at !== undefined) {
+    if (selection.at !== undefined) {
       this.marks.push({ time_s: view.now_us / 1e6, ink: 'mark' });
     }
     if (this.built !== rebuilt || this.history !== history) {
       this.clear();
-      this.damage = this.makeChart('damage-chart', 'Damage, %', place.axes, damage);
+      this.damage = this.makeChart('damage-chart', 'Damage, %', selection.axes, damage);
       this.rate = this.makeChart('rate-chart', 'Damage rate, % per h', 'linear', rate);
     } else {
       this.damage.setData(damage);

@@ -35,7 +35,7 @@ export function eventText({ kind, words }) {
   return prefix + plain(words);
 }
 
-function inWords(events, spans) {
+function summaryOf(events, spans) {
   const states = spans.map(({ from_us, state }) => `${state} from ${clockText(from_us)}`);
   const emergencies = events.filter(({ kind }) => kind === 'emergency').length;
   return `${states.slice(-10).join(', ')}; emergencies: ${emergencies}`;
@@ -70,10 +70,10 @@ export class Timeline {
     keepDrawn(this.holder, () => this.last && this.draw(this.last));
   }
 
-  show({ history, view, place }) {
+  show({ history, view, selection }) {
     const key = [
       history.node,
-      place.at,
+      selection.at,
       history.events.length,
       history.events.at(-1)?.time_us,
     ].join();
@@ -114,7 +114,7 @@ export class Timeline {
       height: HEIGHT,
       viewBox: `0 0 ${width} ${HEIGHT}`,
       role: 'img',
-      'aria-label': inWords(events, spans),
+      'aria-label': summaryOf(events, spans),
     });
     addSpans(svg, spans, x);
     addMarks(svg, events, x);

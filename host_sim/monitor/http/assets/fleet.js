@@ -5,7 +5,7 @@ import {
   percentField,
   rateText,
   remainingText,
-  stateWords,
+  stateTexts,
   UNKNOWN,
   wholeText,
 } from './prose.js';
@@ -48,11 +48,11 @@ function makeRow(number) {
 
 /** States as coloured marks with their words. */
 function showStates(row, node, stale) {
-  const words = stateWords(node);
-  const items = row.states.show(words.map(([, kind], index) => `${index} ${kind}`));
-  words.forEach(([text, kind], index) => {
+  const texts = stateTexts(node);
+  const items = row.states.show(texts.map(([, kind], index) => `${index} ${kind}`));
+  texts.forEach(([text, kind], index) => {
     const { element } = items.get(`${index} ${kind}`);
-    setText(element, `${text}${index + 1 < words.length ? ', ' : ''}`);
+    setText(element, `${text}${index + 1 < texts.length ? ', ' : ''}`);
     setAttribute(element, 'class', `state ${kind}`);
   });
   setText(row.stateTag, stale ? 'STALE' : '');
@@ -65,7 +65,7 @@ export class FleetTable {
     this.rows = new Keyed(this.table.tBodies[0], makeRow);
   }
 
-  show({ view, isStale, place }) {
+  show({ view, isStale, selection }) {
     const numbers = Object.keys(view.nodes);
     this.table.hidden = numbers.length === 0;
     byId('no-nodes').hidden = numbers.length > 0;
@@ -73,8 +73,8 @@ export class FleetTable {
     for (const number of numbers) {
       const row = rows.get(number);
       const node = view.nodes[number];
-      const selected = number === place.node;
-      setAttribute(row.link, 'href', hashOf({ ...place, node: number }));
+      const selected = number === selection.node;
+      setAttribute(row.link, 'href', hashOf({ ...selection, node: number }));
       row.element.classList.toggle('selected', selected);
       setAttribute(row.link, 'aria-current', String(selected));
       this.showNode(row, node, view.now_us, isStale);

@@ -39,7 +39,7 @@ export function kept(view) {
 }
 
 /** Views of the fleet, close together of late and further apart the older they are. */
-export class Moments {
+export class PastViews {
   constructor() {
     this.views = [];
   }
@@ -83,7 +83,7 @@ export class Moments {
   }
 }
 
-/** The damage curve and the events of one node, as the monitor had them and as they went on. */
+/** The damage curve and the events of one node, as the monitor had them and as they continued. */
 export class NodeHistory {
   constructor({ node, curve, events }) {
     this.node = String(node);
@@ -91,7 +91,7 @@ export class NodeHistory {
     this.events = events;
   }
 
-  /** Adds what a newer view of the node tells. */
+  /** Adds what a newer view of the node has. */
   add(state, newEvents) {
     const { status, rate } = state;
     const last = this.curve.at(-1);

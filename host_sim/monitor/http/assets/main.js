@@ -1,7 +1,7 @@
-import { hashOf, placeOf } from './address.js';
+import { hashOf, selectionOf } from './address.js';
 import { byId, setAttribute, setText } from './dom.js';
 import { FleetTable } from './fleet.js';
-import { kept, Moments } from './history.js';
+import { kept, PastViews } from './history.js';
 import { NodeView } from './node.js';
 import { momentText, wholeText } from './prose.js';
 import { merged, Stream } from './stream.js';
@@ -11,9 +11,9 @@ const DRAW_MS = 150;
 /** The page: what comes from the monitor, what the person at it has chosen, and what is shown. */
 class Page {
   constructor() {
-    this.moments = new Moments();
+    this.past = new PastViews();
     this.connection = 'connecting';
-    this.place = placeOf(location.hash);
+    this.selection = selectionOf(location.hash);
     this.fleet = new FleetTable();
     this.node = new NodeView(() => this.draw());
     this.addControls();
@@ -30,9 +30,9 @@ class Page {
 
   hear(view, events, isWhole) {
     this.live = view;
-    this.moments.add(kept(view));
+    this.past.add(kept(view));
     if (isWhole) {
-      this.node.load(this.place.node, true);
+      this.node.load(this.selection.node, true);
     } else {
       this.node.hear(view, events);
     }
@@ -41,7 +41,7 @@ class Page {
 
   addControls() {
     byId('pause').addEventListener('click', () => {
-      this.go({ at: this.place.at === undefined && this.live ? this.live.now_us : undefined });
+      this.go({ at: this.selection.at === undefined && this.live ? this.live.now_us : undefined });
     });
     byId('scrub').addEventListener('input', (event) => {
       const steps = this.steps();
@@ -56,38 +56,38 @@ class Page {
       byId('fleet-heading').focus();
     });
     window.addEventListener('hashchange', () => {
-      const before = this.place.node;
-      this.place = placeOf(location.hash);
+      const before = this.selection.node;
+      this.selection = selectionOf(location.hash);
       this.draw();
-      if (this.place.node !== undefined && this.place.node !== before) {
+      if (this.selection.node !== undefined && this.selection.node !== before) {
         byId('node-heading').focus();
       }
     });
   }
 
-  /** Another place in place of this one, without a step in the browser's history. */
+  /** Another selection instead of this one, without a step in the browser's history. */
   go(change) {
-    this.place = { ...this.place, ...change };
-    history.replaceState(null, '', hashOf(this.place));
+    this.selection = { ...this.selection, ...change };
+    history.replaceState(null, '', hashOf(this.selection));
     this.draw();
   }
 
   /** The view to show: live, or that of the moment at which the page is paused. */
   shownView() {
-    const { at } = this.place;
+    const { at } = this.selection;
     if (at === undefined) {
-      return this.moments.views.at(-1);
+      return this.past.views.at(-1);
     }
     if (this.paused?.at !== at) {
-      const index = this.moments.before(at);
-      this.paused = index >= 0 ? { at, view: this.moments.views[index] } : undefined;
+      const index = this.past.before(at);
+      this.paused = index >= 0 ? { at, view: this.past.views[index] } : undefined;
     }
     return this.paused ? this.paused.view : this.viewFromHistory(at);
   }
 
-  /** The times the slider stands at: of what this page has seen, before it what the node has told. */
+  /** The times the slider stands at: of what this page has seen, before it what the node has sent. */
   steps() {
-    const seen = this.moments.views.map(({ now_us }) => now_us);
+    const seen = this.past.views.map(({ now_us }) => now_us);
     const earlier = this.node.history?.timesBefore(seen[0] ?? 0) ?? [];
     return [...earlier, ...seen];
   }
@@ -114,19 +114,19 @@ class Page {
     if (!this.live) {
       return;
     }
-    const { place } = this;
-    const paused = place.at !== undefined;
+    const { selection } = this;
+    const paused = selection.at !== undefined;
     const cutOff = this.connection !== 'live' && !paused;
     document.documentElement.classList.toggle('cut-off', cutOff);
     const view = this.shownView();
     const isStale = (value) => Boolean(value) && (value.stale || cutOff);
-    const shown = { view, isStale, place };
+    const shown = { view, isStale, selection };
     this.showMoment(view, paused);
     this.fleet.show(shown);
-    if (place.node === undefined) {
+    if (selection.node === undefined) {
       this.node.leave();
     } else {
-      this.node.load(place.node);
+      this.node.load(selection.node);
       this.node.show(shown);
     }
     this.drawnOnce = true;
@@ -137,7 +137,7 @@ class Page {
     const scrub = byId('scrub');
     const steps = this.steps();
     const last = Math.max(0, steps.length - 1);
-    const { at } = this.place;
+    const { at } = this.selection;
     const index = paused ? Math.max(0, steps.findLastIndex((time_us) => time_us <= at)) : last;
     setAttribute(scrub, 'max', String(last));
     if (scrub.value !== String(index)) {
@@ -153,7 +153,7 @@ class Page {
   /** In words, and only where they change, so that screen readers are not kept talking. */
   showConnection() {
     const { live } = this;
-    const words = {
+    const texts = {
       connecting: 'Connecting to the monitor.',
       live: 'Live.',
       silent: 'STALE: the monitor gives no news. All values are the last ones, not live.',
@@ -170,7 +170,7 @@ class Page {
       troubles.push('The log is at its end.');
     }
     const element = byId('connection');
-    setText(element, [words[this.connection], ...troubles].join(' '));
+    setText(element, [texts[this.connection], ...troubles].join(' '));
     const bad =
       !['live', 'connecting'].includes(this.connection) || live?.source_lost || live?.bus_off;
     element.classList.toggle('bad', Boolean(bad));

@@ -85,12 +85,12 @@ class NodeTiles {
   }
 }
 
-/** All about one node. Its history comes from the monitor and goes on with the views. */
+/** All about one node. Its history comes from the monitor and continues with the views. */
 export class NodeView {
   constructor(onHistory) {
     this.onHistory = onHistory;
     this.section = byId('node');
-    this.parts = null;
+    this.panels = null;
   }
 
   /** Fetches the history of the node that is to be shown; again where `anew`. */
@@ -147,26 +147,26 @@ export class NodeView {
   }
 
   show(shown) {
-    const { view, place } = shown;
-    const node = view.nodes[place.node];
+    const { view, selection } = shown;
+    const node = view.nodes[selection.node];
     this.section.hidden = false;
-    setText(byId('node-heading'), `Node ${place.node}`);
+    setText(byId('node-heading'), `Node ${selection.node}`);
     setText(byId('node-note'), this.note(node));
-    setAttribute(byId('export-csv'), 'href', `/export/${place.node}.csv`);
-    setAttribute(byId('export-candump'), 'href', `/export/${place.node}.candump`);
-    setAttribute(byId('close-node'), 'href', hashOf({ ...place, node: undefined }));
+    setAttribute(byId('export-csv'), 'href', `/export/${selection.node}.csv`);
+    setAttribute(byId('export-candump'), 'href', `/export/${selection.node}.candump`);
+    setAttribute(byId('close-node'), 'href', hashOf({ ...selection, node: undefined }));
     for (const input of document.querySelectorAll('#axes input')) {
-      input.checked = input.value === place.axes;
+      input.checked = input.value === selection.axes;
     }
     if (!node) {
       return;
     }
-    this.parts ??= [new NodeTiles(), new Tendons(), new Bins(), new Trust()];
+    this.panels ??= [new NodeTiles(), new Tendons(), new Bins(), new Trust()];
     const all = { ...shown, node, history: this.history };
-    this.parts.forEach((part) => part.show(all));
+    this.panels.forEach((panel) => panel.show(all));
     this.drawn ??= [new Curves(), new Timeline()];
-    const known = this.history && this.history.node === place.node;
-    this.drawn.forEach((part) => (known ? part.show(all) : part.clear()));
+    const known = this.history && this.history.node === selection.node;
+    this.drawn.forEach((panel) => (known ? panel.show(all) : panel.clear()));
   }
 
   note(node) {

@@ -61,27 +61,27 @@ export function plain(name) {
   return name.replaceAll('_', ' ');
 }
 
-/** The states of a node that are worth a word: [[words, class], ..]. */
-export function stateWords(node) {
-  const words = [];
+/** The states of a node that are worth a word: [[text, class], ..]. */
+export function stateTexts(node) {
+  const texts = [];
   if (node.two_controllers) {
-    words.push(['TWO CONTROLLERS HAVE THIS NODE ID', 'emergency']);
+    texts.push(['TWO CONTROLLERS HAVE THIS NODE ID', 'emergency']);
   }
   if (node.vanished) {
-    words.push(['VANISHED', 'gone']);
+    texts.push(['VANISHED', 'gone']);
   }
   const state = node.status && node.life_state;
-  words.push([state || UNKNOWN, `life-${state || 'unknown'}`]);
+  texts.push([state || UNKNOWN, `life-${state || 'unknown'}`]);
   if (node.emergency && node.emergency.EmergencyCode !== 'none') {
-    words.push([`EMERGENCY: ${emergencyText(node.emergency)}`, 'emergency']);
+    texts.push([`EMERGENCY: ${emergencyText(node.emergency)}`, 'emergency']);
   }
   if (node.status && node.status.Locked) {
-    words.push(['LOCKED', 'emergency']);
+    texts.push(['LOCKED', 'emergency']);
   }
   if (node.heartbeat && node.heartbeat.NmtState !== 'operational') {
-    words.push([plain(node.heartbeat.NmtState), 'gone']);
+    texts.push([plain(node.heartbeat.NmtState), 'gone']);
   }
-  return words;
+  return texts;
 }
 
 export function emergencyText({ EmergencyCode: code }) {

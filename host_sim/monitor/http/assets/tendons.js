@@ -2,7 +2,7 @@ import { byId, Keyed, make, makeSvg, setAttribute, setText, Value } from './dom.
 import { percentField, percentText, UNKNOWN } from './prose.js';
 
 /**
- * The damage at which the life states begin: the controller tells when B10 and B50 are reached at
+ * The damage at which the life states begin: the controller reports when B10 and B50 are reached at
  * the present rate, so they lie so far above the present damage. Inspection is due at half of B10.
  */
 export function thresholdsOf({ status, rate, remaining, highest_damage: damage }) {
@@ -88,8 +88,8 @@ export class Tendons {
       thresholds
         ? `At about ${Object.keys(thresholds)
             .map((name) => `${percentText(thresholds[name], 3)} ${name}`)
-            .join(', ')}: from the remaining life that the controller tells.`
-        : `Thresholds are ${UNKNOWN} yet: the controller tells no remaining life.`,
+            .join(', ')}: from the remaining life that the controller reports.`
+        : `Thresholds are ${UNKNOWN} yet: the controller reports no remaining life.`,
     );
     const numbers = Object.keys(node.tendons);
     const damages = numbers.map((number) => node.tendons[number].TendonDamage);
@@ -125,7 +125,7 @@ function matrixOf(node, tendon) {
   };
 }
 
-/** Cycles of a tendon by their range and mean, as far as the controller has told them. */
+/** Cycles of a tendon by their range and mean, as far as the controller has sent them. */
 export class Bins {
   constructor() {
     this.select = byId('bins-tendon');

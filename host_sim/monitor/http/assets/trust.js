@@ -130,8 +130,8 @@ function drawHistogram({ svg, note }, { intervals, interval_class_ms: class_ms }
     }),
   );
   const ticks = [0, 1, 2, 3].map((quarter) => {
-    const place = (quarter * CLASSES) / 4;
-    return makeSvg('text', { x: place * step, y: SIZE.height - 4 }, `${place * class_ms} ms`);
+    const first = (quarter * CLASSES) / 4;
+    return makeSvg('text', { x: first * step, y: SIZE.height - 4 }, `${first * class_ms} ms`);
   });
   svg.replaceChildren(
     makeSvg('path', { class: 'axis', d: `M0 ${foot}H${SIZE.width}` }),
@@ -140,14 +140,14 @@ function drawHistogram({ svg, note }, { intervals, interval_class_ms: class_ms }
   );
   const top = counts.indexOf(most);
   const end = top === CLASSES - 1 ? 'ms or longer' : `to ${(top + 1) * class_ms} ms`;
-  const words =
+  const summary =
     `${whole(total)} intervals; most often ${top * class_ms} ${end}; `
     + `${whole(counts[CLASSES - 1])} of ${(CLASSES - 1) * class_ms} ms or longer`;
-  svg.setAttribute('aria-label', `Time between frames: ${words}`);
-  setText(note, words);
+  svg.setAttribute('aria-label', `Time between frames: ${summary}`);
+  setText(note, summary);
 }
 
-/** What tells how far the values can be trusted. */
+/** How far the values can be trusted. */
 export class Trust {
   constructor() {
     this.tiles = new Tiles(byId('trust'));
