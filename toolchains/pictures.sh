@@ -12,4 +12,4 @@ program="$build/host_sim/host_sim"
 "$program" synth --plan host_sim/examples/synth/crossed.toml --out "$scratch/crossed"
 "$program" diagnose "$scratch/crossed" --report "$scratch/diagnosis.html" > /dev/null
 node tests/pictures/make.mjs host_sim/examples/pictures "$scratch/replay.html" \
-  "$scratch/diagnosis.html" "$build/tests/monitor/http/monitor_live_feed"
+  "$scratch/diagnosis.html" "$build/tests/monitor/monitor_live_feed"
