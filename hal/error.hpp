@@ -2,6 +2,8 @@
 
 #include <cstdint>
 
+#include "lifemodel/support/result.hpp"
+
 namespace hal {
 
 /// Why a device did not do what it was asked for.
@@ -38,5 +40,9 @@ constexpr const char* to_string(Error error) {
   }
   return "unknown";
 }
+
+/// A value, or the Error why there is none.
+template <class T>
+using Result = lifemodel::Result<T, Error>;
 
 }  // namespace hal

@@ -3,11 +3,7 @@
 #include "firmware/storage/store.hpp"
 #include "hal/can_port.hpp"
 #include "hal/clock.hpp"
-#include "hal/digital.hpp"
-#include "hal/entropy.hpp"
-#include "hal/hold.hpp"
-#include "hal/sensor.hpp"
-#include "hal/watchdog.hpp"
+#include "hal/devices.hpp"
 
 namespace app {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <utility>
 
-#include "hal/sensor.hpp"
+#include "hal/devices.hpp"
 #include "lifemodel/block/extended_block.hpp"
 #include "lifemodel/extension/corrector.hpp"
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "firmware/app/extending_sensor.hpp"
-#include "hal/sensor.hpp"
+#include "hal/devices.hpp"
 #include "lifemodel/estimator.hpp"
 #include "lifemodel/input/capstan.hpp"
 #include "lifemodel/support/shared_word.hpp"

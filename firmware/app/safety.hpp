@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hal/digital.hpp"
+#include "hal/devices.hpp"
 
 namespace app {
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "hal/digital.hpp"
+#include "hal/devices.hpp"
 #include "lifemodel/support/shared_word.hpp"
 
 namespace board {

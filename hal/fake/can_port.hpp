@@ -1,13 +1,72 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <optional>
+#include <vector>
 
+#include "hal/can_frame.hpp"
 #include "hal/can_port.hpp"
-#include "hal/fake/can_bus.hpp"
+#include "hal/fake/clock.hpp"
+#include "hal/fake/faults.hpp"
 
 namespace hal::fake {
+
+class CanPort;
+
+/// A frame on the bus: when, and by which of the ports that take part, counted from 0.
+struct CanEvent {
+  Time time{};
+  std::size_t sender = 0;
+  CanFrame frame;
+
+  friend bool operator==(const CanEvent&, const CanEvent&) = default;
+};
+
+/// What a bus can do to a frame on its way to the others. A real bus loses frames to a receiver
+/// that is late, and corrupts them past its CRC once in a long while.
+enum class CanMishap : std::uint8_t {
+  lost,        ///< nobody gets it
+  duplicated,  ///< everybody gets it twice
+  delayed,     ///< by `CanBus::delay`, so that frames after it overtake it
+  corrupted,   ///< one data bit is the other way round, or an id bit where there are no data
+};
+
+/// A bus with several ports. For hosts.
+class CanBus {
+ public:
+  explicit CanBus(const Clock& clock, std::uint64_t seed = 1)
+      : mishaps(seed), clock_(clock), random_(seed) {}
+  CanBus(const CanBus&) = delete;
+  CanBus& operator=(const CanBus&) = delete;
+
+  /// All that was sent, before any mishap.
+  [[nodiscard]] const std::vector<CanEvent>& sent() const { return sent_; }
+  void forget() { sent_.clear(); }
+  [[nodiscard]] const Clock& clock() const { return clock_; }
+
+  Faults<CanMishap> mishaps;
+  Time delay = milliseconds(50);
+
+ private:
+  friend CanPort;
+  std::size_t join(CanPort& port) {
+    ports_.push_back(&port);
+    return ports_.size() - 1;
+  }
+  void take(std::size_t sender, const CanFrame& frame);
+  void deliver_delayed();
+  void deliver(const CanEvent& event);
+  [[nodiscard]] CanFrame corrupted(CanFrame frame);
+
+  const Clock& clock_;
+  Random random_;
+  std::vector<CanPort*> ports_;
+  std::vector<CanEvent> sent_;
+  std::vector<CanEvent> delayed_;
+};
 
 /// What a controller can do instead of sending.
 enum class SendFault : std::uint8_t {
@@ -177,5 +236,25 @@ inline CanFrame CanBus::corrupted(CanFrame frame) {
 }
 
 static_assert(hal::CanPort<CanPort>);
+
+/// A controller on a bus where nobody else talks. Each frame is handed to
+/// `listener(Time, const CanFrame&)` as it leaves.
+template <class Listener>
+class CanListener {
+ public:
+  CanListener(const Clock& clock, Listener& listener) : clock_(clock), listener_(listener) {}
+
+  Error send(const CanFrame& frame) {
+    listener_(clock_.now(), frame);
+    return Error::none;
+  }
+  std::optional<CanFrame> receive() { return std::nullopt; }
+  CanStatus status() { return {}; }
+  Error recover() { return Error::none; }
+
+ private:
+  const Clock& clock_;
+  Listener& listener_;
+};
 
 }  // namespace hal::fake

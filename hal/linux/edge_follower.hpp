@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "hal/result.hpp"
+#include "hal/error.hpp"
 
 namespace hal::linux_os {
 

@@ -2,22 +2,149 @@
 
 #include <fcntl.h>
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "hal/linux/file_calls.hpp"
-#include "hal/linux/file_error.hpp"
-#include "hal/linux/file_image.hpp"
+#include "firmware/storage/record_codec.hpp"
+#include "firmware/storage/succession.hpp"
 #include "hal/linux/file_io.hpp"
+#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/support/bytes.hpp"
+#include "lifemodel/support/crc32.hpp"
 #include "lifemodel/support/saturating.hpp"
 
 namespace hal::linux_os {
+
+/// All that is known of `kTendons` tendons, as one generation of the file of a FileStore.
+template <std::size_t kTendons>
+struct FileImage {
+  std::uint32_t sequence = 0;  ///< of the last save; 0 if there was none
+  storage::Lives<kTendons> lives;
+  std::array<std::optional<lifemodel::ParameterBlock>, kTendons> parameters;
+  std::array<bool, kTendons> lost{};  ///< as LifeRecord::past_lost, also without a record
+
+  friend bool operator==(const FileImage&, const FileImage&) = default;
+};
+
+namespace file_image {
+
+inline constexpr std::uint32_t kMagic = 0x46534c54;  ///< "TLSF"
+inline constexpr std::uint32_t kSchema = 1;
+inline constexpr std::size_t kHeaderBytes = 16;
+inline constexpr std::size_t kTendonBytes = 4 + storage::kRecordBytes + lifemodel::kBlockBytes;
+inline constexpr std::uint32_t kHasLife = 1;
+inline constexpr std::uint32_t kHasParameters = 2;
+inline constexpr std::uint32_t kLost = 4;
+
+constexpr std::size_t size(std::size_t tendons) {
+  return kHeaderBytes + tendons * kTendonBytes + 4;
+}
+/// Of any controller: more tendons than these have no place on the bus.
+inline constexpr std::size_t kMostBytes = size(32);
+
+}  // namespace file_image
+
+/// In little-endian words: magic, schema, number of tendons, sequence; of each tendon what there is
+/// (bit 0 a record, 1 parameters, 2 the past was lost), the record and the parameter block, zeros
+/// where there is none; CRC-32 of all before it.
+template <std::size_t kTendons>
+std::array<std::byte, file_image::size(kTendons)> encode(const FileImage<kTendons>& image) {
+  using namespace file_image;
+  std::array<std::byte, size(kTendons)> bytes{};
+  lifemodel::ByteWriter out(bytes);
+  out.u32(kMagic);
+  out.u32(kSchema);
+  out.u32(kTendons);
+  out.u32(image.sequence);
+  for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+    const auto part = std::span(bytes).subspan(kHeaderBytes + tendon * kTendonBytes, kTendonBytes);
+    const auto& life = image.lives[tendon];
+    const auto& block = image.parameters[tendon];
+    lifemodel::ByteWriter(part).u32((life ? kHasLife : 0) | (block ? kHasParameters : 0) |
+                                    (image.lost[tendon] ? kLost : 0));
+    if (life) {
+      std::ranges::copy(storage::encode(*life), part.begin() + 4);
+    }
+    if (block) {
+      std::ranges::copy(*block, part.begin() + 4 + storage::kRecordBytes);
+    }
+  }
+  const auto covered = std::span(bytes).first(bytes.size() - 4);
+  lifemodel::ByteWriter(std::span(bytes).last(4)).u32(lifemodel::crc32(covered));
+  return bytes;
+}
+
+/// Why a file was not taken.
+struct ImageFault {
+  bool foreign;      ///< it is whole, and not for this controller
+  std::string what;  ///< and what is accepted
+};
+
+template <std::size_t kTendons>
+std::variant<FileImage<kTendons>, ImageFault> decode_image(std::span<const std::byte> bytes) {
+  using namespace file_image;
+  lifemodel::ByteReader in(bytes);
+  if (bytes.size() > kMostBytes) {
+    return ImageFault{false, "longer than a life file, " + std::to_string(kMostBytes) +
+                                 " bytes at most; accepted: a whole life file"};
+  }
+  if (in.u32() != kMagic) {
+    return ImageFault{false, "not a life file; accepted: a file that this controller wrote"};
+  }
+  const std::uint32_t schema = in.u32();
+  const std::uint32_t tendons = in.u32();
+  if (bytes.size() < kHeaderBytes + 4 || lifemodel::crc32(bytes.first(bytes.size() - 4)) !=
+                                             lifemodel::ByteReader(bytes.last(4)).u32()) {
+    return ImageFault{false,
+                      "damaged, the CRC-32 at its end does not fit; accepted: a whole life file"};
+  }
+  if (schema != kSchema) {
+    return ImageFault{
+        true, "schema " + std::to_string(schema) + "; accepted: schema " + std::to_string(kSchema)};
+  }
+  if (bytes.size() != size(tendons)) {
+    return ImageFault{false, std::to_string(bytes.size()) + " bytes for " +
+                                 std::to_string(tendons) +
+                                 " tendons; accepted: " + std::to_string(size(tendons))};
+  }
+  if (tendons != kTendons) {
+    return ImageFault{true, "it holds the life of " + std::to_string(tendons) +
+                                " tendons; accepted: as many as are configured, " +
+                                std::to_string(kTendons)};
+  }
+  FileImage<kTendons> image;
+  image.sequence = in.u32();
+  for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+    const auto part = bytes.subspan(kHeaderBytes + tendon * kTendonBytes, kTendonBytes);
+    const std::uint32_t what = lifemodel::ByteReader(part).u32();
+    image.lost[tendon] = (what & kLost) != 0;
+    if ((what & kHasLife) != 0) {
+      const auto life = storage::decode(part.subspan(4, storage::kRecordBytes));
+      if (!life || life->tendon != tendon || life->sequence > image.sequence) {
+        return ImageFault{false, "the record of tendon " + std::to_string(tendon) + " is " +
+                                     (life ? "of another" : storage::to_string(life.error())) +
+                                     "; accepted: a record of this tendon"};
+      }
+      image.lives[tendon] = *life;
+    }
+    if ((what & kHasParameters) != 0) {
+      lifemodel::ParameterBlock block;
+      std::ranges::copy(part.last(lifemodel::kBlockBytes), block.begin());
+      image.parameters[tendon] = block;
+    }
+  }
+  return image;
+}
 
 /// The newest image of a folder and the one before: the files `life` and `life.previous`.
 ///

@@ -8,7 +8,6 @@
 
 #include "hal/can_port.hpp"
 #include "hal/linux/can_calls.hpp"
-#include "hal/linux/can_error_frame.hpp"
 #include "hal/linux/can_wire.hpp"
 
 namespace hal::linux_os {

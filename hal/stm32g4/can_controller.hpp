@@ -1,16 +1,201 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
+#include "hal/can_frame.hpp"
 #include "hal/can_port.hpp"
-#include "hal/stm32g4/can_mailbox.hpp"
-#include "hal/stm32g4/message_codec.hpp"
-#include "hal/stm32g4/registers/fdcan.hpp"
-#include "hal/stm32g4/registers/message_ram.hpp"
+#include "hal/stm32g4/register.hpp"
 #include "lifemodel/support/shared_word.hpp"
 
 namespace hal::stm32g4 {
+
+/// CAN controller, RM0440 44.4.
+template <Word W>
+struct FdcanRegisters {
+  W crel, endn;
+  W reserved_08;
+  W dbtp, test, rwd, cccr, nbtp, tscc, tscv, tocc, tocv;
+  W reserved_30[4];
+  W ecr, psr, tdcr;
+  W reserved_4c;
+  W ir, ie, ils, ile;
+  W reserved_60[8];
+  W rxgfc, xidam, hpms;
+  W reserved_8c;
+  W rxf0s, rxf0a, rxf1s, rxf1a;
+  W reserved_a0[8];
+  W txbc, txfqs, txbrp, txbar, txbcr, txbto, txbcf, txbtie, txbcie, txefs, txefa;
+  W reserved_ec[5];
+  W ckdiv;
+};
+static_assert(offsetof(FdcanRegisters<Register>, cccr) == 0x18);
+static_assert(offsetof(FdcanRegisters<Register>, nbtp) == 0x1C);
+static_assert(offsetof(FdcanRegisters<Register>, ecr) == 0x40);
+static_assert(offsetof(FdcanRegisters<Register>, psr) == 0x44);
+static_assert(offsetof(FdcanRegisters<Register>, ir) == 0x50);
+static_assert(offsetof(FdcanRegisters<Register>, rxgfc) == 0x80);
+static_assert(offsetof(FdcanRegisters<Register>, rxf0s) == 0x90);
+static_assert(offsetof(FdcanRegisters<Register>, txbc) == 0xC0);
+static_assert(offsetof(FdcanRegisters<Register>, txbar) == 0xCC);
+static_assert(offsetof(FdcanRegisters<Register>, ckdiv) == 0x100);
+
+namespace fdcan {
+// CCCR, 44.4.6
+inline constexpr std::uint32_t kInit = bit(0), kConfigure = bit(1);
+// NBTP, 44.4.7: all fields are one less than what they stand for
+constexpr std::uint32_t bit_timing(std::uint32_t prescaler, std::uint32_t segment1,
+                                   std::uint32_t segment2, std::uint32_t jump) {
+  return (jump - 1) << 25 | (prescaler - 1) << 16 | (segment1 - 1) << 8 | (segment2 - 1);
+}
+// ECR, 44.4.12
+constexpr std::uint32_t transmit_errors(std::uint32_t ecr) {
+  return ecr & 0xFFu;
+}
+constexpr std::uint32_t receive_errors(std::uint32_t ecr) {
+  return ecr >> 8 & 0x7Fu;
+}
+inline constexpr std::uint32_t kReceivePassive = bit(15);
+// PSR, 44.4.13
+inline constexpr std::uint32_t kPassive = bit(5), kWarning = bit(6), kBusOff = bit(7);
+// IR, 44.4.15
+inline constexpr std::uint32_t kFifo0Lost = bit(2);
+// RXGFC, 44.4.19
+inline constexpr std::uint32_t kRejectRemoteExtended = bit(0), kRejectRemoteStandard = bit(1);
+inline constexpr std::uint32_t kRejectOtherExtended = 2u << 2, kRejectOtherStandard = 2u << 4;
+constexpr std::uint32_t filters(std::uint32_t standard, std::uint32_t extended) {
+  return standard << 16 | extended << 24;
+}
+// RXF0S, 44.4.22
+constexpr std::uint32_t fill_level(std::uint32_t rxf0s) {
+  return rxf0s & 0xFu;
+}
+constexpr std::uint32_t get_index(std::uint32_t rxf0s) {
+  return rxf0s >> 8 & 3u;
+}
+// TXFQS, 44.4.27
+inline constexpr std::uint32_t kTransmitFull = bit(21);
+constexpr std::uint32_t put_index(std::uint32_t txfqs) {
+  return txfqs >> 16 & 3u;
+}
+}  // namespace fdcan
+
+/// A frame in the message RAM: two header words and 64 bytes of data, RM0440 44.3.6, 44.3.7.
+template <Word W>
+struct MessageElement {
+  W header[2];
+  W data[16];
+};
+
+/// Message RAM of one controller, whose layout is fixed: RM0440 44.3.3. Words only.
+template <Word W>
+struct MessageRam {
+  static constexpr std::size_t kStandardFilters = 28;
+  static constexpr std::size_t kExtendedFilters = 8;
+  static constexpr std::size_t kFifo = 3;
+
+  W standard_filter[kStandardFilters];
+  W extended_filter[kExtendedFilters][2];
+  MessageElement<W> rx_fifo0[kFifo];
+  MessageElement<W> rx_fifo1[kFifo];
+  W tx_event[kFifo][2];
+  MessageElement<W> tx_buffer[kFifo];
+};
+static_assert(offsetof(MessageRam<Register>, extended_filter) == 0x070);
+static_assert(offsetof(MessageRam<Register>, rx_fifo0) == 0x0B0);
+static_assert(offsetof(MessageRam<Register>, rx_fifo1) == 0x188);
+static_assert(offsetof(MessageRam<Register>, tx_event) == 0x260);
+static_assert(offsetof(MessageRam<Register>, tx_buffer) == 0x278);
+static_assert(sizeof(MessageRam<Register>) == 0x350);
+
+namespace message_ram {
+// Standard filter element, 44.3.9: mask filter into FIFO 0
+constexpr std::uint32_t standard_filter(std::uint32_t id) {
+  return 2u << 30 | 1u << 27 | id << 16 | 0x7FFu;
+}
+// Extended filter element, 44.3.10: mask filter into FIFO 0
+constexpr std::uint32_t extended_filter_0(std::uint32_t id) {
+  return 1u << 29 | id;
+}
+inline constexpr std::uint32_t kExtendedFilter1 = 2u << 30 | 0x1FFFFFFFu;
+// Elements, 44.3.6 and 44.3.7
+inline constexpr std::uint32_t kExtendedId = bit(30), kRemote = bit(29);
+inline constexpr unsigned kStandardIdShift = 18, kLengthShift = 16;
+}  // namespace message_ram
+
+namespace detail {
+constexpr std::uint32_t word_at(const CanFrame& frame, std::size_t offset) {
+  std::uint32_t word = 0;
+  for (std::size_t i = 0; i < 4; ++i) {
+    word |= std::to_integer<std::uint32_t>(frame.data[offset + i]) << (8 * i);
+  }
+  return word;
+}
+}  // namespace detail
+
+/// Writes a data frame of classic CAN, RM0440 44.3.7. Stores no event.
+template <Word W>
+void put_message(MessageElement<W>& element, const CanFrame& frame) {
+  element.header[0].write(frame.extended ? message_ram::kExtendedId | (frame.id & 0x1FFFFFFFu)
+                                         : (frame.id & 0x7FFu) << message_ram::kStandardIdShift);
+  element.header[1].write(std::uint32_t{frame.length} << message_ram::kLengthShift);
+  element.data[0].write(detail::word_at(frame, 0));
+  element.data[1].write(detail::word_at(frame, 4));
+}
+
+/// Reads one, RM0440 44.3.6; nothing where it is a remote frame. A length above 8 means 8.
+template <Word W>
+std::optional<CanFrame> take_message(const MessageElement<W>& element) {
+  const std::uint32_t id = element.header[0].read();
+  if ((id & message_ram::kRemote) != 0) {
+    return std::nullopt;
+  }
+  CanFrame frame;
+  frame.extended = (id & message_ram::kExtendedId) != 0;
+  frame.id = frame.extended ? id & 0x1FFFFFFFu : id >> message_ram::kStandardIdShift & 0x7FFu;
+  const std::uint32_t length = element.header[1].read() >> message_ram::kLengthShift & 0xFu;
+  frame.length = static_cast<std::uint8_t>(std::min<std::uint32_t>(length, 8));
+  const std::uint32_t words[2] = {element.data[0].read(), element.data[1].read()};
+  for (std::size_t i = 0; i < frame.length; ++i) {
+    frame.data[i] = static_cast<std::byte>(words[i / 4] >> (8 * (i % 4)));
+  }
+  return frame;
+}
+
+/// Frames on their way from an interrupt to the idle loop. Neither waits for the other.
+template <std::size_t kCapacity>
+class CanMailbox {
+  static_assert(kCapacity != 0 && (kCapacity & (kCapacity - 1)) == 0, "a power of two");
+
+ public:
+  /// False, and the frame is lost, where there is no room.
+  [[nodiscard]] bool isr_put(const CanFrame& frame) {
+    const std::uint32_t head = head_.own();
+    if (head - tail_.acquire() == kCapacity) {
+      return false;
+    }
+    frames_[head % kCapacity] = frame;
+    head_.release(head + 1);
+    return true;
+  }
+  [[nodiscard]] std::optional<CanFrame> take() {
+    const std::uint32_t tail = tail_.own();
+    if (head_.acquire() == tail) {
+      return std::nullopt;
+    }
+    const CanFrame frame = frames_[tail % kCapacity];
+    tail_.release(tail + 1);
+    return frame;
+  }
+
+ private:
+  lifemodel::SharedWord<std::uint32_t> head_;
+  lifemodel::SharedWord<std::uint32_t> tail_;
+  std::array<CanFrame, kCapacity> frames_{};
+};
 
 /// The frames that a node listens to, one id each.
 struct CanFilters {

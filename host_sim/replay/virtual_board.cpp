@@ -7,14 +7,11 @@
 #include "firmware/app/app.hpp"
 #include "firmware/app/extended_sensor.hpp"
 #include "firmware/storage/flash_store.hpp"
-#include "hal/fake/can_listener.hpp"
+#include "hal/devices.hpp"
+#include "hal/fake/can_port.hpp"
 #include "hal/fake/clock.hpp"
-#include "hal/fake/digital.hpp"
-#include "hal/fake/entropy.hpp"
+#include "hal/fake/devices.hpp"
 #include "hal/fake/flash.hpp"
-#include "hal/fake/sensor.hpp"
-#include "hal/fake/watchdog.hpp"
-#include "hal/hold.hpp"
 #include "lifemodel/extension/life.hpp"
 
 namespace host_sim {

@@ -8,13 +8,9 @@
 #include <vector>
 
 #include "firmware/app/app.hpp"
-#include "hal/fake/can_bus.hpp"
 #include "hal/fake/can_port.hpp"
 #include "hal/fake/clock.hpp"
-#include "hal/fake/digital.hpp"
-#include "hal/fake/entropy.hpp"
-#include "hal/fake/sensor.hpp"
-#include "hal/fake/watchdog.hpp"
+#include "hal/fake/devices.hpp"
 #include "lifemodel/pack/pack.hpp"
 #include "paper_parameters.hpp"
 #include "ram_store.hpp"

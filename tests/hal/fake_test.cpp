@@ -4,12 +4,8 @@
 #include <bit>
 #include <vector>
 
-#include "hal/fake/can_listener.hpp"
 #include "hal/fake/can_port.hpp"
-#include "hal/fake/digital.hpp"
-#include "hal/fake/entropy.hpp"
-#include "hal/fake/sensor.hpp"
-#include "hal/fake/watchdog.hpp"
+#include "hal/fake/devices.hpp"
 #include "tests/hal/contract/frames.hpp"
 
 namespace hal::fake {

@@ -3,7 +3,7 @@
 #include <type_traits>
 
 #include "firmware/boards/b_g431b_esc1/control_loop.hpp"
-#include "hal/stm32g4/sample_timing.hpp"
+#include "hal/stm32g4/timers.hpp"
 #include "tests/hal/contract/can_port.hpp"
 #include "tests/hal/contract/clock.hpp"
 #include "tests/hal/contract/digital.hpp"

@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "hal/linux/entropy.hpp"
-#include "hal/linux/gpiod_emergency_stop.hpp"
-#include "hal/linux/gpiod_output.hpp"
+#include "hal/linux/gpiod_lines.hpp"
 #include "hal/linux/monotonic_clock.hpp"
 #include "hal/linux/socketcan.hpp"
 #include "tests/hal/contract/can_port.hpp"

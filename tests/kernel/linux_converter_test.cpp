@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "hal/linux/device_error.hpp"
-#include "hal/linux/iio_buffer.hpp"
-#include "hal/linux/iio_sysfs.hpp"
+#include "hal/linux/iio.hpp"
 #include "tests/kernel/kernel_rig.hpp"
 
 namespace hal::linux_os {

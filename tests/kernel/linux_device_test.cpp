@@ -8,8 +8,7 @@
 #include <string>
 
 #include "hal/linux/device_error.hpp"
-#include "hal/linux/gpiod_emergency_stop.hpp"
-#include "hal/linux/gpiod_output.hpp"
+#include "hal/linux/gpiod_lines.hpp"
 #include "hal/linux/socketcan.hpp"
 #include "tests/hal/contract/frames.hpp"
 #include "tests/kernel/kernel_rig.hpp"

@@ -1,8 +1,6 @@
 // Expected values from linux/can/error.h: the classes stand in the id, the controller's state in
 // byte 1, the error counters in bytes 6 and 7.
 
-#include "hal/linux/can_error_frame.hpp"
-
 #include <gtest/gtest.h>
 
 #include "hal/linux/can_wire.hpp"

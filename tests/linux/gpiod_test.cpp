@@ -4,8 +4,7 @@
 #include <string>
 
 #include "hal/linux/device_error.hpp"
-#include "hal/linux/gpiod_emergency_stop.hpp"
-#include "hal/linux/gpiod_output.hpp"
+#include "hal/linux/gpiod_lines.hpp"
 
 namespace hal::linux_os {
 namespace {

@@ -1,6 +1,8 @@
 // Scans and attributes as Documentation/ABI/testing/sysfs-bus-iio and
 // Documentation/driver-api/iio/buffers.rst describe them, in a folder that stands for /sys.
 
+#include "hal/linux/iio.hpp"
+
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -13,9 +15,6 @@
 #include <vector>
 
 #include "hal/linux/device_error.hpp"
-#include "hal/linux/iio_buffer.hpp"
-#include "hal/linux/iio_channel.hpp"
-#include "hal/linux/iio_sysfs.hpp"
 #include "lifemodel/pack/pack.hpp"
 #include "tests/io/support.hpp"
 

@@ -2,11 +2,8 @@
 
 #include "hal/can_port.hpp"
 #include "hal/clock.hpp"
-#include "hal/digital.hpp"
-#include "hal/entropy.hpp"
+#include "hal/devices.hpp"
 #include "hal/non_volatile.hpp"
-#include "hal/sensor.hpp"
-#include "hal/watchdog.hpp"
 #include "tests/stm32g4/model/hal_devices.hpp"
 
 namespace stm32g4_models {

@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "hal/stm32g4/current_sensor.hpp"
-#include "hal/stm32g4/sample_timer.hpp"
+#include "hal/stm32g4/timers.hpp"
 #include "tests/stm32g4/model/ready_chip.hpp"
 
 namespace stm32g4_models {

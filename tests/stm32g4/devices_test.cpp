@@ -2,10 +2,9 @@
 
 #include <array>
 
-#include "hal/stm32g4/debounced_input.hpp"
 #include "hal/stm32g4/pins.hpp"
 #include "hal/stm32g4/random.hpp"
-#include "hal/stm32g4/sample_timing.hpp"
+#include "hal/stm32g4/timers.hpp"
 #include "hal/stm32g4/watchdog.hpp"
 #include "tests/stm32g4/model/ready_chip.hpp"
 

@@ -1,7 +1,7 @@
 #include <gtest/gtest-spi.h>
 #include <gtest/gtest.h>
 
-#include "hal/stm32g4/registers/adc.hpp"
+#include "hal/stm32g4/current_sensor.hpp"
 #include "tests/stm32g4/model/ready_chip.hpp"
 
 // The models themselves: each has to fail the test that does what RM0440 forbids.

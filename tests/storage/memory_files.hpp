@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "hal/fake/random.hpp"
-#include "hal/linux/file_calls.hpp"
+#include "hal/linux/file_io.hpp"
 
 namespace storage_test {
 

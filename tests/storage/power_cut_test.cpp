@@ -5,7 +5,7 @@
 #include <initializer_list>
 #include <vector>
 
-#include "hal/fake/flash_fault.hpp"
+#include "hal/fake/flash.hpp"
 #include "tests/storage/model.hpp"
 #include "tests/storage/rig.hpp"
 

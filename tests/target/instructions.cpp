@@ -7,8 +7,7 @@
 #include <cstdint>
 #include <span>
 
-#include "firmware/boards/qemu_mps2/arguments.hpp"
-#include "firmware/boards/qemu_mps2/instruction_counter.hpp"
+#include "firmware/boards/qemu_mps2/measurement.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
 #include "firmware/boards/qemu_mps2/text.hpp"
 #include "tests/target/entry/entry.hpp"

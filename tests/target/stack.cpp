@@ -7,9 +7,8 @@
 #include <cstring>
 #include <span>
 
-#include "firmware/boards/qemu_mps2/arguments.hpp"
+#include "firmware/boards/qemu_mps2/measurement.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
-#include "firmware/boards/qemu_mps2/stack_bytes.hpp"
 #include "firmware/boards/qemu_mps2/text.hpp"
 #include "tests/target/entry/entry.hpp"
 #include "tests/target/model/parameters.hpp"

@@ -2,7 +2,6 @@
 
 #include <span>
 
-#include "firmware/boards/b_g431b_esc1/places.hpp"
 #include "lifemodel/block/parameter_block.hpp"
 
 namespace board {

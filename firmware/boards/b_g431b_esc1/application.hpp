@@ -1,5 +1,10 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
+#include <new>
+#include <utility>
+
 #include "firmware/app/app.hpp"
 #include "firmware/app/devices.hpp"
 #include "firmware/app/stored_parameters.hpp"
@@ -40,5 +45,31 @@ class Application {
 
 /// Makes the one there is, with the parameters that came with the firmware where none were loaded.
 App& make_application(Hardware& hardware, const app::Config& config);
+
+/// Room for an object that interrupts reach and main() makes, so that nothing is made before main()
+/// and nothing is ever destroyed.
+template <class T>
+class Place {
+ public:
+  template <class... Arguments>
+  T& make(Arguments&&... arguments) {
+    return *new (room_.data()) T(std::forward<Arguments>(arguments)...);
+  }
+  /// Precondition: make() was called.
+  [[nodiscard]] T& get() { return *std::launder(reinterpret_cast<T*>(room_.data())); }
+
+ private:
+  alignas(T) std::array<std::byte, sizeof(T)> room_;
+};
+
+extern Place<Hardware> hardware_place;
+extern Place<Application> application_place;
+
+inline Hardware& hardware() {
+  return hardware_place.get();
+}
+inline Application& application() {
+  return application_place.get();
+}
 
 }  // namespace board

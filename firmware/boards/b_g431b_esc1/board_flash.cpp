@@ -1,6 +1,6 @@
 #include "firmware/boards/b_g431b_esc1/board_flash.hpp"
 
-#include "firmware/boards/b_g431b_esc1/priorities.hpp"
+#include "firmware/boards/b_g431b_esc1/interrupts.hpp"
 
 // This file lies in RAM; see the linker script.
 namespace board {

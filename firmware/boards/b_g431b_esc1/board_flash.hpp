@@ -3,7 +3,7 @@
 #include <cstdint>
 
 #include "firmware/boards/b_g431b_esc1/registers.hpp"
-#include "hal/stm32g4/flash_operations.hpp"
+#include "hal/stm32g4/flash_memory.hpp"
 
 namespace board {
 

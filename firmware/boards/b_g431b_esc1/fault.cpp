@@ -1,5 +1,4 @@
-#include "firmware/boards/b_g431b_esc1/fault.hpp"
-
+#include "firmware/boards/b_g431b_esc1/interrupts.hpp"
 #include "firmware/boards/b_g431b_esc1/pins.hpp"
 #include "firmware/boards/b_g431b_esc1/registers.hpp"
 

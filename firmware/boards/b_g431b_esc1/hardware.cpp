@@ -3,7 +3,11 @@
 #include "firmware/protocol/isotp/address.hpp"
 #include "firmware/protocol/schema/frames.hpp"
 #include "hal/stm32g4/clock_tree.hpp"
-#include "hal/stm32g4/sample_timer.hpp"
+#include "hal/stm32g4/core.hpp"
+#include "hal/stm32g4/timers.hpp"
+
+// Defined by the linker script.
+extern "C" std::uint32_t stack_guard[];
 
 namespace board {
 
@@ -47,6 +51,18 @@ hal::Error Hardware::start_can(std::uint8_t node) {
   hal::stm32g4::make_alternate(pins::can_transmit(), pins::kCanFunction);
   return can.start({std::uint32_t{protocol::schema::kCommandFrame.base_id} + node,
                     protocol::isotp::Address::to_node(node).id()});
+}
+
+void guard_stack() {
+  using hal::stm32g4::bit;
+  namespace mpu = hal::stm32g4::mpu;
+  auto& unit = registers::mpu();
+  unit.rnr.write(0);
+  unit.rbar.write(static_cast<std::uint32_t>(reinterpret_cast<std::uintptr_t>(stack_guard)));
+  unit.rasr.write(mpu::kNoAccess | mpu::kNormalMemory | mpu::kSize32 | mpu::kEnableRegion);
+  unit.ctrl.write(mpu::kDefaultMapElsewhere | mpu::kEnable);
+  // A fault of its own, which becomes a hard fault where it cannot stack.
+  hal::stm32g4::set_bits(registers::system_control().shcsr, bit(16));
 }
 
 }  // namespace board

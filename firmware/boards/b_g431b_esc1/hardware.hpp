@@ -1,22 +1,31 @@
 #pragma once
 
+#include <cstdint>
+
 #include "firmware/boards/b_g431b_esc1/board_flash.hpp"
 #include "firmware/boards/b_g431b_esc1/control_loop.hpp"
-#include "firmware/boards/b_g431b_esc1/flash_map.hpp"
+#include "firmware/boards/b_g431b_esc1/interrupts.hpp"
 #include "firmware/boards/b_g431b_esc1/pins.hpp"
-#include "firmware/boards/b_g431b_esc1/priorities.hpp"
 #include "firmware/boards/interlock.hpp"
+#include "firmware/storage/page_range.hpp"
 #include "hal/stm32g4/can_controller.hpp"
 #include "hal/stm32g4/current_sensor.hpp"
-#include "hal/stm32g4/debounced_input.hpp"
 #include "hal/stm32g4/flash_memory.hpp"
-#include "hal/stm32g4/microsecond_clock.hpp"
+#include "hal/stm32g4/pins.hpp"
 #include "hal/stm32g4/random.hpp"
-#include "hal/stm32g4/sample_timing.hpp"
-#include "hal/stm32g4/shunt_converters.hpp"
+#include "hal/stm32g4/timers.hpp"
 #include "hal/stm32g4/watchdog.hpp"
 
 namespace board {
+
+/// Pages of 2 KiB from the start of the flash: 43 of code, one with the node's own settings, 20 of
+/// the store. The linker script has the first.
+inline constexpr std::uint32_t kFlashPages = 64;
+inline constexpr std::uint32_t kNodePage = 43;
+inline constexpr std::uint32_t kStorePage = 44;
+inline constexpr storage::FlashLayout kStoreLayout{};
+inline constexpr std::uint32_t kStorePages = kStoreLayout.log.end();
+static_assert(kStorePage + kStorePages == kFlashPages);
 
 /// The lines that keep people safe; of the control loop alone.
 struct SafetyLines {
@@ -63,5 +72,8 @@ struct Hardware {
   /// Joins the bus.
   hal::Error start_can(std::uint8_t node);
 };
+
+/// Makes the lowest bytes of the stack, which lies lowest in its memory, fault.
+void guard_stack();
 
 }  // namespace board

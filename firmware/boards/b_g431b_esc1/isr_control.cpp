@@ -1,7 +1,6 @@
+#include "firmware/boards/b_g431b_esc1/application.hpp"
 #include "firmware/boards/b_g431b_esc1/control_loop.hpp"
-#include "firmware/boards/b_g431b_esc1/fault.hpp"
 #include "firmware/boards/b_g431b_esc1/interrupts.hpp"
-#include "firmware/boards/b_g431b_esc1/places.hpp"
 #include "firmware/boards/b_g431b_esc1/registers.hpp"
 
 // This file and all that it reaches lie in RAM, so that no sample and no emergency stop is lost

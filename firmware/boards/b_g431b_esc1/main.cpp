@@ -3,16 +3,31 @@
 #include <cstdint>
 #include <span>
 
-#include "firmware/boards/b_g431b_esc1/fault.hpp"
+#include "firmware/boards/b_g431b_esc1/application.hpp"
+#include "firmware/boards/b_g431b_esc1/interrupts.hpp"
 #include "firmware/boards/b_g431b_esc1/node_page.hpp"
-#include "firmware/boards/b_g431b_esc1/places.hpp"
-#include "firmware/boards/b_g431b_esc1/unique_id.hpp"
 
 namespace board {
+
+extern "C" void isr_settle() {
+  while (application().app().settle()) {
+  }
+}
 
 Place<Hardware> hardware_place;
 
 namespace {
+
+/// The 96 bits that no other device has (RM0440 48.1).
+std::array<std::byte, 12> unique_id() {
+  constexpr std::uintptr_t kUniqueId = 0x1FFF7590;
+  const auto* bytes = reinterpret_cast<const volatile std::uint8_t*>(kUniqueId);
+  std::array<std::byte, 12> id{};
+  for (std::size_t i = 0; i < id.size(); ++i) {
+    id[i] = static_cast<std::byte>(bytes[i]);
+  }
+  return id;
+}
 
 NodeSettings read_settings(Hardware& devices) {
   std::array<std::byte, kNodeBytes> bytes{};

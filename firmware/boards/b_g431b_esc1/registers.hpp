@@ -1,25 +1,48 @@
 #pragma once
 
-#include "hal/stm32g4/registers/adc.hpp"
-#include "hal/stm32g4/registers/addresses.hpp"
-#include "hal/stm32g4/registers/core.hpp"
-#include "hal/stm32g4/registers/fdcan.hpp"
-#include "hal/stm32g4/registers/flash.hpp"
-#include "hal/stm32g4/registers/gpio.hpp"
-#include "hal/stm32g4/registers/iwdg.hpp"
-#include "hal/stm32g4/registers/message_ram.hpp"
-#include "hal/stm32g4/registers/mpu.hpp"
-#include "hal/stm32g4/registers/opamp.hpp"
-#include "hal/stm32g4/registers/pwr.hpp"
-#include "hal/stm32g4/registers/rcc.hpp"
-#include "hal/stm32g4/registers/rng.hpp"
-#include "hal/stm32g4/registers/tim.hpp"
+#include <cstdint>
+
+#include "hal/stm32g4/can_controller.hpp"
+#include "hal/stm32g4/clock_tree.hpp"
+#include "hal/stm32g4/core.hpp"
+#include "hal/stm32g4/current_sensor.hpp"
+#include "hal/stm32g4/flash_memory.hpp"
+#include "hal/stm32g4/pins.hpp"
+#include "hal/stm32g4/random.hpp"
+#include "hal/stm32g4/timers.hpp"
+#include "hal/stm32g4/watchdog.hpp"
+
+/// Where the register files lie: RM0440 2.2.2, memory map of category 2 devices.
+namespace board::registers::addresses {
+
+inline constexpr std::uintptr_t kTim2 = 0x40000000;
+inline constexpr std::uintptr_t kIwdg = 0x40003000;
+inline constexpr std::uintptr_t kFdcan1 = 0x40006400;
+inline constexpr std::uintptr_t kPwr = 0x40007000;
+inline constexpr std::uintptr_t kFdcan1MessageRam = 0x4000A400;
+inline constexpr std::uintptr_t kOpamp = 0x40010300;
+inline constexpr std::uintptr_t kTim1 = 0x40012C00;
+inline constexpr std::uintptr_t kRcc = 0x40021000;
+inline constexpr std::uintptr_t kFlash = 0x40022000;
+inline constexpr std::uintptr_t kGpioA = 0x48000000;
+inline constexpr std::uintptr_t kGpioB = 0x48000400;
+inline constexpr std::uintptr_t kGpioC = 0x48000800;
+inline constexpr std::uintptr_t kAdc1 = 0x50000000;
+inline constexpr std::uintptr_t kAdc2 = 0x50000100;
+inline constexpr std::uintptr_t kAdc12Common = 0x50000300;
+inline constexpr std::uintptr_t kRng = 0x50060800;
+inline constexpr std::uintptr_t kSystemControl = 0xE000ED00;
+inline constexpr std::uintptr_t kMpu = 0xE000ED90;
+inline constexpr std::uintptr_t kInterruptController = 0xE000E100;
+
+inline constexpr std::uintptr_t kFlashArray = 0x08000000;
+
+}  // namespace board::registers::addresses
 
 /// The register files of the device, at their addresses.
 namespace board::registers {
 
 using hal::stm32g4::Register;
-namespace addresses = hal::stm32g4::addresses;
 
 template <template <class> class File>
 inline File<Register>& at(std::uintptr_t address) {

@@ -21,7 +21,6 @@
 #include "firmware/boards/linux/store.hpp"
 #include "firmware/boards/linux/watchdog.hpp"
 #include "hal/linux/entropy.hpp"
-#include "hal/linux/jitter.hpp"
 #include "hal/linux/loop.hpp"
 #include "hal/linux/service_manager.hpp"
 

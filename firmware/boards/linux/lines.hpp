@@ -5,9 +5,7 @@
 
 #include "firmware/boards/linux/config.hpp"
 #include "hal/error.hpp"
-#include "hal/linux/gpiod_emergency_stop.hpp"
-#include "hal/linux/gpiod_output.hpp"
-#include "hal/result.hpp"
+#include "hal/linux/gpiod_lines.hpp"
 
 namespace board {
 

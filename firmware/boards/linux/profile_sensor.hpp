@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "firmware/app/intake.hpp"
-#include "hal/result.hpp"
-#include "hal/sensor.hpp"
+#include "hal/devices.hpp"
+#include "hal/error.hpp"
 #include "host_sim/io/profile.hpp"
 #include "lifemodel/block/parameters.hpp"
 

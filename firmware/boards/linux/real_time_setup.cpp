@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "hal/linux/device_error.hpp"
-#include "hal/linux/real_time.hpp"
+#include "hal/linux/loop.hpp"
 
 namespace board {
 

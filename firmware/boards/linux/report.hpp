@@ -7,7 +7,7 @@
 #include "firmware/storage/life_record.hpp"
 #include "hal/can_port.hpp"
 #include "hal/error.hpp"
-#include "hal/linux/jitter.hpp"
+#include "hal/linux/loop.hpp"
 #include "hal/linux/socketcan.hpp"
 
 namespace board {

@@ -6,8 +6,7 @@
 #include "firmware/boards/linux/config.hpp"
 #include "firmware/boards/linux/profile_sensor.hpp"
 #include "firmware/boards/linux/setup.hpp"
-#include "hal/linux/iio_buffer.hpp"
-#include "hal/linux/iio_sysfs.hpp"
+#include "hal/linux/iio.hpp"
 
 namespace board {
 

@@ -2,7 +2,7 @@
 
 #include <mutex>
 
-#include "hal/hold.hpp"
+#include "hal/devices.hpp"
 
 namespace board {
 

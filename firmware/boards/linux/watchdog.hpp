@@ -1,9 +1,9 @@
 #pragma once
 
 #include "firmware/boards/linux/lines.hpp"
+#include "hal/devices.hpp"
 #include "hal/linux/monotonic_clock.hpp"
 #include "hal/linux/service_manager.hpp"
-#include "hal/watchdog.hpp"
 
 namespace board {
 

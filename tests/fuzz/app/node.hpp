@@ -10,11 +10,8 @@
 #include "firmware/storage/flash_store.hpp"
 #include "hal/fake/can_port.hpp"
 #include "hal/fake/clock.hpp"
-#include "hal/fake/digital.hpp"
-#include "hal/fake/entropy.hpp"
+#include "hal/fake/devices.hpp"
 #include "hal/fake/flash.hpp"
-#include "hal/fake/sensor.hpp"
-#include "hal/fake/watchdog.hpp"
 #include "tests/app/paper_parameters.hpp"
 
 namespace app::fuzz {

@@ -11,7 +11,7 @@
 #include <span>
 
 #include "firmware/boards/b_g431b_esc1/node_page.hpp"
-#include "hal/stm32g4/message_codec.hpp"
+#include "hal/stm32g4/can_controller.hpp"
 
 namespace {
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "hal/linux/iio_channel.hpp"
+#include "hal/linux/iio.hpp"
 #include "tests/fuzz/io/require.hpp"
 
 using hal::linux_os::IioType;

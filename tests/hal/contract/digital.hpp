@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hal/digital.hpp"
+#include "hal/devices.hpp"
 
 namespace hal_test {
 

@@ -9,7 +9,7 @@
 #include <set>
 #include <vector>
 
-#include "hal/entropy.hpp"
+#include "hal/devices.hpp"
 
 namespace hal_test {
 

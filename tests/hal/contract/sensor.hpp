@@ -4,7 +4,7 @@
 
 #include <cstddef>
 
-#include "hal/sensor.hpp"
+#include "hal/devices.hpp"
 
 namespace hal_test {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "hal/watchdog.hpp"
+#include "hal/devices.hpp"
 
 namespace hal_test {
 

@@ -4,13 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hal/digital.hpp"
-#include "hal/entropy.hpp"
-#include "hal/qemu_mps2/lines.hpp"
-#include "hal/qemu_mps2/played_sensor.hpp"
-#include "hal/qemu_mps2/seeded_entropy.hpp"
-#include "hal/sensor.hpp"
-#include "hal/watchdog.hpp"
+#include "hal/devices.hpp"
+#include "hal/qemu_mps2/virtual_devices.hpp"
 
 namespace hal::qemu_mps2 {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "hal/qemu_mps2/virtual_clock.hpp"
+#include "hal/qemu_mps2/virtual_devices.hpp"
 
 namespace hal::qemu_mps2 {
 namespace {

@@ -1,8 +1,8 @@
-#include "hal/slcan/frame_line.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>
+
+#include "hal/slcan/line.hpp"
 
 namespace hal::slcan {
 namespace {

@@ -1,9 +1,9 @@
-#include "hal/slcan/line_reader.hpp"
-
 #include <gtest/gtest.h>
 
 #include <string>
 #include <vector>
+
+#include "hal/slcan/line.hpp"
 
 namespace hal::slcan {
 namespace {

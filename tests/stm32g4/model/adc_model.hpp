@@ -2,8 +2,7 @@
 
 #include <array>
 
-#include "hal/stm32g4/registers/adc.hpp"
-#include "hal/stm32g4/registers/opamp.hpp"
+#include "hal/stm32g4/current_sensor.hpp"
 #include "tests/stm32g4/model/timer_model.hpp"
 #include "tests/stm32g4/model/word.hpp"
 

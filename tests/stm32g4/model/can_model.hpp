@@ -5,8 +5,7 @@
 #include <vector>
 
 #include "hal/can_frame.hpp"
-#include "hal/stm32g4/registers/fdcan.hpp"
-#include "hal/stm32g4/registers/message_ram.hpp"
+#include "hal/stm32g4/can_controller.hpp"
 #include "tests/stm32g4/model/rcc_model.hpp"
 #include "tests/stm32g4/model/word.hpp"
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "hal/stm32g4/flash_operations.hpp"
+#include "hal/stm32g4/flash_memory.hpp"
 #include "tests/stm32g4/model/rcc_model.hpp"
 #include "tests/stm32g4/model/word.hpp"
 

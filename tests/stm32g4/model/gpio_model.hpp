@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "hal/stm32g4/registers/gpio.hpp"
+#include "hal/stm32g4/pins.hpp"
 #include "tests/stm32g4/model/rcc_model.hpp"
 #include "tests/stm32g4/model/word.hpp"
 

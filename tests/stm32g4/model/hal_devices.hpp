@@ -2,12 +2,10 @@
 
 #include "hal/stm32g4/can_controller.hpp"
 #include "hal/stm32g4/current_sensor.hpp"
-#include "hal/stm32g4/debounced_input.hpp"
 #include "hal/stm32g4/flash_memory.hpp"
-#include "hal/stm32g4/flash_operations.hpp"
 #include "hal/stm32g4/pins.hpp"
 #include "hal/stm32g4/random.hpp"
-#include "hal/stm32g4/sample_timer.hpp"
+#include "hal/stm32g4/timers.hpp"
 #include "hal/stm32g4/watchdog.hpp"
 #include "tests/stm32g4/model/ready_chip.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hal/stm32g4/registers/rng.hpp"
+#include "hal/stm32g4/random.hpp"
 #include "tests/stm32g4/model/rcc_model.hpp"
 #include "tests/stm32g4/model/word.hpp"
 

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "hal/stm32g4/registers/flash.hpp"
-#include "hal/stm32g4/registers/pwr.hpp"
-#include "hal/stm32g4/registers/rcc.hpp"
+#include "hal/stm32g4/clock_tree.hpp"
+#include "hal/stm32g4/flash_memory.hpp"
 #include "tests/stm32g4/model/word.hpp"
 
 namespace stm32g4_models {

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hal/stm32g4/clock_tree.hpp"
-#include "hal/stm32g4/microsecond_clock.hpp"
+#include "hal/stm32g4/timers.hpp"
 #include "tests/stm32g4/model/chip.hpp"
 
 namespace stm32g4_models {

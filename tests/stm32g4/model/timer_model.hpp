@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hal/stm32g4/registers/tim.hpp"
+#include "hal/stm32g4/timers.hpp"
 #include "tests/stm32g4/model/rcc_model.hpp"
 #include "tests/stm32g4/model/word.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hal/stm32g4/registers/iwdg.hpp"
+#include "hal/stm32g4/watchdog.hpp"
 #include "tests/stm32g4/model/word.hpp"
 
 namespace stm32g4_models {

@@ -8,7 +8,7 @@
 #include <functional>
 #include <vector>
 
-#include "hal/stm32g4/registers/word.hpp"
+#include "hal/stm32g4/register.hpp"
 
 /// Models of the registers of an STM32G431: they answer as RM0440 says that the device does, and
 /// fail the test where software does what RM0440 forbids.

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "firmware/boards/qemu_mps2/instruction_counter.hpp"
+#include "firmware/boards/qemu_mps2/measurement.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
 #include "firmware/boards/qemu_mps2/text.hpp"
 

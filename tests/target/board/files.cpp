@@ -4,7 +4,6 @@
 #include <array>
 #include <cstddef>
 
-#include "firmware/boards/qemu_mps2/arguments.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
 
 namespace board = firmware::qemu_mps2;

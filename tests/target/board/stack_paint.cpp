@@ -2,8 +2,8 @@
 
 #include <cstdint>
 
+#include "firmware/boards/qemu_mps2/measurement.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
-#include "firmware/boards/qemu_mps2/stack_bytes.hpp"
 #include "firmware/boards/qemu_mps2/text.hpp"
 
 namespace board = firmware::qemu_mps2;

@@ -5,14 +5,12 @@
 #include <cstdint>
 #include <span>
 
-#include "firmware/boards/qemu_mps2/arguments.hpp"
+#include "firmware/boards/qemu_mps2/image/machine.hpp"
 #include "firmware/boards/qemu_mps2/image/options.hpp"
-#include "firmware/boards/qemu_mps2/image/place.hpp"
-#include "firmware/boards/qemu_mps2/image/player.hpp"
-#include "firmware/boards/qemu_mps2/image/profile.hpp"
-#include "firmware/boards/qemu_mps2/image/script.hpp"
-#include "firmware/boards/qemu_mps2/image/set_up.hpp"
-#include "firmware/boards/qemu_mps2/instruction_counter.hpp"
+#include "firmware/boards/qemu_mps2/image/recording.hpp"
+#include "firmware/boards/qemu_mps2/image/run_files.hpp"
+#include "firmware/boards/qemu_mps2/image/virtual_run.hpp"
+#include "firmware/boards/qemu_mps2/measurement.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
 #include "firmware/boards/qemu_mps2/text.hpp"
 #include "tests/target/firmware/entry/entry.hpp"

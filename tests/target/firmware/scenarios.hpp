@@ -12,8 +12,8 @@
 #include <string_view>
 #include <vector>
 
-#include "firmware/boards/qemu_mps2/image/format.hpp"
-#include "hal/qemu_mps2/played_sensor.hpp"
+#include "firmware/boards/qemu_mps2/image/recording.hpp"
+#include "hal/qemu_mps2/virtual_devices.hpp"
 #include "lifemodel/support/bytes.hpp"
 #include "tests/target/firmware/tester.hpp"
 #include "tests/target/model/block.hpp"

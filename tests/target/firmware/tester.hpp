@@ -11,13 +11,12 @@
 #include <vector>
 
 #include "firmware/app/config.hpp"
-#include "firmware/boards/qemu_mps2/image/format.hpp"
+#include "firmware/boards/qemu_mps2/image/recording.hpp"
 #include "firmware/protocol/authority/command.hpp"
 #include "firmware/protocol/codec.hpp"
 #include "firmware/protocol/e2e.hpp"
 #include "firmware/protocol/isotp/link.hpp"
-#include "hal/slcan/frame_line.hpp"
-#include "hal/slcan/line_reader.hpp"
+#include "hal/slcan/line.hpp"
 #include "lifemodel/support/bytes.hpp"
 
 namespace firmware_test {

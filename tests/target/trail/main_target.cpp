@@ -7,7 +7,6 @@
 #include <span>
 #include <string_view>
 
-#include "firmware/boards/qemu_mps2/arguments.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
 #include "tests/target/trail/trail.hpp"
 

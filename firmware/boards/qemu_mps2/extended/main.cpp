@@ -1,9 +1,8 @@
 // The firmware with an extended model on the board of QEMU, in virtual time. It takes the words of
 // image/options.hpp but events, real_time and seconds.
 
-#include "firmware/boards/qemu_mps2/arguments.hpp"
 #include "firmware/boards/qemu_mps2/extended/run.hpp"
-#include "firmware/boards/qemu_mps2/image/uart0.hpp"
+#include "firmware/boards/qemu_mps2/registers.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
 
 namespace board = firmware::qemu_mps2;

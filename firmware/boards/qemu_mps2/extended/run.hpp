@@ -2,21 +2,129 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
-#include "firmware/boards/qemu_mps2/extended/machine.hpp"
-#include "firmware/boards/qemu_mps2/image/failure.hpp"
-#include "firmware/boards/qemu_mps2/image/file_backing.hpp"
+#include "firmware/app/app.hpp"
+#include "firmware/app/extended_models.hpp"
+#include "firmware/app/extended_sensor.hpp"
+#include "firmware/boards/qemu_mps2/image/machine.hpp"
 #include "firmware/boards/qemu_mps2/image/options.hpp"
-#include "firmware/boards/qemu_mps2/image/place.hpp"
-#include "firmware/boards/qemu_mps2/image/player.hpp"
-#include "firmware/boards/qemu_mps2/image/profile.hpp"
-#include "firmware/boards/qemu_mps2/image/script.hpp"
-#include "firmware/boards/qemu_mps2/image/scripted_line.hpp"
-#include "firmware/boards/qemu_mps2/image/set_up.hpp"
+#include "firmware/boards/qemu_mps2/image/recording.hpp"
+#include "firmware/boards/qemu_mps2/image/run_files.hpp"
+#include "firmware/boards/qemu_mps2/image/virtual_run.hpp"
+#include "hal/error.hpp"
+#include "hal/qemu_mps2/virtual_devices.hpp"
 #include "lifemodel/block/extended_block.hpp"
+#include "lifemodel/extension/life.hpp"
+#include "lifemodel/extension/sample.hpp"
+#include "lifemodel/numeric/sine.hpp"
 
 namespace firmware::qemu_mps2 {
+
+/// Played motor currents in surroundings that follow a rule: the rotor swings by 1.5 turns either
+/// way, a period in 1,000 samples, and the winding warms from 20 degrees by 1 a second at 1 kHz.
+template <std::size_t kTendons>
+class SwingingDrive {
+ public:
+  using Sample = lifemodel::extension::DriveSample;
+
+  void put(std::span<const std::int32_t, kTendons> raw) {
+    currents_.put(raw);
+    ++samples_;
+  }
+  void set_failed(bool failed) { currents_.set_failed(failed); }
+
+  hal::Result<Sample> isr_read(std::size_t tendon) {
+    const auto current = currents_.isr_read(tendon);
+    if (!current) {
+      return current.error();
+    }
+    return Sample{*current, conditions()};
+  }
+
+ private:
+  [[nodiscard]] lifemodel::extension::Conditions conditions() const {
+    constexpr std::uint32_t kThousandth = 4'294'967;
+    constexpr std::int32_t kRoom = 20 << lifemodel::extension::Temperature::kFractionBits;
+    const lifemodel::numeric::Phase phase = samples_ * kThousandth;
+    lifemodel::extension::Conditions at;
+    // 82 mm/s at most.
+    at.velocity = lifemodel::extension::Velocity::from_raw(
+        static_cast<std::int32_t>((std::int64_t{lifemodel::numeric::sine(phase)} * 82) >> 16));
+    at.rotor.raw = std::int64_t{lifemodel::numeric::cosine(phase)} * -6;
+    at.sheath = lifemodel::extension::Temperature::from_raw(kRoom);
+    at.winding = lifemodel::extension::Temperature::from_raw(
+        kRoom + static_cast<std::int32_t>(samples_ * 66));
+    return at;
+  }
+
+  hal::qemu_mps2::PlayedSensor<kTendons> currents_;
+  std::uint32_t samples_ = 0;
+};
+
+/// As Machine, with an extended model and a drive that gives what it is evaluated at.
+template <hal::ByteStream Stream, hal::Clock Clock, hal::qemu_mps2::Backing Backing>
+class ExtendedMachine {
+ public:
+  using Flash = hal::qemu_mps2::MemoryFlash<kFlashPages, Backing>;
+  using Store = storage::FlashStore<Flash, kTendons>;
+  using Can = hal::slcan::Port<Stream>;
+  using Sensor = SwingingDrive<kTendons>;
+  using Extended = app::ExtendedSensor<Sensor, kTendons>;
+  using Layout = lifemodel::extension::ExtendedLife<lifemodel::DefaultLayout>;
+  using Line = hal::qemu_mps2::OutputLine;
+  using Devices =
+      app::Devices<Can, Extended, Clock, Store, Line, Line, Line, hal::qemu_mps2::InputLine,
+                   hal::qemu_mps2::CountingWatchdog, hal::qemu_mps2::SeededEntropy>;
+  using App = app::App<kTendons, Devices, Layout>;
+
+  ExtendedMachine(Stream& stream, const Clock& clock, Backing& backing, const Settings& settings,
+                  const lifemodel::ExtendedParameters& configured)
+      : flash(backing),
+        store(flash),
+        can(stream, settings.channel),
+        entropy(settings.seed),
+        parameters_(app::stored_parameters<kTendons>(store, settings.parameters)),
+        models_(app::extended_models<kTendons>(parameters_, configured)),
+        extended_(sensor, models_),
+        app(Devices{can, extended_, clock, store, drive_enable, brake, light, emergency_stop,
+                    watchdog, entropy, hold_},
+            settings.config, parameters_, lives(models_)) {}
+  ExtendedMachine(const ExtendedMachine&) = delete;
+  ExtendedMachine& operator=(const ExtendedMachine&) = delete;
+
+  Flash flash;
+  Store store;
+  Can can;
+  Sensor sensor;
+  Line drive_enable;
+  Line brake;
+  Line light;
+  hal::qemu_mps2::InputLine emergency_stop;
+  hal::qemu_mps2::CountingWatchdog watchdog;
+  hal::qemu_mps2::SeededEntropy entropy;
+
+ private:
+  using Models = typename Extended::Models;
+
+  static std::array<lifemodel::extension::LifeParameters, kTendons> lives(const Models& models) {
+    std::array<lifemodel::extension::LifeParameters, kTendons> lives{};
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      lives[tendon] =
+          lifemodel::extension::life_parameters(models[tendon].nominal, models[tendon].extension);
+    }
+    return lives;
+  }
+
+  app::ParameterSet<kTendons> parameters_;
+  Models models_;
+  Extended extended_;
+  hal::NoHold hold_;
+
+ public:
+  App app;
+};
 
 /// The block of the options, with or without an extension, for all tendons.
 template <class File>

@@ -1,18 +1,28 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <new>
 #include <optional>
+#include <utility>
 
 #include "firmware/app/app.hpp"
-#include "firmware/boards/qemu_mps2/image/format.hpp"
+#include "firmware/boards/qemu_mps2/image/recording.hpp"
 #include "firmware/storage/flash_store.hpp"
-#include "hal/qemu_mps2/lines.hpp"
 #include "hal/qemu_mps2/memory_flash.hpp"
-#include "hal/qemu_mps2/played_sensor.hpp"
-#include "hal/qemu_mps2/seeded_entropy.hpp"
+#include "hal/qemu_mps2/virtual_devices.hpp"
 #include "hal/slcan/port.hpp"
 
 namespace firmware::qemu_mps2 {
+
+/// Makes the one T of the program, in room of its own and not on the stack. It is never destroyed.
+/// Precondition: called once for each T.
+template <class T, class... Arguments>
+T& place(Arguments&&... arguments) {
+  alignas(T) static std::array<std::byte, sizeof(T)> room;
+  return *new (room.data()) T(std::forward<Arguments>(arguments)...);
+}
 
 inline constexpr std::uint32_t kFlashPages = 20;
 inline constexpr std::uint32_t kFlashBytes = kFlashPages * 2'048;

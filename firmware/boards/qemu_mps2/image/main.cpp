@@ -1,11 +1,9 @@
 // The firmware on the board of QEMU. options.hpp tells what it takes on the command line.
 
-#include "firmware/boards/qemu_mps2/arguments.hpp"
-#include "firmware/boards/qemu_mps2/image/failure.hpp"
 #include "firmware/boards/qemu_mps2/image/options.hpp"
 #include "firmware/boards/qemu_mps2/image/real_time_run.hpp"
-#include "firmware/boards/qemu_mps2/image/uart0.hpp"
 #include "firmware/boards/qemu_mps2/image/virtual_run.hpp"
+#include "firmware/boards/qemu_mps2/registers.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
 
 namespace board = firmware::qemu_mps2;

@@ -7,9 +7,18 @@
 #include <string_view>
 
 #include "firmware/app/config.hpp"
-#include "hal/slcan/hex.hpp"
+#include "hal/slcan/line.hpp"
 
 namespace firmware::qemu_mps2 {
+
+/// What went wrong, and with what: an option, or null for the run itself. Nothing did where `what`
+/// is null.
+struct [[nodiscard]] Failure {
+  const char* about = nullptr;
+  const char* what = nullptr;
+
+  explicit operator bool() const { return what != nullptr; }
+};
 
 /// What the command line says, in words NAME=VALUE:
 ///

@@ -1,21 +1,60 @@
 #include "firmware/boards/qemu_mps2/image/real_time_run.hpp"
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "firmware/boards/qemu_mps2/fault.hpp"
-#include "firmware/boards/qemu_mps2/image/file_backing.hpp"
 #include "firmware/boards/qemu_mps2/image/machine.hpp"
-#include "firmware/boards/qemu_mps2/image/place.hpp"
-#include "firmware/boards/qemu_mps2/image/profile.hpp"
-#include "firmware/boards/qemu_mps2/image/sample_loop.hpp"
-#include "firmware/boards/qemu_mps2/image/set_up.hpp"
-#include "firmware/boards/qemu_mps2/image/settle_hold.hpp"
-#include "firmware/boards/qemu_mps2/image/uart0.hpp"
+#include "firmware/boards/qemu_mps2/image/recording.hpp"
+#include "firmware/boards/qemu_mps2/image/run_files.hpp"
 #include "firmware/boards/qemu_mps2/registers.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
 #include "hal/qemu_mps2/system_timer.hpp"
 
 namespace firmware::qemu_mps2 {
+/// Priorities of the interrupts, most urgent first; the hardware has the high three bits at least.
+constexpr std::uint32_t kSamplePriority = 0x00;
+constexpr std::uint32_t kReceivePriority = 0x40;
+constexpr std::uint32_t kSettlePriority = 0xe0;
+
+/// Keeps PendSV away, and nothing else: BASEPRI, ARMv7-M Architecture Reference Manual (DDI 0403E),
+/// B1.4.3. (hal::Hold)
+struct SettleHold {
+  void hold() { __asm__ volatile("msr basepri, %0" ::"r"(kSettlePriority) : "memory"); }
+  void release() { __asm__ volatile("msr basepri, %0" ::"r"(0) : "memory"); }
+};
+
+/// All samples of a profile in memory, again and again.
+class SampleLoop {
+ public:
+  static constexpr std::size_t kMost = 131'072;
+
+  /// What is wrong, in words; null where nothing is.
+  template <class ProfileT>
+  const char* fill(ProfileT& profile) {
+    while (const auto row = profile.next()) {
+      if (size_ == rows_.size()) {
+        return "the profile is too long to be held in memory; accepted: 131072 samples";
+      }
+      rows_[size_++] = *row;
+    }
+    return size_ == 0 ? "the profile has no samples" : nullptr;
+  }
+
+  /// Precondition: filled.
+  const Row& isr_next() {
+    const Row& row = rows_[at_];
+    at_ = at_ + 1 == size_ ? 0 : at_ + 1;
+    return row;
+  }
+
+ private:
+  std::array<Row, kMost> rows_{};
+  std::size_t size_ = 0;
+  std::size_t at_ = 0;
+};
+
 namespace {
 
 constexpr std::uint32_t kTicksPerMicrosecond = kClock_Hz / 1'000'000;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "firmware/boards/qemu_mps2/image/failure.hpp"
 #include "firmware/boards/qemu_mps2/image/options.hpp"
 
 namespace firmware::qemu_mps2 {

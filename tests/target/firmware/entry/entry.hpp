@@ -4,9 +4,9 @@
 #include <span>
 
 #include "firmware/boards/qemu_mps2/image/machine.hpp"
-#include "firmware/boards/qemu_mps2/image/scripted_line.hpp"
+#include "firmware/boards/qemu_mps2/image/virtual_run.hpp"
 #include "hal/qemu_mps2/memory_flash.hpp"
-#include "hal/qemu_mps2/virtual_clock.hpp"
+#include "hal/qemu_mps2/virtual_devices.hpp"
 
 /// The application's calls as functions of their own, so that they are measured as they are and not
 /// as they would be inlined into the measuring program.

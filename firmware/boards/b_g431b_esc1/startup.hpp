@@ -1,4 +1,0 @@
-#pragma once
-
-/// The entry of the device.
-extern "C" void isr_reset();
