@@ -40,15 +40,16 @@ compare_host_and_target() {
   done
 }
 
-# The analyzer follows every path of what runs on a board. What runs on hosts alone is held by the
-# sanitizers, and would take it longer than all else together. Its sources are read many at a time,
-# from the files of the unity build that include them.
+# The analyzer follows every path of what runs on a board, and only of what stands in the main file of
+# a unit: those sources are read one by one. What runs on hosts alone is held by the sanitizers, and
+# would take it longer than all else together. Its sources are read many at a time, from the files of
+# the unity build that include them.
 check_with_clang_tidy() {
   # Clang does not know all warnings that GCC is told of.
-  local -a tidy=(run-clang-tidy -quiet -j "$jobs" -p build/host-release
-    -extra-arg=-Wno-unknown-warning-option)
-  "${tidy[@]}" "^$PWD/(lifemodel|firmware|hal)/"
-  "${tidy[@]}" -checks='-clang-analyzer-*,-bugprone-suspicious-include' \
+  local -a tidy=(run-clang-tidy -quiet -j "$jobs" -extra-arg=-Wno-unknown-warning-option)
+  cmake --preset host-release -B build/one-by-one -DCMAKE_UNITY_BUILD=OFF
+  "${tidy[@]}" -p build/one-by-one "^$PWD/(lifemodel|firmware|hal)/"
+  "${tidy[@]}" -p build/host-release -checks='-clang-analyzer-*,-bugprone-suspicious-include' \
     "^$PWD/(build/host-release/)?host_sim/"
 }
 

@@ -1,10 +1,12 @@
 #include "hal/fake/can_port.hpp"
 #include "hal/fake/clock.hpp"
 #include "hal/fake/devices.hpp"
+#include "hal/fake/flash.hpp"
 #include "tests/hal/contract/can_port.hpp"
 #include "tests/hal/contract/clock.hpp"
 #include "tests/hal/contract/digital.hpp"
 #include "tests/hal/contract/entropy.hpp"
+#include "tests/hal/contract/non_volatile.hpp"
 #include "tests/hal/contract/sensor.hpp"
 #include "tests/hal/contract/watchdog.hpp"
 
@@ -137,6 +139,27 @@ INSTANTIATE_TYPED_TEST_SUITE_P(Fake, DigitalOutContract, FakeOut);
 INSTANTIATE_TYPED_TEST_SUITE_P(Fake, EntropyContract, FakeEntropy);
 INSTANTIATE_TYPED_TEST_SUITE_P(Fake, SensorContract, FakeSensor);
 INSTANTIATE_TYPED_TEST_SUITE_P(Fake, WatchdogContract, FakeWatchdog);
+
+}  // namespace
+namespace {
+
+template <class Flash>
+class FakeFlash {
+ public:
+  Flash& memory() { return flash_; }
+  bool tear(std::uint32_t address) {
+    flash_.spoil(address);
+    return true;
+  }
+
+ private:
+  Flash flash_;
+};
+
+using Geometries =
+    testing::Types<FakeFlash<hal::fake::Flash<>>, FakeFlash<hal::fake::Flash<2, 64, 16>>,
+                   FakeFlash<hal::fake::Flash<3, 256, 4>>>;
+INSTANTIATE_TYPED_TEST_SUITE_P(FakeFlash, NonVolatileContract, Geometries);
 
 }  // namespace
 }  // namespace hal_test

@@ -209,7 +209,7 @@ TEST_F(SocketCanPort, TheSourceOfATimestampIsKept) {
   EXPECT_EQ(port_.counts().timestamp_ns, 1'234);
 }
 
-std::string complaint_about(const std::string& interface) {
+std::string complaint_about_interface(const std::string& interface) {
   CanCalls calls;
   try {
     BasicSocketCan<CanCalls> port(calls, interface, {});
@@ -220,7 +220,7 @@ std::string complaint_about(const std::string& interface) {
 }
 
 TEST(SocketCanOfThisMachine, AMissingInterfaceIsNamed) {
-  const std::string complaint = complaint_about("tl-missing");
+  const std::string complaint = complaint_about_interface("tl-missing");
   EXPECT_EQ(complaint,
             "tl-missing: no such network interface; accepted: a CAN interface; there "
             "are: " +
@@ -228,13 +228,14 @@ TEST(SocketCanOfThisMachine, AMissingInterfaceIsNamed) {
 }
 
 TEST(SocketCanOfThisMachine, AnInterfaceOfAnotherKindIsRefused) {
-  EXPECT_EQ(complaint_about("lo"),
+  EXPECT_EQ(complaint_about_interface("lo"),
             "lo: not a CAN interface; accepted: a CAN interface; there are: " + can_interfaces());
 }
 
 TEST(SocketCanOfThisMachine, ANameThatIsTooLongIsMissing) {
-  EXPECT_NE(complaint_about("a-name-of-many-characters").find("no such network interface"),
-            std::string::npos);
+  EXPECT_NE(
+      complaint_about_interface("a-name-of-many-characters").find("no such network interface"),
+      std::string::npos);
 }
 
 }  // namespace

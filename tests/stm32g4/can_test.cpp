@@ -3,7 +3,7 @@
 #include <array>
 
 #include "hal/stm32g4/can_controller.hpp"
-#include "tests/stm32g4/model/ready_chip.hpp"
+#include "tests/stm32g4/model/chip.hpp"
 
 namespace stm32g4_models {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "hal/stm32g4/current_sensor.hpp"
 #include "hal/stm32g4/timers.hpp"
-#include "tests/stm32g4/model/ready_chip.hpp"
+#include "tests/stm32g4/model/chip.hpp"
 
 namespace stm32g4_models {
 namespace {

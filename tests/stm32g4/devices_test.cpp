@@ -1,12 +1,18 @@
+#include "hal/devices.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
 
+#include "hal/can_port.hpp"
+#include "hal/clock.hpp"
+#include "hal/non_volatile.hpp"
 #include "hal/stm32g4/pins.hpp"
 #include "hal/stm32g4/random.hpp"
 #include "hal/stm32g4/timers.hpp"
 #include "hal/stm32g4/watchdog.hpp"
-#include "tests/stm32g4/model/ready_chip.hpp"
+#include "tests/stm32g4/model/chip.hpp"
+#include "tests/stm32g4/model/hal_devices.hpp"
 
 namespace stm32g4_models {
 namespace {
@@ -252,6 +258,20 @@ TEST(SampleTiming, NinetyNineOfAHundred) {
     static_cast<void>(timing.isr_period(now_us += 102, 100));
   }
   EXPECT_EQ(timing.p99_us(), 2u) << "less than one in a hundred";
+}
+
+static_assert(hal::CanPort<CanController>);
+static_assert(hal::CurrentSensor<CurrentSensor>);
+static_assert(hal::DigitalIn<Input>);
+static_assert(hal::DigitalOut<OutputPin>);
+static_assert(hal::NonVolatile<FlashMemory>);
+static_assert(hal::Clock<Clock>);
+static_assert(hal::Entropy<RandomGenerator>);
+static_assert(hal::Watchdog<IndependentWatchdog>);
+
+TEST(Devices, AllStartWithoutABreachOfTheManual) {
+  const HalDevices devices;
+  EXPECT_EQ(devices.rcc.core_Hz(), 170'000'000u);
 }
 
 }  // namespace

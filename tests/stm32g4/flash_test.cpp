@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "hal/stm32g4/flash_memory.hpp"
-#include "tests/stm32g4/model/ready_chip.hpp"
+#include "tests/stm32g4/model/chip.hpp"
 
 namespace stm32g4_models {
 namespace {

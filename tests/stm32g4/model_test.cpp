@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "hal/stm32g4/current_sensor.hpp"
-#include "tests/stm32g4/model/ready_chip.hpp"
+#include "tests/stm32g4/model/chip.hpp"
 
 // The models themselves: each has to fail the test that does what RM0440 forbids.
 namespace stm32g4_models {

@@ -11,7 +11,7 @@
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
 #include "firmware/boards/qemu_mps2/text.hpp"
 #include "tests/target/entry/entry.hpp"
-#include "tests/target/model/parameters.hpp"
+#include "tests/target/model/paper_model.hpp"
 #include "tests/target/signals.hpp"
 
 namespace board = firmware::qemu_mps2;

@@ -1,13 +1,12 @@
 #pragma once
 
-#include "tests/stm32g4/model/adc_model.hpp"
+#include "hal/stm32g4/clock_tree.hpp"
+#include "hal/stm32g4/timers.hpp"
+#include "tests/stm32g4/model/analog_model.hpp"
 #include "tests/stm32g4/model/can_model.hpp"
 #include "tests/stm32g4/model/flash_model.hpp"
-#include "tests/stm32g4/model/gpio_model.hpp"
-#include "tests/stm32g4/model/random_model.hpp"
+#include "tests/stm32g4/model/peripheral_models.hpp"
 #include "tests/stm32g4/model/rcc_model.hpp"
-#include "tests/stm32g4/model/timer_model.hpp"
-#include "tests/stm32g4/model/watchdog_model.hpp"
 
 namespace stm32g4_models {
 
@@ -49,6 +48,18 @@ struct Chip {
   [[nodiscard]] std::uint32_t amplified(std::size_t i) const {
     EXPECT_TRUE(opamp.ready(i)) << "amplifier " << i + 1 << " is not set up";
     return opamp.output[i];
+  }
+};
+
+/// A chip whose clocks run as the back ends need them.
+struct ReadyChip : Chip {
+  hal::stm32g4::MicrosecondClock<Word> clock{tim2.registers};
+
+  ReadyChip() {
+    hal::stm32g4::ClockTree<Word> tree(rcc.registers, pwr.registers, flash.registers);
+    EXPECT_TRUE(tree.start());
+    EXPECT_EQ(hal::stm32g4::enable_peripherals(rcc.registers), hal::Error::none);
+    clock.start(hal::stm32g4::kCore_Hz);
   }
 };
 

@@ -7,7 +7,7 @@
 #include "hal/stm32g4/random.hpp"
 #include "hal/stm32g4/timers.hpp"
 #include "hal/stm32g4/watchdog.hpp"
-#include "tests/stm32g4/model/ready_chip.hpp"
+#include "tests/stm32g4/model/chip.hpp"
 
 namespace stm32g4_models {
 

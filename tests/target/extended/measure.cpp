@@ -9,7 +9,7 @@
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
 #include "firmware/boards/qemu_mps2/text.hpp"
 #include "tests/target/extended/entry.hpp"
-#include "tests/target/model/extension.hpp"
+#include "tests/target/model/paper_model.hpp"
 #include "tests/target/signals.hpp"
 
 namespace board = firmware::qemu_mps2;

@@ -14,9 +14,8 @@
 #include <string_view>
 
 #include "firmware/boards/qemu_mps2/extended/run.hpp"
-#include "tests/target/firmware/host_file.hpp"
-#include "tests/target/firmware/serial_file.hpp"
-#include "tests/target/model/extension.hpp"
+#include "tests/target/firmware/host_files.hpp"
+#include "tests/target/model/paper_model.hpp"
 #include "tests/target/signals.hpp"
 
 namespace board = firmware::qemu_mps2;

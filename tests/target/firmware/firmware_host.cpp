@@ -7,8 +7,7 @@
 
 #include "firmware/boards/qemu_mps2/image/options.hpp"
 #include "firmware/boards/qemu_mps2/image/virtual_run.hpp"
-#include "tests/target/firmware/host_file.hpp"
-#include "tests/target/firmware/serial_file.hpp"
+#include "tests/target/firmware/host_files.hpp"
 
 namespace board = firmware::qemu_mps2;
 

@@ -18,9 +18,8 @@
 
 #include "firmware/boards/qemu_mps2/image/options.hpp"
 #include "firmware/boards/qemu_mps2/image/virtual_run.hpp"
-#include "tests/target/firmware/host_file.hpp"
+#include "tests/target/firmware/host_files.hpp"
 #include "tests/target/firmware/scenarios.hpp"
-#include "tests/target/firmware/serial_file.hpp"
 
 namespace board = firmware::qemu_mps2;
 

@@ -10,8 +10,7 @@
 #include "lifemodel/extension/corrector.hpp"
 #include "lifemodel/extension/life.hpp"
 #include "lifemodel/support/crc32.hpp"
-#include "tests/target/model/extension.hpp"
-#include "tests/target/model/parameters.hpp"
+#include "tests/target/model/paper_model.hpp"
 #include "tests/target/signals.hpp"
 
 namespace target {

@@ -1,15 +1,16 @@
+#include "hal/linux/gpiod_lines.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <string>
 
 #include "hal/linux/device_error.hpp"
-#include "hal/linux/gpiod_lines.hpp"
 
 namespace hal::linux_os {
 namespace {
 
-std::string complaint_about(const std::string& chip) {
+std::string complaint_about_chip(const std::string& chip) {
   try {
     GpioOutput output(chip, {"DRIVE", false});
   } catch (const DeviceError& error) {
@@ -19,16 +20,16 @@ std::string complaint_about(const std::string& chip) {
 }
 
 TEST(GpioOfThisMachine, AMissingChipIsNamedWithThoseThatAreThere) {
-  EXPECT_TRUE(complaint_about("tl-no-chip")
+  EXPECT_TRUE(complaint_about_chip("tl-no-chip")
                   .starts_with("tl-no-chip: no such gpiochip; accepted: path, name or label of a "
                                "gpiochip; there are: "));
-  EXPECT_TRUE(complaint_about("/dev/tl-no-chip")
+  EXPECT_TRUE(complaint_about_chip("/dev/tl-no-chip")
                   .starts_with("/dev/tl-no-chip: No such file or directory; accepted: a gpiochip "
                                "that this user may open; there are: "));
 }
 
 TEST(GpioOfThisMachine, AFileThatIsNoChipIsRefused) {
-  EXPECT_TRUE(complaint_about("/dev/null").starts_with("/dev/null: "));
+  EXPECT_TRUE(complaint_about_chip("/dev/null").starts_with("/dev/null: "));
 }
 
 TEST(GpioOfThisMachine, TheEmergencyStopNeedsItsChipToo) {

@@ -1,9 +1,9 @@
 // Expected values from linux/can/error.h: the classes stand in the id, the controller's state in
 // byte 1, the error counters in bytes 6 and 7.
 
-#include <gtest/gtest.h>
-
 #include "hal/linux/can_wire.hpp"
+
+#include <gtest/gtest.h>
 
 namespace hal::linux_os {
 namespace {

@@ -1,3 +1,5 @@
+#include "hal/qemu_mps2/virtual_devices.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
@@ -5,7 +7,6 @@
 #include <cstdint>
 
 #include "hal/devices.hpp"
-#include "hal/qemu_mps2/virtual_devices.hpp"
 
 namespace hal::qemu_mps2 {
 namespace {
