@@ -21,7 +21,7 @@ struct Scatter {
 };
 
 /// One effect of the catalogue on life, with all that is known of it: it adds to ln N of a
-/// specimen, or to its scatter. Each has a file of its own, and adding an effect is adding a file.
+/// specimen, or to its scatter.
 class LifeEffect {
  public:
   enum class Kind {

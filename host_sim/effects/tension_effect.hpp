@@ -47,8 +47,7 @@ struct Signature {
   std::vector<std::vector<double>> columns;  ///< each as long as the samples
 };
 
-/// One effect of the catalogue on tension, with all that is known of it. Each has a file of its
-/// own, and adding an effect is adding a file.
+/// One effect of the catalogue on tension, with all that is known of it.
 class TensionEffect {
  public:
   TensionEffect() = default;

@@ -7,7 +7,6 @@
 namespace host_sim::effects::testing {
 namespace {
 
-constexpr double kTolerance = 1e-6;
 constexpr double kNewtonsPerAmpere = 21;  // of trace()
 
 /// T_out where the drive really pulls with `input_N`.
@@ -16,7 +15,7 @@ double output(const recording::Covariates& c, std::size_t i, double input_N) {
 }
 
 /// One sample: letting go, 2 A, winding at 65 C, rotor at 0.5 rad.
-recording::Covariates one_sample() {
+recording::Covariates releasing_sample() {
   recording::Covariates c;
   c.time_s = {0};
   c.direction = {-1};
@@ -30,7 +29,7 @@ recording::Covariates one_sample() {
 }
 
 TEST(CurrentOffset, IsTheLogarithmOfTheCurrentThatIsLeft) {
-  recording::Covariates sample = one_sample();
+  recording::Covariates sample = releasing_sample();
   sample.output_tension_N = {21 * 1.28 * std::exp(kMu * 2)};  // 0.72 A of 2 A are the offset
   EXPECT_NEAR(columns("current_offset", sample, {0.72})[0][0], std::log(0.64), 1e-14);
   const recording::Covariates c = trace();
@@ -43,7 +42,7 @@ TEST(CurrentOffset, IsTheLogarithmOfTheCurrentThatIsLeft) {
 }
 
 TEST(TorqueGain, IsTheLogarithmOfTheConstantThatIsLeft) {
-  EXPECT_NEAR(columns("torque_gain", one_sample(), {0.004})[0][0], std::log(0.84), 1e-14);
+  EXPECT_NEAR(columns("torque_gain", releasing_sample(), {0.004})[0][0], std::log(0.84), 1e-14);
   const recording::Covariates c = trace();
   for (const double droop_1_K : {1.5e-4, 2e-3, 5e-3}) {
     const recording::Covariates warm = with_output(c, [&](std::size_t i) {
@@ -55,13 +54,13 @@ TEST(TorqueGain, IsTheLogarithmOfTheConstantThatIsLeft) {
 }
 
 TEST(TorqueGain, StaysFiniteWhereNothingWouldBeLeft) {
-  recording::Covariates sample = one_sample();
+  recording::Covariates sample = releasing_sample();
   sample.winding_temperature_C = {400};
   EXPECT_TRUE(std::isfinite(columns("torque_gain", sample, {5e-3})[0][0]));
 }
 
 TEST(GearAsymmetry, IsTheDerivative) {
-  EXPECT_NEAR(columns("gear_asymmetry", one_sample())[0][0], -1, 1e-15);
+  EXPECT_NEAR(columns("gear_asymmetry", releasing_sample())[0][0], -1, 1e-15);
   const recording::Covariates c = trace();
   const auto model = [&](std::size_t i, double asymmetry) {
     return output(c, i, c.current_tension_N[i] * (1 + asymmetry * c.direction[i]));
@@ -70,8 +69,8 @@ TEST(GearAsymmetry, IsTheDerivative) {
 }
 
 TEST(TorqueRipple, IsTheDerivativeInSineAndCosine) {
-  EXPECT_NEAR(columns("torque_ripple", one_sample(), {6})[0][0], std::sin(3.0) / 2, 1e-15);
-  EXPECT_NEAR(columns("torque_ripple", one_sample(), {6})[1][0], std::cos(3.0) / 2, 1e-15);
+  EXPECT_NEAR(columns("torque_ripple", releasing_sample(), {6})[0][0], std::sin(3.0) / 2, 1e-15);
+  EXPECT_NEAR(columns("torque_ripple", releasing_sample(), {6})[1][0], std::cos(3.0) / 2, 1e-15);
   const recording::Covariates c = trace();
   const auto sine = [&](std::size_t i, double a) {
     return output(c, i,

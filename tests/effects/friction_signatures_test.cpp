@@ -8,8 +8,6 @@
 namespace host_sim::effects::testing {
 namespace {
 
-constexpr double kTolerance = 1e-6;
-
 double angle(const recording::Covariates& c, std::size_t i) {
   return c.bend_angle_rad[i] * c.direction[i];
 }
@@ -20,7 +18,7 @@ double capstan(const recording::Covariates& c, std::size_t i, double mu) {
 }
 
 /// One sample: pulling 2 rad, T_in 100 N, cycle 4000, sheath at 30 C.
-recording::Covariates one_sample() {
+recording::Covariates pulling_sample() {
   recording::Covariates c;
   c.time_s = {0};
   c.cycle = {4000};
@@ -37,8 +35,8 @@ recording::Covariates one_sample() {
 }
 
 TEST(FrictionWear, MoreFrictionLowersTheOutputWhilePulling) {
-  EXPECT_NEAR(columns("friction_wear", one_sample(), {0.5, 0})[0][0], -0.128 * 2 * 2, 1e-12);
-  EXPECT_NEAR(columns("friction_wear", one_sample(), {0, 1000})[0][0],
+  EXPECT_NEAR(columns("friction_wear", pulling_sample(), {0.5, 0})[0][0], -0.128 * 2 * 2, 1e-12);
+  EXPECT_NEAR(columns("friction_wear", pulling_sample(), {0, 1000})[0][0],
               -0.128 * 2 * 0.018315638888734179, 1e-12);
 }
 
@@ -55,7 +53,7 @@ TEST(FrictionWear, IsTheDerivativeOfThePowerLawAndOfTheRunIn) {
 }
 
 TEST(FrictionTemperature, IsTheDerivative) {
-  EXPECT_NEAR(columns("friction_temperature", one_sample())[0][0], -0.128 * 2 * 10, 1e-12);
+  EXPECT_NEAR(columns("friction_temperature", pulling_sample())[0][0], -0.128 * 2 * 10, 1e-12);
   const recording::Covariates c = trace();
   const auto output = [&](std::size_t i, double k) {
     return capstan(c, i, kMu * (1 + k * (c.sheath_temperature_C[i] - 20)));
@@ -65,8 +63,9 @@ TEST(FrictionTemperature, IsTheDerivative) {
 
 TEST(FrictionVelocity, IsTheDerivativeInBothParameters) {
   const std::vector<double> shape{0.02};
-  EXPECT_NEAR(columns("friction_velocity", one_sample(), shape)[0][0], -2 * std::exp(-1.0), 1e-12);
-  EXPECT_NEAR(columns("friction_velocity", one_sample(), shape)[1][0], -2 * 0.02, 1e-12);
+  EXPECT_NEAR(columns("friction_velocity", pulling_sample(), shape)[0][0], -2 * std::exp(-1.0),
+              1e-12);
+  EXPECT_NEAR(columns("friction_velocity", pulling_sample(), shape)[1][0], -2 * 0.02, 1e-12);
   const recording::Covariates c = trace();
   const auto stribeck = [&](std::size_t i, double above) {
     return capstan(c, i, kMu + above * std::exp(-std::abs(c.velocity_m_s[i]) / 0.02));
@@ -95,7 +94,7 @@ double along_sheath(double input_N, double bend_angle_rad, double direction, dou
 TEST(FrictionLoad, IsTheLawAtEachPlaceOfTheSheathWhateverItsSize) {
   // With k = 1/2 the roots of the tensions fall evenly: from 10 by mu phi sqrt(50)/2.
   const double root = 10 - 0.128 * 2 * std::sqrt(50.0) / 2;
-  recording::Covariates sample = one_sample();
+  recording::Covariates sample = pulling_sample();
   sample.output_tension_N = {root * root};
   EXPECT_NEAR(columns("friction_load", sample, {0.5})[0][0],
               std::log(root * root / 100) + 0.128 * 2, 1e-12);
@@ -113,7 +112,7 @@ TEST(FrictionLoad, IsTheLawAtEachPlaceOfTheSheathWhateverItsSize) {
 }
 
 TEST(FrictionPreload, IsAForceAgainstTheMotionWhateverItsSize) {
-  recording::Covariates sample = one_sample();
+  recording::Covariates sample = pulling_sample();
   sample.output_tension_N = {64 * std::exp(-kMu * 2)};  // 36 N of 100 are lost
   EXPECT_NEAR(columns("friction_preload", sample, {36})[0][0], std::log(0.64), 1e-14);
   const recording::Covariates c = trace();
@@ -127,7 +126,7 @@ TEST(FrictionPreload, IsAForceAgainstTheMotionWhateverItsSize) {
 
 TEST(FrictionPosition, IsTheDerivativeInEachHarmonic) {
   // x = 10 mm of 40 mm: a quarter turn, so sin 1, cos 0; then 0, -1; -1, 0; 0, 1; 1, 0; 0, -1
-  const auto at_quarter = columns("friction_position", one_sample(), {0.04});
+  const auto at_quarter = columns("friction_position", pulling_sample(), {0.04});
   const double friction = -0.128 * 2;
   const std::vector<double> expected{friction, 0, 0, -friction, -friction, 0, 0, friction,
                                      friction, 0, 0, -friction, friction,  0, 0, -friction};
@@ -195,7 +194,7 @@ TEST(BendAngle, IsTheDerivativeInTheErrorOfEachPose) {
 }
 
 TEST(BendAngle, HasOneColumnWhereNoPosesAreGiven) {
-  EXPECT_EQ(columns("bend_angle", one_sample()), (std::vector<std::vector<double>>{{-0.128}}));
+  EXPECT_EQ(columns("bend_angle", pulling_sample()), (std::vector<std::vector<double>>{{-0.128}}));
 }
 
 }  // namespace

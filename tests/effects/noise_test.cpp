@@ -13,7 +13,7 @@ namespace host_sim::effects::testing {
 namespace {
 
 constexpr double kNoise_sd = 0.01;  // as load cells have it
-constexpr std::size_t kSamples = 40'000;
+constexpr std::size_t kNoisySamples = 40'000;
 
 /// Standard normal, of two uniform numbers (Box and Muller).
 double normal(statistics::Random& random) {
@@ -36,16 +36,16 @@ std::vector<double> central_differences(const std::vector<double>& tension_N, do
 /// A triangle of 50 samples each way at 20 mm/s and one bend angle, of 30 N, where the baseline
 /// holds; both ends measured with noise of the same size.
 recording::Covariates noisy() {
-  constexpr double kStep_s = 0.01;
+  constexpr double kSampleStep_s = 0.01;
   constexpr double kSpeed_m_s = 0.02;
   recording::Covariates c;
   statistics::Random random(3, 0, 0);
   double position_m = 0;
-  for (std::size_t i = 0; i < kSamples; ++i) {
+  for (std::size_t i = 0; i < kNoisySamples; ++i) {
     const double direction = (i / 50) % 2 == 0 ? 1 : -1;
     const double input_N = 30 * std::exp(kNoise_sd * normal(random));
-    position_m += i == 0 ? 0 : direction * kSpeed_m_s * kStep_s;
-    c.time_s.push_back(kStep_s * static_cast<double>(i));
+    position_m += i == 0 ? 0 : direction * kSpeed_m_s * kSampleStep_s;
+    c.time_s.push_back(kSampleStep_s * static_cast<double>(i));
     c.direction.push_back(direction);
     c.velocity_m_s.push_back(direction * kSpeed_m_s);
     c.position_m.push_back(position_m);
@@ -55,7 +55,7 @@ recording::Covariates noisy() {
     c.current_tension_N.push_back(input_N);
     c.output_tension_N.push_back(30 * std::exp(kNoise_sd * normal(random) - 2 * kMu * direction));
   }
-  c.log_output_rate_1_s = central_differences(c.output_tension_N, kStep_s);
+  c.log_output_rate_1_s = central_differences(c.output_tension_N, kSampleStep_s);
   return c;
 }
 
@@ -89,7 +89,7 @@ TEST_P(NoiseOfBothEnds, DoesNotLookLikeTheEffect) {
       double square = 0;
       double both = 0;
       double residual_square = 0;
-      for (std::size_t i = 0; i < kSamples; ++i) {
+      for (std::size_t i = 0; i < kNoisySamples; ++i) {
         if (c.direction[i] == direction) {
           both += (column[i] - mean) * residual[i];
           square += (column[i] - mean) * (column[i] - mean);
@@ -98,7 +98,7 @@ TEST_P(NoiseOfBothEnds, DoesNotLookLikeTheEffect) {
       }
       ASSERT_GT(square, 0);
       // Without correlation, its estimate has a standard error of 1/sqrt(samples), of half of all.
-      EXPECT_NEAR(both / std::sqrt(square * residual_square), 0, 4 / std::sqrt(kSamples / 2));
+      EXPECT_NEAR(both / std::sqrt(square * residual_square), 0, 4 / std::sqrt(kNoisySamples / 2));
     }
   }
 }

@@ -8,6 +8,9 @@
 
 namespace host_sim::effects::testing {
 
+/// Of a signature against a derivative by differences.
+inline constexpr double kTolerance = 1e-6;
+
 inline constexpr double kMu = 0.128;
 inline constexpr Baseline kBaseline{.friction_coefficient = kMu,
                                     .sheath_reference_C = 20,

@@ -1,13 +1,16 @@
 #include "host_sim/effects/life/definition.hpp"
 
+#include <algorithm>
+#include <functional>
+#include <memory>
 #include <utility>
 
 namespace host_sim::effects {
 namespace {
 
-class DefinedEffect final : public LifeEffect {
+class DefinedLifeEffect final : public LifeEffect {
  public:
-  explicit DefinedEffect(LifeDefinition definition) : definition_(std::move(definition)) {}
+  explicit DefinedLifeEffect(LifeDefinition definition) : definition_(std::move(definition)) {}
 
   std::string_view id() const override { return definition_.id; }
   Kind kind() const override { return definition_.kind; }
@@ -43,8 +46,18 @@ class DefinedEffect final : public LifeEffect {
 
 }  // namespace
 
-std::unique_ptr<LifeEffect> effect_of(LifeDefinition definition) {
-  return std::make_unique<DefinedEffect>(std::move(definition));
+std::span<const std::unique_ptr<LifeEffect>> life_effects() {
+  static const std::vector<std::unique_ptr<LifeEffect>> catalogue = [] {
+    std::vector<std::unique_ptr<LifeEffect>> made;
+    for (const auto& definitions : {load_effects(), specimen_effects()}) {
+      for (const LifeDefinition& definition : definitions) {
+        made.push_back(std::make_unique<DefinedLifeEffect>(definition));
+      }
+    }
+    std::ranges::sort(made, {}, &LifeEffect::id);
+    return made;
+  }();
+  return catalogue;
 }
 
 }  // namespace host_sim::effects

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -12,7 +11,7 @@ namespace host_sim::effects {
 
 using Columns = std::vector<std::vector<double>>;
 
-/// All that the file of an effect says, as data. The texts and tables must outlive the program.
+/// All that is known of an effect, as data. The texts and tables must outlive the program.
 struct LifeDefinition {
   std::string_view id;
   LifeEffect::Kind kind = LifeEffect::Kind::mean;
@@ -29,7 +28,9 @@ struct LifeDefinition {
                      std::span<const double> shape) = nullptr;  ///< none: no scatter
 };
 
-std::unique_ptr<LifeEffect> effect_of(LifeDefinition definition);
+/// The catalogue by what the effects depend on; a file each.
+std::vector<LifeDefinition> load_effects();
+std::vector<LifeDefinition> specimen_effects();
 
 /// One column of an effect that makes ln alpha of each block larger by `change(block, specimen)`.
 /// By Miner the damage of a block falls by exp(-change), so that ln N of the specimen grows by

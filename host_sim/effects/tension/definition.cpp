@@ -1,5 +1,8 @@
 #include "host_sim/effects/tension/definition.hpp"
 
+#include <algorithm>
+#include <functional>
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -23,9 +26,10 @@ std::string missing_in_residual(const recording::Covariates& covariates) {
   return {};
 }
 
-class DefinedEffect final : public TensionEffect {
+class DefinedTensionEffect final : public TensionEffect {
  public:
-  explicit DefinedEffect(TensionDefinition definition) : definition_(std::move(definition)) {}
+  explicit DefinedTensionEffect(TensionDefinition definition)
+      : definition_(std::move(definition)) {}
 
   std::string_view id() const override { return definition_.id; }
   std::string_view term() const override { return definition_.term; }
@@ -69,8 +73,18 @@ class DefinedEffect final : public TensionEffect {
 
 }  // namespace
 
-std::unique_ptr<TensionEffect> effect_of(TensionDefinition definition) {
-  return std::make_unique<DefinedEffect>(std::move(definition));
+std::span<const std::unique_ptr<TensionEffect>> tension_effects() {
+  static const std::vector<std::unique_ptr<TensionEffect>> catalogue = [] {
+    std::vector<std::unique_ptr<TensionEffect>> made;
+    for (const auto& definitions : {friction_effects(), transmission_effects(), sensor_effects()}) {
+      for (const TensionDefinition& definition : definitions) {
+        made.push_back(std::make_unique<DefinedTensionEffect>(definition));
+      }
+    }
+    std::ranges::sort(made, {}, &TensionEffect::id);
+    return made;
+  }();
+  return catalogue;
 }
 
 }  // namespace host_sim::effects

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -16,9 +15,31 @@ struct Need {
   std::string_view words;  ///< what it is and the channel that gives it
 };
 
+// The covariates that signatures read, with what to record for them.
+inline constexpr Need kCycleNeed{&recording::Covariates::cycle,
+                                 "cycle number (start_cycle in sessions.csv)"};
+inline constexpr Need kVelocityNeed{&recording::Covariates::velocity_m_s,
+                                    "velocity (tendon_velocity_m_s)"};
+inline constexpr Need kTravelNeed{&recording::Covariates::travel_m,
+                                  "travel since the last reversal (tendon_velocity_m_s)"};
+inline constexpr Need kPositionNeed{&recording::Covariates::position_m,
+                                    "tendon position (motor_angle_rad or tendon_velocity_m_s)"};
+inline constexpr Need kMotorAngleNeed{&recording::Covariates::motor_angle_rad,
+                                      "rotor angle (motor_angle_rad)"};
+inline constexpr Need kCurrentNeed{&recording::Covariates::current_A,
+                                   "motor current (motor_current_A)"};
+inline constexpr Need kTensionRateNeed{&recording::Covariates::log_tension_rate_1_s,
+                                       "rate of input tension (time_s and an input tension)"};
+inline constexpr Need kOutputRateNeed{&recording::Covariates::log_output_rate_1_s,
+                                      "rate of output tension (time_s and output_tension_N)"};
+inline constexpr Need kSheathTemperatureNeed{&recording::Covariates::sheath_temperature_C,
+                                             "sheath temperature (sheath_temperature_C)"};
+inline constexpr Need kWindingTemperatureNeed{&recording::Covariates::winding_temperature_C,
+                                              "winding temperature (winding_temperature_C)"};
+
 using Columns = std::vector<std::vector<double>>;
 
-/// All that the file of an effect says, as data. The texts and tables must outlive the program.
+/// All that is known of an effect, as data. The texts and tables must outlive the program.
 struct TensionDefinition {
   std::string_view id;
   std::string_view term;
@@ -37,21 +58,9 @@ struct TensionDefinition {
                      std::span<const double> shape) = nullptr;
 };
 
-std::unique_ptr<TensionEffect> effect_of(TensionDefinition definition);
-
-/// One column: `value(i)` of each sample.
-template <typename Value>
-std::vector<double> column_of(const recording::Covariates& covariates, Value&& value) {
-  std::vector<double> column(covariates.samples());
-  for (std::size_t i = 0; i < column.size(); ++i) {
-    column[i] = value(i);
-  }
-  return column;
-}
-
-/// phi s of a sample, what friction terms multiply.
-inline double angle_and_direction(const recording::Covariates& covariates, std::size_t i) {
-  return covariates.bend_angle_rad[i] * covariates.direction[i];
-}
+/// The catalogue by kinds of physics; a file each.
+std::vector<TensionDefinition> friction_effects();
+std::vector<TensionDefinition> transmission_effects();
+std::vector<TensionDefinition> sensor_effects();  ///< and of the drive
 
 }  // namespace host_sim::effects

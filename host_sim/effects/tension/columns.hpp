@@ -1,0 +1,93 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "host_sim/effects/tension_effect.hpp"
+#include "host_sim/recording/covariates.hpp"
+
+/// What the columns of signatures are made of.
+namespace host_sim::effects {
+
+/// One column: `value(i)` of each sample.
+template <typename Value>
+std::vector<double> column_of(const recording::Covariates& covariates, Value&& value) {
+  std::vector<double> column(covariates.samples());
+  for (std::size_t i = 0; i < column.size(); ++i) {
+    column[i] = value(i);
+  }
+  return column;
+}
+
+/// phi s of a sample, what friction terms multiply.
+inline double angle_and_direction(const recording::Covariates& covariates, std::size_t i) {
+  return covariates.bend_angle_rad[i] * covariates.direction[i];
+}
+
+/// What to multiply a measured input by, tension or current, where a signature divides by it: the
+/// root of T_in as the output tells it over T_in as measured, exp(r/2). The noise of the input is
+/// part of r, so that a signature made of it alone would find an effect where there is none; in the
+/// geometric mean of both ends noises of equal size cancel. 1 where the baseline holds exactly.
+inline double to_mid_tension(const recording::Covariates& covariates, const Baseline& baseline,
+                             std::size_t i) {
+  const double gripped = std::exp(baseline.friction_coefficient * covariates.bend_angle_rad[i] *
+                                  covariates.direction[i]);
+  return std::sqrt(covariates.output_tension_N[i] * gripped / covariates.tension_in_N()[i]);
+}
+
+/// Whether the tendon turns between the sample before and this one.
+inline bool turns_at(const recording::Covariates& covariates, std::size_t i) {
+  return i > 0 && covariates.direction[i] != covariates.direction[i - 1];
+}
+
+/// When within the step to sample i the motion turned, as a share of the step: where the velocity,
+/// taken as linear, is zero.
+inline double turned_at(const recording::Covariates& covariates, std::size_t i) {
+  const double before = std::abs(covariates.velocity_m_s[i - 1]);
+  const double after = std::abs(covariates.velocity_m_s[i]);
+  return before + after > 0 ? before / (before + after) : 0.5;
+}
+
+/// The friction that a reversal turns over: of the recording by itself where that is known, as its
+/// jumps do not follow what a session's friction is off by along the way.
+inline double friction_at_reversals(const recording::Covariates& covariates,
+                                    const Baseline& baseline) {
+  constexpr double kMostFactor = 4;
+  const double found = covariates.settled_friction;
+  const double nominal = baseline.friction_coefficient;
+  return found > nominal / kMostFactor && found < nominal * kMostFactor ? found : nominal;
+}
+
+/// Steps of time between samples. Where a few are missing, as near a standstill, the motion goes
+/// on; after a long pause nothing is known of what was before.
+class TimeSteps {
+ public:
+  explicit TimeSteps(const recording::Covariates& covariates) : time_s_(covariates.time_s) {
+    std::vector<double> steps_s;
+    for (std::size_t i = 1; i < time_s_.size(); ++i) {
+      steps_s.push_back(before_s(i));
+    }
+    if (!steps_s.empty()) {
+      const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
+      std::nth_element(steps_s.begin(), middle, steps_s.end());
+      usual_s_ = *middle;
+    }
+  }
+
+  [[nodiscard]] double before_s(std::size_t i) const { return time_s_[i] - time_s_[i - 1]; }
+  [[nodiscard]] bool starts(std::size_t i) const {
+    return i == 0 || before_s(i) > kPause * usual_s_;
+  }
+  [[nodiscard]] bool gap(std::size_t i) const { return before_s(i) > kGap * usual_s_; }
+
+ private:
+  static constexpr double kGap = 1.5;
+  static constexpr double kPause = 100;
+
+  const std::vector<double>& time_s_;
+  double usual_s_ = 0;
+};
+
+}  // namespace host_sim::effects
