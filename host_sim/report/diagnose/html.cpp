@@ -4,27 +4,79 @@
 
 #include <sstream>
 
-#include "host_sim/diagnose/output/parts.hpp"
-#include "host_sim/diagnose/output/words.hpp"
+#include "host_sim/diagnose/diagnosis.hpp"
+#include "host_sim/diagnose/output/prose.hpp"
 #include "host_sim/report/diagnose/assets.hpp"
 #include "host_sim/report/diagnose/captions.hpp"
 #include "host_sim/report/diagnose/charts.hpp"
-#include "host_sim/report/diagnose/pictures.hpp"
-#include "host_sim/report/diagnose/ranking.hpp"
+#include "host_sim/report/diagnose/head.hpp"
 #include "host_sim/report/diagnose/tables.hpp"
-#include "host_sim/report/diagnose/tiles.hpp"
-#include "host_sim/report/diagnose/verdict.hpp"
 #include "host_sim/report/page/elements.hpp"
 #include "host_sim/report/page/frame.hpp"
 
-namespace host_sim {
+namespace host_sim::diagnose_page {
 namespace {
 
 using diagnose::Diagnosis;
 using diagnose::Findings;
-using elements::table_or;
-namespace captions = diagnose_page::captions;
-namespace tables = diagnose_page::tables;
+
+std::string caption(const std::string& text) {
+  return fmt::format("<p class=\"caption\">{}</p>\n", html_escape(text));
+}
+
+std::string in_pair(const std::string& html) {
+  return fmt::format("<div>\n{}</div>\n", html);
+}
+
+std::string traces(const diagnose::TensionDiagnosis& tension) {
+  constexpr std::string_view kNothing = "There is no recording of this session to draw.";
+  if (tension.traces.empty()) {
+    return elements::empty("There is no recording to draw.");
+  }
+  std::string html = caption(captions::traces(tension)) + "<div class=\"pair\">\n";
+  for (const std::size_t trace : worst_traces(tension, kMostTraces)) {
+    html += in_pair(
+        elements::chart(trace_chart(tension, trace), captions::trace(tension, trace), kNothing));
+    html += in_pair(elements::chart(loop_chart(tension, trace), captions::loop(), kNothing));
+  }
+  return html + "</div>\n";
+}
+
+std::string residuals(const diagnose::TensionDiagnosis& tension) {
+  if (tension.residuals.empty()) {
+    return elements::empty("There is no residual to draw.");
+  }
+  std::string html = caption(captions::residuals(tension)) + "<div class=\"pair\">\n";
+  for (const std::size_t i : residual_order(tension)) {
+    html += in_pair(elements::chart(residual_chart(tension, i), captions::residual(tension, i),
+                                    "There is no residual in this direction."));
+  }
+  return html + "</div>\n";
+}
+
+std::string filled(std::string_view page, const Slots& slots) {
+  std::ostringstream out;
+  fill_template(out, page, slots);
+  return out.str();
+}
+
+std::string pictures(const diagnose::TensionDiagnosis& tension) {
+  return filled(diagnose_assets::recordings_html,
+                {{"traces", traces(tension)}, {"residuals", residuals(tension)}});
+}
+
+std::string pictures(const diagnose::LifeDiagnosis& lives) {
+  constexpr std::string_view kNothing = "There is no life to draw.";
+  const Chart after = ratio_chart(lives, Model::extended);
+  return filled(
+      diagnose_assets::lives_html,
+      {{"weibull", elements::chart(weibull_chart(lives), captions::weibull(lives), kNothing)},
+       {"ratio_before",
+        elements::chart(ratio_chart(lives, Model::nominal), captions::ratio_before(), kNothing)},
+       {"ratio_after", after.layers.empty()
+                           ? std::string()
+                           : in_pair(elements::chart(after, captions::ratio_after(), kNothing))}});
+}
 
 std::string paragraph(std::string_view kind, const std::string& text) {
   return text.empty() ? std::string()
@@ -42,18 +94,18 @@ bool has_parameters(const Findings& findings) {
 
 void add_found(Slots& slots, const Findings& findings) {
   slots["words"] = paragraph("lead", findings.words);
-  slots["effects"] =
-      table_or(!findings.effects.empty(), tables::effects(findings), "No effect was named.");
+  slots["effects"] = elements::table_or(!findings.effects.empty(), tables::effects(findings),
+                                        "No effect was named.");
   slots["parameters"] = has_parameters(findings) ? tables::parameters(findings) : std::string();
-  slots["refitted"] = table_or(!findings.refitted.empty(), tables::refitted(findings),
-                               "No parameter was refitted.");
+  slots["refitted"] = elements::table_or(!findings.refitted.empty(), tables::refitted(findings),
+                                         "No parameter was refitted.");
 }
 
 void add_causes(Slots& slots, const Findings& findings) {
   slots["causes"] =
       findings.candidates.empty()
           ? elements::empty("No candidate was tried.")
-          : paragraph("caption", captions::ranking(findings)) + diagnose_page::ranking(findings);
+          : paragraph("caption", captions::ranking(findings)) + tables::ranking(findings);
   slots["next"] =
       findings.next_experiment.empty()
           ? std::string()
@@ -80,8 +132,8 @@ void add_evidence(Slots& slots, const Findings& findings) {
       findings.discrepancies.empty()
           ? elements::empty("No covariate was tested.")
           : paragraph("caption", captions::discrepancies()) + tables::discrepancies(findings);
-  slots["invisible"] = table_or(!findings.invisible.empty(), tables::invisible(findings),
-                                "Each effect of the catalogue would show here.");
+  slots["invisible"] = elements::table_or(!findings.invisible.empty(), tables::invisible(findings),
+                                          "Each effect of the catalogue would show here.");
 }
 
 std::string part(std::string_view id, std::string_view title, const Findings& findings,
@@ -102,17 +154,16 @@ std::string part(std::string_view id, std::string_view title, const Findings& fi
 std::string body(std::string_view campaign, const Diagnosis& diagnosis) {
   Slots slots;
   slots["campaign"] = html_escape(campaign);
-  slots["verdict"] = html_escape(diagnose_page::verdict(diagnosis));
-  slots["origin"] = html_escape(diagnose_page::origin(diagnosis));
+  slots["verdict"] = html_escape(verdict(diagnosis));
+  slots["origin"] = html_escape(origin(diagnosis));
   slots["warnings"] = elements::warnings(diagnosis.warnings);
-  slots["tiles"] = diagnose_page::tiles(diagnosis);
+  slots["tiles"] = tiles(diagnosis);
   const auto& tension = diagnosis.tension;
-  slots["recordings"] =
-      tension ? part("recordings", "Recordings", tension->findings,
-                     diagnose_page::pictures(*tension), diagnose::cost_words(*tension))
-              : std::string();
+  slots["recordings"] = tension ? part("recordings", "Recordings", tension->findings,
+                                       pictures(*tension), diagnose::cost_words(*tension))
+                                : std::string();
   const auto& lives = diagnosis.lives;
-  slots["lives"] = lives ? part("lives", "Lives", lives->findings, diagnose_page::pictures(*lives),
+  slots["lives"] = lives ? part("lives", "Lives", lives->findings, pictures(*lives),
                                 diagnose::cost_words(*lives))
                          : std::string();
   std::ostringstream out;
@@ -121,20 +172,24 @@ std::string body(std::string_view campaign, const Diagnosis& diagnosis) {
 }
 
 nlohmann::json charts_json(const Diagnosis& diagnosis) {
-  nlohmann::json charts = nlohmann::json::object();
-  for (const Chart& chart : diagnose_page::charts(diagnosis)) {
-    charts[chart.id] = chart_json(chart);
+  nlohmann::json drawn = nlohmann::json::object();
+  for (const Chart& chart : charts(diagnosis)) {
+    drawn[chart.id] = chart_json(chart);
   }
-  return {{"charts", charts}};
+  return {{"charts", drawn}};
 }
 
 }  // namespace
+}  // namespace host_sim::diagnose_page
 
-void write_diagnose_report(std::ostream& out, std::string_view campaign, const Diagnosis& diagnosis,
-                           std::string_view program_version) {
-  write_page(out, {"Tendon life: diagnosis of " + std::string(campaign), body(campaign, diagnosis),
-                   fmt::format("Made by host_sim {}.", program_version), charts_json(diagnosis),
-                   diagnose_assets::draw_js});
+namespace host_sim {
+
+void write_diagnose_report(std::ostream& out, std::string_view campaign,
+                           const diagnose::Diagnosis& diagnosis, std::string_view program_version) {
+  write_page(out, {"Tendon life: diagnosis of " + std::string(campaign),
+                   diagnose_page::body(campaign, diagnosis),
+                   fmt::format("Made by host_sim {}.", program_version),
+                   diagnose_page::charts_json(diagnosis), diagnose_assets::draw_js});
 }
 
 }  // namespace host_sim

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "host_sim/report/diagnose/html.hpp"
-#include "host_sim/report/diagnose/ranking.hpp"
+#include "host_sim/report/diagnose/tables.hpp"
 #include "tests/report/diagnose/sample_diagnosis.hpp"
 #include "tests/report/page/page_text.hpp"
 
@@ -128,7 +128,7 @@ TEST(Ranking, PutsTheMostProbableFirstAndTheRestTogether) {
   findings.candidates = {
       {"slack", 0.2}, {"unknown", 0.799}, {"compliance", 0.0006}, {"none", 0.0004}};
   findings.credible_set = {"unknown", "slack"};
-  const std::string html = diagnose_page::ranking(findings);
+  const std::string html = diagnose_page::tables::ranking(findings);
   EXPECT_LT(html.find(">unknown<"), html.find(">slack<"));
   EXPECT_EQ(count_of(html, "class=\"strong\""), 2U);
   EXPECT_EQ(count_of(html, "class=\"weak\""), 1U);
@@ -136,9 +136,9 @@ TEST(Ranking, PutsTheMostProbableFirstAndTheRestTogether) {
   EXPECT_THAT(html, HasSubstr("<td class=\"number\">0.1\u00a0%</td>"));
   EXPECT_THAT(html, HasSubstr("class=\"strong\" width=\"79.90\""));
   findings.candidates[3].probability = 0.0001;
-  EXPECT_THAT(diagnose_page::ranking(findings),
+  EXPECT_THAT(diagnose_page::tables::ranking(findings),
               HasSubstr("<td class=\"number\">below 0.1\u00a0%</td>"));
-  EXPECT_EQ(diagnose_page::ranking({}), "");
+  EXPECT_EQ(diagnose_page::tables::ranking({}), "");
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
-#include "host_sim/report/diagnose/verdict.hpp"
-
 #include <gtest/gtest.h>
 
+#include "host_sim/report/diagnose/head.hpp"
 #include "tests/report/diagnose/sample_diagnosis.hpp"
 
 namespace host_sim::diagnose_page {
