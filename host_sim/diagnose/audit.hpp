@@ -70,4 +70,12 @@ struct Audit {
 /// Step 0: what a campaign can show and tell apart, from its design alone.
 Audit audit(const Grams& grams, const NoiseModel& noise);
 
+/// The experiment that tells two effects apart, as the catalogue has it from either side; a crossed
+/// design where it names none.
+std::string experiment_for(const effects::TensionEffect& one, const effects::TensionEffect& other);
+
+/// The connected components of the visible effects, joined by pairs above Audit::kSameCosine.
+std::vector<EquivalenceClass> classes_of(const std::vector<EffectAudit>& effects,
+                                         const std::vector<PairAudit>& pairs);
+
 }  // namespace host_sim::diagnose

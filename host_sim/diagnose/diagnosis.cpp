@@ -3,6 +3,33 @@
 #include <algorithm>
 
 namespace host_sim::diagnose {
+namespace {
+
+template <class T>
+void append(std::vector<T>& all, const std::vector<T>& more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+void append(std::string& all, const std::string& more, std::string_view between) {
+  if (!all.empty() && !more.empty()) {
+    all += between;
+  }
+  all += more;
+}
+
+void append(Gain& all, const Gain& more, std::string_view part) {
+  append(all.held_out_by, more.held_out_by, ", ");
+  for (Metric metric : more.metrics) {
+    const bool taken = std::any_of(all.metrics.begin(), all.metrics.end(),
+                                   [&](const Metric& other) { return other.name == metric.name; });
+    if (taken) {
+      metric.name = std::string(part) + "_" + metric.name;
+    }
+    all.metrics.push_back(metric);
+  }
+}
+
+}  // namespace
 
 std::string_view word_of(Verdict verdict) {
   switch (verdict) {
@@ -52,6 +79,38 @@ Verdict Diagnosis::verdict() const {
     verdict = std::max(verdict, lives->findings.verdict);
   }
   return verdict;
+}
+
+std::vector<Part> parts_of(const Diagnosis& diagnosis) {
+  std::vector<Part> parts;
+  if (diagnosis.tension) {
+    parts.push_back({"recordings", &diagnosis.tension->findings});
+  }
+  if (diagnosis.lives) {
+    parts.push_back({"lives", &diagnosis.lives->findings});
+  }
+  return parts;
+}
+
+Findings merged(const Diagnosis& diagnosis) {
+  Findings all;
+  all.verdict = diagnosis.verdict();
+  for (const Part& part : parts_of(diagnosis)) {
+    const Findings& one = *part.findings;
+    append(all.effects, one.effects);
+    append(all.candidates, one.candidates);
+    append(all.credible_set, one.credible_set);
+    append(all.equivalent_sets, one.equivalent_sets);
+    append(all.invisible, one.invisible);
+    append(all.next_experiment, one.next_experiment, "; ");
+    append(all.gain, one.gain, part.name);
+    append(all.steps, one.steps);
+    append(all.discrepancies, one.discrepancies);
+    append(all.refitted, one.refitted);
+    append(all.extensions, one.extensions);
+    append(all.words, one.words, " ");
+  }
+  return all;
 }
 
 }  // namespace host_sim::diagnose

@@ -185,4 +185,18 @@ TensionDiagnosis diagnose_tension(const Campaign& campaign, const DiagnoseOption
 /// Of the lives alone.
 LifeDiagnosis diagnose_lives(const Campaign& campaign, const DiagnoseOptions& options);
 
+/// One part of a diagnosis.
+struct Part {
+  std::string_view name;  ///< "recordings" or "lives"
+  const Findings* findings = nullptr;
+};
+
+/// The parts that there are, recordings first. They point into `diagnosis`.
+std::vector<Part> parts_of(const Diagnosis& diagnosis);
+
+/// The findings of both parts in one: lists one after the other, sentences joined. The gain is that
+/// of the parts that were extended; a metric that both have stands for the recordings, that of the
+/// lives gets the name "lives_...".
+Findings merged(const Diagnosis& diagnosis);
+
 }  // namespace host_sim::diagnose

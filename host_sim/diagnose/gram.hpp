@@ -8,16 +8,11 @@
 #include <vector>
 
 #include "host_sim/diagnose/probe.hpp"
+#include "host_sim/diagnose/sessions.hpp"
 #include "host_sim/effects/tension_effect.hpp"
 #include "host_sim/recording/covariates.hpp"
 
 namespace host_sim::diagnose {
-
-/// One session: the unit of every fit.
-struct Session {
-  std::string name;
-  recording::Covariates covariates;
-};
 
 /// What a column of the regression is.
 struct GramColumn {
@@ -112,10 +107,6 @@ struct Grams {
   }
   [[nodiscard]] double samples() const;  ///< of all sessions
 };
-
-/// The poses of a campaign: the mean bend angles of its sessions, rising, those within a degree of
-/// the one before counted as one.
-std::vector<double> poses_of(std::span<const Session> sessions);
 
 /// The layout for these sessions: an effect that one of them cannot give has no columns.
 GramLayout layout_of(std::span<const Session> sessions, const effects::Baseline& baseline,

@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "host_sim/diagnose/gram.hpp"
-
 namespace host_sim::diagnose {
 namespace {
 

@@ -4,11 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/recording/covariates.hpp"
+#include "host_sim/diagnose/sessions.hpp"
 
 namespace host_sim::diagnose {
-
-struct Session;
 
 /// Looks at the residual against one covariate without a cause in mind: one column for each bin of
 /// the covariate and each direction, 1 in the samples that fall there.

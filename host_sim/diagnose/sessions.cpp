@@ -1,8 +1,21 @@
 #include "host_sim/diagnose/sessions.hpp"
 
+#include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace host_sim::diagnose {
+namespace {
+
+constexpr double kSamePose_rad = 0.0174532925199432958;  // a degree
+
+double mean_of(const std::vector<double>& values) {
+  return values.empty() ? 0
+                        : std::accumulate(values.begin(), values.end(), 0.0) /
+                              static_cast<double>(values.size());
+}
+
+}  // namespace
 
 RecordedSessions recorded_sessions(const Campaign& campaign) {
   RecordedSessions recorded;
@@ -15,6 +28,25 @@ RecordedSessions recorded_sessions(const Campaign& campaign) {
     }
   }
   return recorded;
+}
+
+std::vector<double> poses_of(std::span<const Session> sessions) {
+  std::vector<double> means;
+  for (const Session& session : sessions) {
+    if (session.covariates.samples() > 0) {
+      means.push_back(mean_of(session.covariates.bend_angle_rad));
+    }
+  }
+  std::ranges::sort(means);
+  std::vector<double> poses;
+  double last_rad = 0;
+  for (const double mean_rad : means) {
+    if (poses.empty() || mean_rad - last_rad > kSamePose_rad) {
+      poses.push_back(mean_rad);
+    }
+    last_rad = mean_rad;
+  }
+  return poses;
 }
 
 }  // namespace host_sim::diagnose

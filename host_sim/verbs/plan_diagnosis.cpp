@@ -2,7 +2,7 @@
 
 #include <mutex>
 
-#include "host_sim/diagnose/plan/results.hpp"
+#include "host_sim/diagnose/plan/foresee.hpp"
 #include "host_sim/io/progress.hpp"
 #include "host_sim/verbs/outputs.hpp"
 

@@ -1,23 +1,103 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <vector>
 
 #include "host_sim/diagnose/diagnosis.hpp"
 #include "host_sim/diagnose/lives/audit.hpp"
 #include "host_sim/diagnose/lives/decision.hpp"
 #include "host_sim/diagnose/lives/discrepancy.hpp"
 #include "host_sim/diagnose/lives/estimates.hpp"
+#include "host_sim/diagnose/lives/fit.hpp"
 #include "host_sim/diagnose/lives/gain.hpp"
-#include "host_sim/diagnose/lives/life_quantile.hpp"
+#include "host_sim/diagnose/lives/life_sample.hpp"
 #include "host_sim/diagnose/lives/likelihood.hpp"
-#include "host_sim/diagnose/lives/picture.hpp"
-#include "host_sim/diagnose/lives/shape_words.hpp"
-#include "host_sim/diagnose/lives/undiagnosed.hpp"
+#include "host_sim/diagnose/lives/prose.hpp"
 #include "host_sim/diagnose/lives/validation.hpp"
-#include "host_sim/diagnose/lives/words.hpp"
+#include "host_sim/effects/life_effect.hpp"
 
 namespace host_sim::diagnose {
 namespace lives {
 namespace {
+
+/// Of equal damage: the power mean of the blocks.
+double equivalent_N(const LifeSample::Specimen& specimen, double exponent) {
+  double powers = 0;
+  for (const LifeSample::Block& block : specimen.blocks) {
+    powers += block.cycles * std::pow(block.effective_N, exponent);
+  }
+  return std::pow(powers / specimen.cycles(), 1 / exponent);
+}
+
+/// Each life over alpha of the model, cox_snell^(1/beta), under the nominal law and the extended
+/// one.
+LifePicture picture_of(const LifeSample& sample, const LifeSettings& before,
+                       const LifeSettings& after) {
+  const std::vector<Residual> residuals_before = residuals_of(sample, before);
+  const std::vector<Residual> residuals_after = residuals_of(sample, after);
+  LifePicture picture{.points = {}, .shape_before = before.shape, .shape_after = after.shape};
+  for (std::size_t i = 0; i < sample.size(); ++i) {
+    const LifeSample::Specimen& specimen = sample.specimens[i];
+    picture.points.push_back(
+        {.specimen = specimen.name,
+         .lot = specimen.lot,
+         .effective_N = equivalent_N(specimen, before.exponent),
+         .ratio_before = std::pow(residuals_before[i].cox_snell, 1 / before.shape),
+         .ratio_after = std::pow(residuals_after[i].cox_snell, 1 / after.shape),
+         .failed = specimen.failed});
+  }
+  return picture;
+}
+
+/// Why the nominal law cannot be fitted to these lives, so that nothing can be asked of them; empty
+/// where it can.
+std::string hindrance(const LifeSample& sample, const NominalFit& nominal) {
+  constexpr std::size_t kLeastToJudge = 6;
+  if (sample.failures() < kLeastToJudge) {
+    return fmt::format("{} of {} specimens failed; {} failures are the least to judge a law by",
+                       sample.failures(), sample.size(), kLeastToJudge);
+  }
+  if (sample.levels < 2) {
+    return "all specimens were tested at one effective tension, which says nothing of gamma; test "
+           "at three levels or more";
+  }
+  switch (nominal.problem) {
+    case statistics::FitProblem::none:
+      return "";
+    case statistics::FitProblem::too_few_failures:
+      return "fewer than two specimens failed";
+    case statistics::FitProblem::no_spread:
+      return "all failures lie on the law without any scatter, which no lives do";
+    case statistics::FitProblem::not_identified:
+      return "failures at one effective tension alone say nothing of gamma; test at three levels "
+             "or "
+             "more";
+    case statistics::FitProblem::not_converged:
+      break;
+  }
+  return "the nominal law could not be fitted to these lives";
+}
+
+/// All that can be said then: nothing is named, each effect is invisible.
+LifeDiagnosis undiagnosed(const Campaign& campaign, const std::string& why) {
+  LifeDiagnosis diagnosis;
+  Findings& findings = diagnosis.findings;
+  findings.words = "Nothing can be asked of these lives: " + why + ".";
+  findings.next_experiment = why;
+  findings.candidates = {{"none", 1}, {"unknown", 0}};
+  findings.credible_set = {"none"};
+  for (const auto& effect : effects::life_effects()) {
+    findings.invisible.push_back({std::string(effect->id()), why});
+  }
+  if (campaign.nominal.life) {
+    diagnosis.ipl_scale = campaign.nominal.life->ipl_scale;
+    diagnosis.ipl_exponent = campaign.nominal.life->ipl_exponent;
+    diagnosis.weibull_shape = campaign.nominal.life->weibull_shape;
+  }
+  return diagnosis;
+}
 
 /// Structure that is left with less than this by chance is not explained.
 constexpr double kLeft_p = 0.003;

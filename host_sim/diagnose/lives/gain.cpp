@@ -1,6 +1,5 @@
 #include "host_sim/diagnose/lives/gain.hpp"
 
-#include "host_sim/diagnose/lives/life_quantile.hpp"
 #include "host_sim/diagnose/lives/likelihood.hpp"
 #include "host_sim/statistics/parallel.hpp"
 

@@ -4,6 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "host_sim/diagnose/lives/life_sample.hpp"
+
 namespace host_sim::diagnose::lives {
 
 /// All that a model of lives says: the nominal law, and each departure from it at its neutral value
@@ -44,5 +46,15 @@ struct LifeSettings {
   double day_shift = 0;                        ///< of ln alpha for each day
   double falling_shift = 0, rising_shift = 0;  ///< of ln alpha in blocks, by how the load went
 };
+
+/// Fully reversed tension that does the damage of a block, before any endurance limit: Gerber's,
+/// or that of Walker, T_max^(1-w) T_a^w, or of Goodman, T_a/(1 - T_m/T_u); T_a with the bending,
+/// and T_m where the bending goes from zero.
+double damaging_N(const LifeSample& sample, const LifeSample::Block& block,
+                  const LifeSettings& settings);
+
+/// Mean of its logarithm over the last blocks of LifeSample::reference: what ln_life_at_centre is
+/// for.
+double centre_ln_N(const LifeSample& sample, const LifeSettings& settings);
 
 }  // namespace host_sim::diagnose::lives

@@ -85,6 +85,20 @@ double shared_sd(const LifeSettings& settings) {
   return settings.lot_log_sd > 0 ? settings.lot_log_sd : settings.group_log_sd;
 }
 
+double survival_at(const LifeSample& sample, const LifeSample::Specimen& specimen,
+                   const LifeSettings& settings, const LifeFrame& frame) {
+  const SpecimenLife life(sample, specimen, settings, frame);
+  const double log_sd = std::hypot(settings.lot_log_sd, settings.group_log_sd);
+  if (log_sd == 0) {
+    return std::exp(life.log_survival(0));
+  }
+  double sum = 0;
+  for (const NormalNode& node : even_nodes()) {
+    sum += std::exp(node.ln_weight + life.log_survival(log_sd * node.at));
+  }
+  return sum;
+}
+
 }  // namespace
 
 double log_likelihood(const LifeSample& sample, const LifeSettings& settings) {
@@ -117,6 +131,25 @@ std::vector<Residual> residuals_of(const LifeSample& sample, const LifeSettings&
     residuals[i].cox_snell = -lives[i].log_survival(residuals[i].shared);
   }
   return residuals;
+}
+
+double survival(const LifeSample& sample, const LifeSample::Specimen& specimen,
+                const LifeSettings& settings) {
+  return survival_at(sample, specimen, settings, frame_of(sample, settings));
+}
+
+double quantile_cycles(const LifeSample& sample, LifeSample::Specimen specimen,
+                       const LifeSettings& settings, double p) {
+  const LifeFrame frame = frame_of(sample, settings);
+  double low = 0;
+  double high = 60;  // ln cycles
+  constexpr int kHalvings = 60;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (low + high) / 2;
+    specimen.blocks.back().cycles = std::exp(middle);
+    (survival_at(sample, specimen, settings, frame) > 1 - p ? low : high) = middle;
+  }
+  return std::exp((low + high) / 2);
 }
 
 }  // namespace host_sim::diagnose::lives

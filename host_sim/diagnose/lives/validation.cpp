@@ -7,7 +7,7 @@
 #include <cmath>
 #include <vector>
 
-#include "host_sim/diagnose/lives/tension.hpp"
+#include "host_sim/diagnose/lives/life_settings.hpp"
 #include "host_sim/statistics/distribution.hpp"
 
 namespace host_sim::diagnose::lives {

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "host_sim/campaign/nominal_model.hpp"
-#include "host_sim/diagnose/output/parts.hpp"
+#include "host_sim/diagnose/diagnosis.hpp"
 #include "host_sim/extension/write.hpp"
 #include "host_sim/io/printable.hpp"
 #include "host_sim/recording/recording.hpp"

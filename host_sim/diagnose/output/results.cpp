@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "host_sim/diagnose/output/parts.hpp"
+#include "host_sim/diagnose/diagnosis.hpp"
 
 namespace host_sim::diagnose {
 namespace {

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "host_sim/diagnose/output/parts.hpp"
-#include "host_sim/diagnose/output/words.hpp"
+#include "host_sim/diagnose/diagnosis.hpp"
+#include "host_sim/diagnose/output/prose.hpp"
 #include "host_sim/io/printable.hpp"
 
 namespace host_sim::diagnose {

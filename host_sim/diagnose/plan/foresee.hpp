@@ -1,12 +1,30 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <functional>
+#include <ostream>
+#include <string>
 
 #include "host_sim/diagnose/audit.hpp"
 #include "host_sim/synth/plan/plan.hpp"
 
 namespace host_sim::diagnose {
+
+/// A new folder for files of this run, gone with all of them at the end.
+class ScratchFolder {
+ public:
+  /// @throws OutputError
+  ScratchFolder();
+  ScratchFolder(const ScratchFolder&) = delete;
+  ScratchFolder& operator=(const ScratchFolder&) = delete;
+  ~ScratchFolder();
+
+  [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
 
 /// What a planned campaign could show and tell apart.
 struct Foresight {
@@ -25,5 +43,12 @@ struct ForeseeOptions {
 /// Simulates the campaign with nothing hidden in it, and audits its design.
 /// @throws InputError where the plan has no recordings, or none that leaves samples
 Foresight foresee(const synth::SynthPlan& plan, const ForeseeOptions& options);
+
+/// {"sessions", "samples", "effects": [{"id", "visible", "share_left", "standard_deviations",
+/// "words"}], "equivalent_sets": [[id, ...]], "invisible": [id], "next_experiment"}
+std::string foresight_json(const Foresight& foresight);
+
+/// The same for people: a line for each effect, the clearest first.
+void write_foresight(std::ostream& out, const Foresight& foresight);
 
 }  // namespace host_sim::diagnose

@@ -7,18 +7,14 @@
 #include <utility>
 
 #include "host_sim/diagnose/audit.hpp"
-#include "host_sim/diagnose/equivalence.hpp"
 #include "host_sim/diagnose/tension/decision.hpp"
 #include "host_sim/diagnose/tension/estimates.hpp"
-#include "host_sim/diagnose/tension/fitted.hpp"
-#include "host_sim/diagnose/tension/gain.hpp"
 #include "host_sim/diagnose/tension/held_out.hpp"
+#include "host_sim/diagnose/tension/model_fit.hpp"
 #include "host_sim/diagnose/tension/noise.hpp"
 #include "host_sim/diagnose/tension/pictures.hpp"
-#include "host_sim/diagnose/tension/refined.hpp"
-#include "host_sim/diagnose/tension/settled_friction.hpp"
+#include "host_sim/diagnose/tension/prose.hpp"
 #include "host_sim/diagnose/tension/steps.hpp"
-#include "host_sim/diagnose/tension/words.hpp"
 #include "host_sim/io/input_error.hpp"
 #include "host_sim/statistics/distribution.hpp"
 

@@ -3,7 +3,8 @@
 #include <span>
 #include <vector>
 
-#include "host_sim/diagnose/tension/shape_search.hpp"
+#include "host_sim/diagnose/diagnosis.hpp"
+#include "host_sim/diagnose/tension/hypothesis.hpp"
 #include "host_sim/reference/constants.hpp"
 
 namespace host_sim::diagnose {
@@ -35,5 +36,10 @@ HeldOut held_out(const Evidence& evidence, std::span<const Component> model,
 
 /// Damage of a tension over time, counted whole.
 double damage_of(std::span<const double> tension_N, const reference::Constants& constants);
+
+/// Step 6: the nominal model, refitted, and the extended one on sessions that neither saw.
+/// @pre three sessions or more
+Gain measure_gain(const Evidence& evidence, std::span<const Component> model,
+                  const reference::Constants& constants);
 
 }  // namespace host_sim::diagnose

@@ -1,10 +1,30 @@
 #pragma once
 
+#include <Eigen/Core>
+#include <cstddef>
+#include <functional>
 #include <span>
+#include <vector>
 
-#include "host_sim/diagnose/tension/sample_weights.hpp"
+#include "host_sim/diagnose/gram.hpp"
 
 namespace host_sim::diagnose {
+
+/// By session, a weight for each sample; none where all are 1.
+using SampleWeights = std::vector<std::vector<double>>;
+
+/// What `weight` says of each sample of each session, over the mean of all.
+SampleWeights weights_of_mean_one(
+    std::span<const Session> sessions,
+    const std::function<double(const recording::Covariates& covariates, std::size_t i)>& weight);
+
+/// A sensor's own noise is in newtons, and in ln T it grows as 1/T: the variance of a sample is
+/// a^2 (1 + c q), q = 1/T_in^2 + 1/T_out^2. Finds c, in N^2, by the normal likelihood of residuals
+/// that have mean zero, and gives weights 1/(1 + c q), over their mean. c is 0 where low tension is
+/// not noisier beyond doubt.
+/// @param residuals one vector a session, as long as its samples
+SampleWeights sample_weights(std::span<const Session> sessions,
+                             const std::vector<Eigen::VectorXd>& residuals);
 
 /// What is left in the samples when each session has every effect of the catalogue, in every shape,
 /// to itself: more than any model explains.

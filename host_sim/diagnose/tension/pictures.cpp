@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/diagnose/tension/fitted.hpp"
+#include "host_sim/diagnose/tension/model_fit.hpp"
 #include "host_sim/statistics/distribution.hpp"
 
 namespace host_sim::diagnose {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "host_sim/diagnose/tension/shape_search.hpp"
+#include "host_sim/diagnose/tension/hypothesis.hpp"
 
 namespace host_sim::diagnose {
 

@@ -1,15 +1,96 @@
 #include "host_sim/diagnose/tension/residual_test.hpp"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
 #include <cmath>
+#include <vector>
 
-#include "host_sim/diagnose/tension/null_campaigns.hpp"
-#include "host_sim/diagnose/tension/possible_scatter.hpp"
+#include "host_sim/diagnose/tension/scatter_score.hpp"
 #include "host_sim/statistics/parallel.hpp"
 #include "host_sim/statistics/random.hpp"
 
 namespace host_sim::diagnose {
 namespace {
+
+/// Draws X'y of campaigns of the same design that hold noise and scatter of sessions alone. The
+/// coefficients of a model stay zero: what is refitted does not change what is left.
+class NullCampaigns {
+ public:
+  /// @param grams must outlive this
+  explicit NullCampaigns(const Grams& grams);
+
+  [[nodiscard]] Products draw(const NoiseModel& noise, statistics::Random& random) const;
+
+ private:
+  /// What the columns of a session make of white noise of unit size.
+  struct SessionNoise {
+    Eigen::Matrix2d common_root;     ///< of the products with gain and friction
+    Eigen::MatrixXd rest_of_common;  ///< the others' expected products, by those
+  };
+
+  const Grams& grams_;
+  std::vector<SessionNoise> sessions_;
+  Eigen::MatrixXd rest_root_;  ///< of the others' products beside that, of all sessions
+};
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+double normal_draw(statistics::Random& random) {
+  return boost::math::quantile(boost::math::normal_distribution<double>(), random.uniform());
+}
+
+VectorXd normal_draws(statistics::Random& random, Index count) {
+  VectorXd draws(count);
+  for (Index i = 0; i < count; ++i) {
+    draws(i) = normal_draw(random);
+  }
+  return draws;
+}
+
+/// A root R of a symmetric matrix R R' whose least eigenvalues may be 0.
+MatrixXd root_of(const MatrixXd& matrix) {
+  const Eigen::LDLT<MatrixXd> ldlt(matrix);
+  const VectorXd diagonal = ldlt.vectorD().cwiseMax(0).cwiseSqrt();
+  return ldlt.transpositionsP().transpose() *
+         MatrixXd(MatrixXd(ldlt.matrixL()) * diagonal.asDiagonal());
+}
+
+NullCampaigns::NullCampaigns(const Grams& grams) : grams_(grams) {
+  const Index size = grams.response();
+  MatrixXd rest = MatrixXd::Zero(size - 2, size - 2);
+  for (const SessionGram& session : grams.sessions) {
+    const Eigen::Matrix2d common = session.gram.topLeftCorner<2, 2>();
+    const auto across = session.gram.block(2, 0, size - 2, 2);
+    const MatrixXd inverse = pseudo_inverse(common, common.diagonal());
+    sessions_.push_back({root_of(common), across * inverse});
+    rest += session.gram.block(2, 2, size - 2, size - 2) - across * inverse * across.transpose();
+  }
+  rest_root_ = root_of(rest);
+}
+
+Products NullCampaigns::draw(const NoiseModel& noise, statistics::Random& random) const {
+  Products products;
+  const Index size = grams_.response();
+  products.total = VectorXd::Zero(size);
+  products.total.tail(size - 2) =
+      noise.sample_sd * (rest_root_ * normal_draws(random, rest_root_.cols()));
+  for (std::size_t i = 0; i < sessions_.size(); ++i) {
+    const Eigen::Vector2d scatter(noise.session_gain_sd * normal_draw(random),
+                                  noise.session_friction_sd * normal_draw(random));
+    const Eigen::Vector2d common =
+        noise.sample_sd * (sessions_[i].common_root * normal_draws(random, 2));
+    const VectorXd by_scatter = grams_.sessions[i].gram.topLeftCorner(size, 2) * scatter;
+    products.common.push_back(common + by_scatter.head<2>());
+    products.total += by_scatter;
+    products.total.head<2>() += common;
+    products.total.tail(size - 2) += sessions_[i].rest_of_common * common;
+  }
+  return products;
+}
 
 constexpr std::size_t kDraws = 999;
 constexpr std::uint64_t kStream = 0x70726f6265;

@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "host_sim/diagnose/tension/shape_search.hpp"
+#include "host_sim/diagnose/tension/hypothesis.hpp"
 
 namespace host_sim::diagnose {
 

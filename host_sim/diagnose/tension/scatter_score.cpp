@@ -1,10 +1,21 @@
 #include "host_sim/diagnose/tension/scatter_score.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "host_sim/diagnose/evidence.hpp"
 
 namespace host_sim::diagnose {
 namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kSameDirection = 1e-7;  ///< of the energy of a column before the projection
 
 using Eigen::Index;
 using Eigen::MatrixXd;
@@ -17,7 +28,48 @@ MatrixXd information(const SessionGram& session, const Eigen::Matrix2d& shrinkag
          session.gram.block(first, 0, rows, 2) * shrinkage * session.gram.topLeftCorner(2, columns);
 }
 
+constexpr double kImpossible = 14;  ///< of -2 ln likelihood, above the least
+
 }  // namespace
+
+double BlockInverse::statistic(const VectorXd& score) const {
+  return root.cols() == 0 ? 0
+                          : (root.transpose() * score.segment(first, root.rows())).squaredNorm();
+}
+
+BlockInverse inverse_of(const MatrixXd& left, const VectorXd& before, Index first, Index count) {
+  const VectorXd unit = before.segment(first, count).cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(
+      unit.asDiagonal() * left.block(first, first, count, count) * unit.asDiagonal());
+  std::vector<Index> kept;
+  for (Index i = 0; i < count; ++i) {
+    if (solver.eigenvalues()(i) > kSameDirection) {
+      kept.push_back(i);
+    }
+  }
+  BlockInverse inverse{.first = first, .root = MatrixXd(count, static_cast<Index>(kept.size()))};
+  for (Index i = 0; i < inverse.root.cols(); ++i) {
+    const Index from = kept[static_cast<std::size_t>(i)];
+    inverse.root.col(i) =
+        unit.asDiagonal() * solver.eigenvectors().col(from) / std::sqrt(solver.eigenvalues()(from));
+  }
+  return inverse;
+}
+
+MatrixXd pseudo_inverse(const MatrixXd& matrix, const VectorXd& before) {
+  const BlockInverse inverse = inverse_of(matrix, before, 0, matrix.rows());
+  return inverse.root * inverse.root.transpose();
+}
+
+double log_pseudo_determinant(const MatrixXd& matrix, const VectorXd& before) {
+  const BlockInverse inverse = inverse_of(matrix, before, 0, matrix.rows());
+  const MatrixXd scaled = before.cwiseSqrt().asDiagonal() * inverse.root;
+  double sum = 0;
+  for (Index i = 0; i < scaled.cols(); ++i) {
+    sum -= std::log(scaled.col(i).squaredNorm());
+  }
+  return sum;
+}
 
 ScatterScore::ScatterScore(const Grams& grams, const NoiseModel& noise, Index refitted)
     : noise_(noise), refitted_(refitted) {
@@ -92,6 +144,55 @@ double ScatterScore::explained(const Grams& grams, const Products& products) con
   const VectorXd fixed = whitened(grams, products, refitted_);
   const Eigen::Vector2d common = fixed.head<2>();
   return fixed.dot(fixed_inverse_ * fixed) - common.dot(common_inverse_ * common);
+}
+
+PossibleScatter::PossibleScatter(const Grams& grams, double sample_sd, Eigen::Index refitted,
+                                 const Products& measured)
+    : grams_(grams) {
+  for (NoiseModel noise : scatter_values()) {
+    noise.sample_sd = sample_sd;
+    scores_.emplace_back(grams, noise, refitted);
+  }
+  const std::vector<double> all = deviances(measured);
+  const double least = std::ranges::min(all);
+  std::vector<ScatterScore> possible;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i] <= least + kImpossible) {
+      possible.push_back(std::move(scores_[i]));
+      possible.back().look_at_probes(grams);
+    }
+  }
+  scores_ = std::move(possible);
+}
+
+std::vector<double> PossibleScatter::deviances(const Products& products) const {
+  std::vector<double> deviances;
+  for (const ScatterScore& score : scores_) {
+    deviances.push_back(score.deviance(grams_, products));
+  }
+  return deviances;
+}
+
+const ScatterScore& PossibleScatter::best(const Products& products) const {
+  const std::vector<double> all = deviances(products);
+  return scores_[static_cast<std::size_t>(std::ranges::min_element(all) - all.begin())];
+}
+
+const ScatterScore& PossibleScatter::drawn(const std::vector<double>& deviances,
+                                           double uniform) const {
+  const double least = std::ranges::min(deviances);
+  double sum = 0;
+  for (const double deviance : deviances) {
+    sum += std::exp((least - deviance) / 2);
+  }
+  double rest = uniform * sum;
+  for (std::size_t i = 0; i < deviances.size(); ++i) {
+    rest -= std::exp((least - deviances[i]) / 2);
+    if (rest <= 0) {
+      return scores_[i];
+    }
+  }
+  return scores_.back();
 }
 
 }  // namespace host_sim::diagnose

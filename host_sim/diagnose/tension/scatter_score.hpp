@@ -4,9 +4,30 @@
 #include <vector>
 
 #include "host_sim/diagnose/projection.hpp"
-#include "host_sim/diagnose/tension/block_inverse.hpp"
 
 namespace host_sim::diagnose {
+
+/// The inverse of a block of columns' information, by the directions that it has.
+struct BlockInverse {
+  Eigen::Index first = 0;  ///< of the block, in a score
+  Eigen::MatrixXd root;    ///< columns x rank: statistic = |root' score|^2
+
+  [[nodiscard]] double freedom() const { return static_cast<double>(root.cols()); }
+  /// score' inverse score, chi-square of freedom() where the score is of noise alone.
+  [[nodiscard]] double statistic(const Eigen::VectorXd& score) const;
+};
+
+/// Of the `count` columns from `first` on. Directions that hold nothing but rounding are left out.
+/// @param left information that is left once other columns are projected off
+/// @param before diagonal of the information before that
+BlockInverse inverse_of(const Eigen::MatrixXd& left, const Eigen::VectorXd& before,
+                        Eigen::Index first, Eigen::Index count);
+
+/// A symmetric matrix's inverse on the directions that it has.
+Eigen::MatrixXd pseudo_inverse(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& before);
+
+/// ln of its determinant on these directions, up to a constant of `before`.
+double log_pseudo_determinant(const Eigen::MatrixXd& matrix, const Eigen::VectorXd& before);
 
 /// X'y of responses y.
 struct Products {
@@ -50,6 +71,31 @@ class ScatterScore {
   double log_determinant_ = 0;
   Eigen::MatrixXd fixed_inverse_, common_inverse_, others_;
   std::vector<BlockInverse> blocks_;
+};
+
+/// The values of the scatter of sessions that the measured campaign makes possible.
+class PossibleScatter {
+ public:
+  /// Of scatter_values() with this sample_sd.
+  /// @param grams must outlive this
+  /// @param refitted how many columns are, as in ScatterScore
+  PossibleScatter(const Grams& grams, double sample_sd, Eigen::Index refitted,
+                  const Products& measured);
+
+  /// ScatterScore::deviance() of each value.
+  [[nodiscard]] std::vector<double> deviances(const Products& products) const;
+
+  /// Where the deviance is least.
+  [[nodiscard]] const ScatterScore& best(const Products& products) const;
+
+  /// The value that a uniform number draws from the posterior of these deviances, under a prior
+  /// that is flat over the grid.
+  [[nodiscard]] const ScatterScore& drawn(const std::vector<double>& deviances,
+                                          double uniform) const;
+
+ private:
+  const Grams& grams_;
+  std::vector<ScatterScore> scores_;
 };
 
 }  // namespace host_sim::diagnose

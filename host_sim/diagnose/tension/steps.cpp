@@ -6,7 +6,7 @@
 
 #include "host_sim/diagnose/tension/estimates.hpp"
 #include "host_sim/diagnose/tension/held_out.hpp"
-#include "host_sim/diagnose/tension/sample_weights.hpp"
+#include "host_sim/diagnose/tension/noise.hpp"
 
 namespace host_sim::diagnose {
 namespace {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "host_sim/diagnose/diagnosis.hpp"
-#include "host_sim/diagnose/tension/shape_search.hpp"
+#include "host_sim/diagnose/tension/hypothesis.hpp"
 #include "host_sim/reference/constants.hpp"
 
 namespace host_sim::diagnose {

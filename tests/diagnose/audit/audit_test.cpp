@@ -6,7 +6,6 @@
 #include <Eigen/Dense>
 #include <cmath>
 
-#include "host_sim/diagnose/equivalence.hpp"
 #include "tests/diagnose/audit/sessions.hpp"
 
 namespace host_sim::diagnose {

@@ -9,10 +9,10 @@
 namespace host_sim::diagnose {
 namespace {
 
-constexpr NoiseModel kNoise{
+constexpr NoiseModel kSmallNoise{
     .sample_sd = 0.02, .session_gain_sd = 0.01, .session_friction_sd = 0.006};
 
-std::vector<Session> few_sessions() {
+std::vector<Session> three_poses() {
   return testing::sessions_of({{.bend_angle_rad = 1.5, .start_cycle = 10, .duration_s = 0.8},
                                {.bend_angle_rad = 3, .sheath_C = 40, .duration_s = 1},
                                {.bend_angle_rad = 4, .start_cycle = 900, .duration_s = 1.2}});
@@ -66,12 +66,12 @@ void expect_near(const Eigen::MatrixXd& found, const Eigen::MatrixXd& expected,
 }
 
 TEST(Projection, IsGeneralisedLeastSquaresWithTheWholeCovariance) {
-  const std::vector<Session> sessions = few_sessions();
+  const std::vector<Session> sessions = three_poses();
   const Grams grams = gram_of(sessions, {.probes = {}, .baseline = testing::baseline()});
-  const Projection projection = project(grams, kNoise);
+  const Projection projection = project(grams, kSmallNoise);
 
   const Eigen::MatrixXd columns = stacked(sessions, grams);
-  const Eigen::MatrixXd weighed = covariance(sessions, kNoise).ldlt().solve(columns);
+  const Eigen::MatrixXd weighed = covariance(sessions, kSmallNoise).ldlt().solve(columns);
   const Eigen::MatrixXd before = columns.transpose() * weighed;
   const Eigen::MatrixXd plain = columns.transpose() * columns / (0.02 * 0.02);
   expect_near(projection.before, before, plain, 1e-9);
@@ -83,9 +83,9 @@ TEST(Projection, IsGeneralisedLeastSquaresWithTheWholeCovariance) {
 }
 
 TEST(Projection, WithFreeSessionsIsWhatASessionsOwnFitLeaves) {
-  const std::vector<Session> sessions = few_sessions();
+  const std::vector<Session> sessions = three_poses();
   const Grams grams = gram_of(sessions, {.probes = {}, .baseline = testing::baseline()});
-  NoiseModel noise = kNoise;
+  NoiseModel noise = kSmallNoise;
   noise.free_sessions = true;
   const Projection projection = project(grams, noise);
   const auto size = static_cast<Eigen::Index>(grams.layout.size());
@@ -100,13 +100,13 @@ TEST(Projection, WithFreeSessionsIsWhatASessionsOwnFitLeaves) {
 }
 
 TEST(Projection, LeavesTheResidualOfAPerfectSimulationEmpty) {
-  const Grams grams = gram_of(few_sessions(), {.probes = {}, .baseline = testing::baseline()});
+  const Grams grams = gram_of(three_poses(), {.probes = {}, .baseline = testing::baseline()});
   const auto residual = static_cast<Eigen::Index>(grams.layout.residual());
-  EXPECT_NEAR(project(grams, kNoise).left(residual, residual), 0, 1e-20);
+  EXPECT_NEAR(project(grams, kSmallNoise).left(residual, residual), 0, 1e-20);
 }
 
 TEST(Projection, WithoutScatterSessionsAreOne) {
-  const std::vector<Session> sessions = few_sessions();
+  const std::vector<Session> sessions = three_poses();
   const Grams grams = gram_of(sessions, {.probes = {}, .baseline = testing::baseline()});
   const NoiseModel noise{.sample_sd = 0.02, .session_gain_sd = 0, .session_friction_sd = 0};
   const Eigen::MatrixXd columns = stacked(sessions, grams);
@@ -120,7 +120,7 @@ TEST(Projection, AStrokeInOneDirectionIsNoSecondParameter) {
   std::vector<Session> sessions = testing::sessions_of({{.frequency_Hz = 0.1, .duration_s = 2}});
   const Grams grams = gram_of(sessions, {.probes = {}, .baseline = testing::baseline()});
   for (const bool free_sessions : {false, true}) {
-    NoiseModel noise = kNoise;
+    NoiseModel noise = kSmallNoise;
     noise.free_sessions = free_sessions;
     const Projection projection = project(grams, noise);
     EXPECT_TRUE(projection.left.allFinite());

@@ -5,7 +5,6 @@
 
 #include <cmath>
 
-#include "host_sim/diagnose/lives/projection.hpp"
 #include "tests/diagnose/lives/scenario.hpp"
 #include "tests/diagnose/lives/texts.hpp"
 

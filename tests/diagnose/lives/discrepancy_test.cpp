@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/diagnose/lives/looks.hpp"
-#include "host_sim/diagnose/lives/nominal.hpp"
+#include "host_sim/diagnose/lives/fit.hpp"
 #include "tests/diagnose/lives/scenario.hpp"
 
 namespace host_sim::diagnose::lives {

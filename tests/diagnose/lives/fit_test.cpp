@@ -7,7 +7,6 @@
 #include "host_sim/diagnose/lives/climb.hpp"
 #include "host_sim/diagnose/lives/estimates.hpp"
 #include "host_sim/diagnose/lives/hypotheses.hpp"
-#include "host_sim/diagnose/lives/nominal.hpp"
 #include "host_sim/diagnose/lives/terms.hpp"
 #include "tests/diagnose/lives/scenario.hpp"
 

@@ -4,15 +4,43 @@
 
 #include <cmath>
 #include <functional>
+#include <memory>
 #include <numbers>
+#include <utility>
+#include <vector>
 
-#include "tests/diagnose/lives/samples.hpp"
+#include "host_sim/diagnose/lives/life_sample.hpp"
 
 namespace host_sim::diagnose::lives {
 namespace {
 
-using test::reversed;
-using test::sample_with;
+/// A specimen under one fully reversed load, where T_eff is the amplitude.
+LifeSample::Specimen reversed(double tension_N, double cycles, bool failed = true) {
+  LifeSample::Specimen specimen;
+  specimen.blocks = {{.mean_N = 0,
+                      .amplitude_N = tension_N,
+                      .effective_N = tension_N,
+                      .cycles = cycles,
+                      .level = 0,
+                      .wire_to_bend_ratio = 0}};
+  specimen.failed = failed;
+  return specimen;
+}
+
+/// A sample of these specimens; `centre_N` is where ln_life_at_centre is.
+LifeSample sample_with(std::vector<LifeSample::Specimen> specimens, double centre_N) {
+  LifeSample sample;
+  sample.specimens = std::move(specimens);
+  sample.levels = sample.loads = sample.lots = sample.groups = 1;
+  for (const LifeSample::Specimen& specimen : sample.specimens) {
+    sample.lots = std::max(sample.lots, specimen.lot_number + 1);
+  }
+  sample.lowest_N = sample.highest_N = centre_N;
+  sample.ultimate_tension_N = 177.4;
+  sample.reference =
+      std::make_shared<const std::vector<LifeSample::Specimen>>(std::vector{reversed(centre_N, 1)});
+  return sample;
+}
 
 /// alpha = 1000 cycles at 50 N, gamma 2, beta 3.
 LifeSettings law() {

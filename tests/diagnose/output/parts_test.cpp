@@ -1,9 +1,8 @@
-#include "host_sim/diagnose/output/parts.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "host_sim/diagnose/diagnosis.hpp"
 #include "tests/diagnose/output/hand_made_diagnosis.hpp"
 
 namespace host_sim::diagnose {

@@ -9,8 +9,6 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "host_sim/diagnose/plan/results.hpp"
-#include "host_sim/diagnose/plan/scratch_folder.hpp"
 #include "host_sim/io/input_error.hpp"
 
 namespace host_sim::diagnose {

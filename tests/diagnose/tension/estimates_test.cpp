@@ -11,16 +11,16 @@
 namespace host_sim::diagnose::testing {
 namespace {
 
-constexpr double kSample_sd = 0.01;
+constexpr double kFine_sd = 0.01;
 
 std::vector<Estimate> estimates(const std::vector<Session>& sessions, const Component& part,
                                 double dispersion = 1) {
-  const Evidence evidence = evidence_of(sessions, kSample_sd);
+  const Evidence evidence = evidence_of(sessions, kFine_sd);
   return estimates_of(evidence, std::vector{part}, 0, dispersion);
 }
 
-Mess heated(double share_1_K) {
-  return {.sample_sd = kSample_sd, .effect = [=](const recording::Covariates& c, std::size_t i) {
+Mess with_heat(double share_1_K) {
+  return {.sample_sd = kFine_sd, .effect = [=](const recording::Covariates& c, std::size_t i) {
             return -kMu * share_1_K * (c.sheath_temperature_C[i] - 20) * c.bend_angle_rad[i] *
                    c.direction[i];
           }};
@@ -34,9 +34,9 @@ TEST(Estimates, IntervalsHoldTheTruthAndAreNoWiderThanTheEstimatesSpread) {
   double square = 0;
   double half = 0;
   for (int i = 0; i < kCampaigns; ++i) {
-    const auto found =
-        estimates(noisy_sessions(small_design(), heated(kTruth_1_K), static_cast<std::uint64_t>(i)),
-                  component("friction_temperature"));
+    const auto found = estimates(
+        noisy_sessions(small_design(), with_heat(kTruth_1_K), static_cast<std::uint64_t>(i)),
+        component("friction_temperature"));
     ASSERT_EQ(found.size(), 1U);
     EXPECT_EQ(found[0].unit, "1/K");
     held += found[0].low <= kTruth_1_K && kTruth_1_K <= found[0].high ? 1 : 0;
@@ -53,7 +53,7 @@ TEST(Estimates, IntervalsHoldTheTruthAndAreNoWiderThanTheEstimatesSpread) {
 // Half a width is the root of the sum of two squares: of the noise, which dispersion multiplies,
 // and of 1.5 % of the value that the signature itself may be off by.
 TEST(Estimates, DispersionWidensWhatNoiseDoesByItsRoot) {
-  const auto sessions = noisy_sessions(small_design(), heated(0.004), 1);
+  const auto sessions = noisy_sessions(small_design(), with_heat(0.004), 1);
   const Estimate one = estimates(sessions, component("friction_temperature"))[0];
   const Estimate four = estimates(sessions, component("friction_temperature"), 4)[0];
   EXPECT_EQ(one.value, four.value);
@@ -66,14 +66,9 @@ TEST(Estimates, DispersionWidensWhatNoiseDoesByItsRoot) {
   EXPECT_NEAR(noise_square(four) / noise_square(one), 4, 1e-9);
 }
 
-Mess preloaded(double force_N) {
-  return {.sample_sd = kSample_sd, .effect = [=](const recording::Covariates& c, std::size_t i) {
-            return std::log(1 - force_N * c.direction[i] / c.current_tension_N[i]);
-          }};
-}
-
 TEST(Estimates, AShapeThatIsScaledByItsShareIsOneParameter) {
-  const auto sessions = noisy_sessions(small_design(), preloaded(2), 1);
+  const auto sessions =
+      noisy_sessions(small_design(), {.sample_sd = kFine_sd, .effect = preload(2)}, 1);
   // 2 N as a share 1.111 of 1.8 N.
   const auto found = estimates(sessions, component("friction_preload", {1.8}));
   ASSERT_EQ(found.size(), 1U);
@@ -87,7 +82,7 @@ TEST(Estimates, AShapeThatIsScaledByItsShareIsOneParameter) {
 TEST(Estimates, AnIntervalOfANegativeShapeIsInOrder) {
   const auto sessions =
       noisy_sessions(small_design(),
-                     {.sample_sd = kSample_sd,
+                     {.sample_sd = kFine_sd,
                       .effect = [](const recording::Covariates& c,
                                    std::size_t i) { return std::log(1 + 0.05 / c.current_A[i]); }},
                      1);
@@ -107,7 +102,7 @@ double slid_before(const recording::Covariates& c, std::size_t i) {
 
 TEST(Estimates, AShapeHasTheIntervalInWhichTheEvidenceHolds) {
   const auto sessions =
-      noisy_sessions(small_design(), {.sample_sd = kSample_sd, .effect = slid_before}, 1);
+      noisy_sessions(small_design(), {.sample_sd = kFine_sd, .effect = slid_before}, 1);
   const auto found = estimates(sessions, component("presliding", {5e-4}));
   ASSERT_EQ(found.size(), 2U);
   EXPECT_EQ(found[1].name, "presliding_length_m");
@@ -121,7 +116,7 @@ TEST(Estimates, AShapeHasTheIntervalInWhichTheEvidenceHolds) {
 TEST(Estimates, OfEachPoseHasTheNameOfThePose) {
   const auto sessions =
       noisy_sessions(small_design(),
-                     {.sample_sd = kSample_sd,
+                     {.sample_sd = kFine_sd,
                       .session_gain_sd = 0.001,
                       .session_friction_sd = 0.001,
                       .effect =

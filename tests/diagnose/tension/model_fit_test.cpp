@@ -15,8 +15,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kSample_sd = 0.02;
-
 /// Gain, friction, a signature and its prior, from the covariance of all samples as one matrix.
 struct Dense {
   VectorXd coefficients;

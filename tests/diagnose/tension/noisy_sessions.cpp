@@ -32,6 +32,13 @@ std::vector<Session> noisy_sessions(const std::vector<Run>& runs, const Mess& me
   return sessions;
 }
 
+std::function<double(const recording::Covariates& covariates, std::size_t i)> preload(
+    double force_N) {
+  return [force_N](const recording::Covariates& c, std::size_t i) {
+    return std::log(1 - force_N * c.direction[i] / c.current_tension_N[i]);
+  };
+}
+
 std::vector<Run> small_design() {
   std::vector<Run> runs;
   for (const double bend_angle_rad : {1.5, 6.0}) {

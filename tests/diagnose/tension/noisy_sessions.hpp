@@ -4,11 +4,15 @@
 #include <functional>
 #include <vector>
 
-#include "host_sim/diagnose/tension/shape_search.hpp"
+#include "host_sim/diagnose/tension/hypothesis.hpp"
+#include "host_sim/reference/constants.hpp"
 #include "host_sim/statistics/random.hpp"
 #include "tests/diagnose/audit/sessions.hpp"
 
 namespace host_sim::diagnose::testing {
+
+inline constexpr reference::Constants kWire{177.4, 0.2, 1.53e5, 1.38, 5.94};
+inline constexpr double kSample_sd = 0.02;
 
 /// Standard normal, of two uniform numbers (Box and Muller).
 double normal(statistics::Random& random);
@@ -22,6 +26,10 @@ struct Mess {
   /// Added to ln T_out of sample i.
   std::function<double(const recording::Covariates& covariates, std::size_t i)> effect = nullptr;
 };
+
+/// What a preload adds to ln T_out of a sample.
+std::function<double(const recording::Covariates& covariates, std::size_t i)> preload(
+    double force_N);
 
 /// Sessions of these runs with noise and scatter of this seed. Effects that read T_out see what
 /// was there before.

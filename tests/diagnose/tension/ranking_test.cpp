@@ -34,10 +34,6 @@ double heated(const recording::Covariates& c, std::size_t i) {
   return -kMu * 0.01 * (c.sheath_temperature_C[i] - 20) * c.bend_angle_rad[i] * c.direction[i];
 }
 
-double preloaded(const recording::Covariates& c, std::size_t i) {
-  return std::log(1 - 2 * c.direction[i] / c.current_tension_N[i]);
-}
-
 constexpr double kQuiet_sd = 0.005;
 constexpr double kSteady = 0.001;
 
@@ -46,7 +42,7 @@ TEST(Ranking, PrefersNothingWhereNothingIsHidden) {
 }
 
 TEST(Ranking, PutsTheHiddenEffectFirst) {
-  const Ranking ranking = ranked({.sample_sd = kQuiet_sd, .effect = preloaded});
+  const Ranking ranking = ranked({.sample_sd = kQuiet_sd, .effect = preload(2)});
   EXPECT_TRUE(ranking.best().holds("friction_preload"));
   EXPECT_EQ(ranking.singles.front().id(), "friction_preload");
   EXPECT_GT(ranking.singles.front().log_evidence, ranking.none.log_evidence + 50);
@@ -58,7 +54,7 @@ TEST(Ranking, PutsTwoFirstWhereTwoAreHidden) {
                                   .session_gain_sd = kSteady,
                                   .session_friction_sd = kSteady,
                                   .effect = [](const recording::Covariates& c, std::size_t i) {
-                                    return heated(c, i) + preloaded(c, i);
+                                    return heated(c, i) + preload(2)(c, i);
                                   }});
   EXPECT_EQ(ranking.best().id(), "friction_preload+friction_temperature");
   EXPECT_TRUE(ranking.best().holds("friction_preload"));

@@ -15,8 +15,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kSample_sd = 0.02;
-
 /// Six short sessions, looked at against what varies within them and what differs between them.
 std::vector<Run> six_runs() {
   std::vector<Run> runs = small_design();

@@ -4,13 +4,11 @@
 
 #include <cmath>
 
-#include "host_sim/diagnose/tension/predicted.hpp"
+#include "host_sim/diagnose/tension/model_fit.hpp"
 #include "tests/diagnose/tension/noisy_sessions.hpp"
 
 namespace host_sim::diagnose::testing {
 namespace {
-
-constexpr reference::Constants kWire{177.4, 0.2, 1.53e5, 1.38, 5.94};
 
 TEST(Steps, BeginWithTheNominalModelAndAddWhatIsThere) {
   const Mess mess{.sample_sd = 0.01,

@@ -1,4 +1,4 @@
-#include "host_sim/diagnose/output/words.hpp"
+#include "host_sim/diagnose/output/prose.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "host_sim/diagnose/tension/words.hpp"
+#include "host_sim/diagnose/tension/prose.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

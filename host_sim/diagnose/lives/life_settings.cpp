@@ -1,4 +1,4 @@
-#include "host_sim/diagnose/lives/tension.hpp"
+#include "host_sim/diagnose/lives/life_settings.hpp"
 
 #include <algorithm>
 #include <cmath>

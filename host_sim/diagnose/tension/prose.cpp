@@ -1,11 +1,11 @@
-#include "host_sim/diagnose/tension/words.hpp"
+#include "host_sim/diagnose/tension/prose.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
 
-#include "host_sim/diagnose/equivalence.hpp"
+#include "host_sim/diagnose/audit.hpp"
 
 namespace host_sim::diagnose {
 namespace {

@@ -1,4 +1,4 @@
-#include "host_sim/diagnose/output/words.hpp"
+#include "host_sim/diagnose/output/prose.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

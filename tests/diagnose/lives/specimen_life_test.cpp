@@ -1,4 +1,4 @@
-#include "host_sim/diagnose/lives/damage.hpp"
+#include "host_sim/diagnose/lives/specimen_life.hpp"
 
 #include <gtest/gtest.h>
 

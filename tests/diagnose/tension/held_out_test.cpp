@@ -1,4 +1,4 @@
-#include "host_sim/diagnose/tension/gain.hpp"
+#include "host_sim/diagnose/tension/held_out.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,18 +7,12 @@
 #include <stdexcept>
 #include <vector>
 
-#include "host_sim/diagnose/tension/held_out.hpp"
 #include "tests/diagnose/tension/noisy_sessions.hpp"
 
 namespace host_sim::diagnose::testing {
 namespace {
 
-constexpr reference::Constants kWire{177.4, 0.2, 1.53e5, 1.38, 5.94};
 constexpr double kPreload_N = 3;
-
-double preloaded(const recording::Covariates& c, std::size_t i) {
-  return std::log(1 - kPreload_N * c.direction[i] / c.current_tension_N[i]);
-}
 
 const Metric& metric(const Gain& gain, std::string_view name) {
   for (const Metric& metric : gain.metrics) {
@@ -30,9 +24,12 @@ const Metric& metric(const Gain& gain, std::string_view name) {
 }
 
 TEST(Gain, OfAPerfectModelLeavesNoErrorOnSessionsHeldOut) {
-  const std::vector<Session> sessions = noisy_sessions(
-      small_design(),
-      {.sample_sd = 0, .session_gain_sd = 0, .session_friction_sd = 0, .effect = preloaded}, 1);
+  const std::vector<Session> sessions = noisy_sessions(small_design(),
+                                                       {.sample_sd = 0,
+                                                        .session_gain_sd = 0,
+                                                        .session_friction_sd = 0,
+                                                        .effect = preload(kPreload_N)},
+                                                       1);
   const Gain gain = measure_gain(evidence_of(sessions, 1e-3),
                                  std::vector{component("friction_preload", {kPreload_N})}, kWire);
   EXPECT_EQ(gain.held_out_by, "session");
@@ -85,7 +82,6 @@ TEST(Gain, IsOfSessionsThatTheFitNeverSaw) {
 
 /// White noise of size sd has -1/2 ln(2 pi e sd^2) in the mean, whatever size was assumed before.
 TEST(Gain, LogDensityIsThatOfTheNoise) {
-  constexpr double kSample_sd = 0.02;
   const std::vector<Session> sessions = noisy_sessions(
       small_design(), {.sample_sd = kSample_sd, .session_gain_sd = 0, .session_friction_sd = 0}, 1);
   const double expected =
