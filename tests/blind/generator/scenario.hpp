@@ -69,4 +69,14 @@ Scenario draw_recordings(std::uint64_t seed);
 /// A campaign of 48 or 96 lives. Attempts differ in design and sizes, not in what is hidden.
 Scenario draw_lives(std::uint64_t seed, std::uint64_t attempt);
 
+/// Lines of a TOML file, one key or table each.
+std::string table(std::string_view name);
+std::string line(std::string_view key, double value);
+std::string line(std::string_view key, const std::vector<double>& values);
+std::string line(std::string_view key, std::string_view word);
+std::string line(std::string_view key, const std::vector<std::string>& words);
+
+/// [effects.<id>] or [outside.<id>].
+std::string table_of(const HiddenEffect& effect);
+
 }  // namespace blind

@@ -1,18 +1,79 @@
 #include "tests/blind/oracle/visibility.hpp"
 
+#include <Eigen/LU>
+#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <string>
+#include <vector>
 
+#include "host_sim/synth/campaign/lives.hpp"
 #include "host_sim/synth/campaign/sessions.hpp"
 #include "host_sim/synth/plan/plan.hpp"
-#include "tests/blind/oracle/life_visibility.hpp"
-#include "tests/blind/oracle/session_information.hpp"
-#include "tests/blind/oracle/traces.hpp"
 
 namespace blind {
 namespace {
+
+/// Rows of samples whose noise is independent and of standard deviation 1. A column of zeros stays.
+Eigen::MatrixX3d whitened(const Eigen::MatrixX3d& columns, const Disturbance& disturbance) {
+  const double rho = disturbance.ar1;
+  Eigen::MatrixX3d white = columns;
+  const Eigen::Index last = columns.rows() - 1;
+  white.bottomRows(last) -= rho * columns.topRows(last);
+  white.bottomRows(last) /= std::sqrt(1 - rho * rho);
+  return white / disturbance.noise_sd;
+}
+
+using host_sim::synth::LifeSpecimen;
+using host_sim::synth::SynthPlan;
+
+double log_cycles(const LifeSpecimen& specimen) {
+  const auto& cycles = specimen.result.cycles;
+  return std::log(std::accumulate(cycles.begin(), cycles.end(), 0.0));
+}
+
+Eigen::VectorXd log_cycles_of(const std::vector<LifeSpecimen>& specimens) {
+  Eigen::VectorXd all(static_cast<Eigen::Index>(specimens.size()));
+  for (std::size_t i = 0; i < specimens.size(); ++i) {
+    all(static_cast<Eigen::Index>(i)) = log_cycles(specimens[i]);
+  }
+  return all;
+}
+
+/// How ln N of each specimen answers to ln A and to gamma, those in blocks as well.
+Eigen::MatrixX2d answers_to_law(const SynthPlan& plan, std::uint64_t seed,
+                                const Eigen::VectorXd& base) {
+  constexpr double kStep = 0.1;
+  SynthPlan scaled = plan;
+  scaled.life->ipl_scale *= std::exp(kStep);
+  SynthPlan steeper = plan;
+  steeper.life->ipl_exponent += kStep;
+  Eigen::MatrixX2d law(base.size(), 2);
+  law << (log_cycles_of(run_lives(scaled, seed)) - base) / kStep,
+      (log_cycles_of(run_lives(steeper, seed)) - base) / kStep;
+  return law;
+}
+
+/// What is left of ln N once A and gamma are refitted by least squares (Gauss and Newton): blocks
+/// answer to a large change otherwise than to a small one.
+Eigen::VectorXd left_by_law(SynthPlan plan, std::uint64_t seed, const Eigen::VectorXd& wanted) {
+  constexpr int kSteps = 10;
+  Eigen::VectorXd least = wanted - log_cycles_of(run_lives(plan, seed));
+  Eigen::VectorXd left = least;
+  for (int step = 0; step < kSteps; ++step) {
+    const Eigen::MatrixX2d law = answers_to_law(plan, seed, wanted - left);
+    const Eigen::Vector2d change = law.colPivHouseholderQr().solve(left);
+    plan.life->ipl_scale *= std::exp(change(0));
+    plan.life->ipl_exponent += change(1);
+    left = wanted - log_cycles_of(run_lives(plan, seed));
+    if (left.norm() < least.norm()) {
+      least = left;
+    }
+  }
+  return least;
+}
 
 using host_sim::synth::Channels;
 using host_sim::synth::Setting;
@@ -54,7 +115,134 @@ double visibility(const Scenario& scenario, const std::string& id) {
   return sigmas_of(information);
 }
 
+using host_sim::synth::Channels;
+using host_sim::synth::Setting;
+using host_sim::synth::SynthPlan;
+
+struct Samples {
+  std::vector<double> log_ratio, signed_bend_rad, output_N;
+};
+
+void append(std::vector<double>& to, const std::vector<double>& from) {
+  to.insert(to.end(), from.begin(), from.end());
+}
+
+Samples samples_of(const SynthPlan& plan, const Scenario& scenario) {
+  Samples samples;
+  for (const Setting& setting : host_sim::synth::settings_of(*plan.recordings, scenario.seed)) {
+    const Channels channels = session_channels(
+        plan, setting, session_scatter(plan, scenario.seed, setting.number), scenario.seed);
+    append(samples.log_ratio, log_ratio(channels, scenario.input));
+    append(samples.signed_bend_rad, signed_bend_rad(channels));
+    append(samples.output_N, channels[host_sim::kOutputTensionColumn]);
+  }
+  return samples;
+}
+
+/// log_ratio = gain - mu phi s by least squares; what is left of the output tension.
+double rmse_N(const Samples& samples) {
+  const auto count = static_cast<double>(samples.log_ratio.size());
+  double sum_x = 0, sum_y = 0, sum_xx = 0, sum_xy = 0;
+  for (std::size_t i = 0; i < samples.log_ratio.size(); ++i) {
+    const double x = samples.signed_bend_rad[i];
+    const double y = samples.log_ratio[i];
+    sum_x += x;
+    sum_y += y;
+    sum_xx += x * x;
+    sum_xy += x * y;
+  }
+  const double slope = (sum_xy - sum_x * sum_y / count) / (sum_xx - sum_x * sum_x / count);
+  const double gain = (sum_y - slope * sum_x) / count;
+  double squares = 0;
+  for (std::size_t i = 0; i < samples.log_ratio.size(); ++i) {
+    const double left = samples.log_ratio[i] - gain - slope * samples.signed_bend_rad[i];
+    const double error_N = samples.output_N[i] * (1 - std::exp(-left));
+    squares += error_N * error_N;
+  }
+  return std::sqrt(squares / count);
+}
+
 }  // namespace
+
+using host_sim::synth::Channels;
+
+std::vector<double> log_ratio(const Channels& channels, Input input) {
+  const auto& at_drive = channels[input == Input::load_cell ? host_sim::kInputTensionColumn
+                                                            : host_sim::kMotorCurrentColumn];
+  const auto& output = channels[host_sim::kOutputTensionColumn];
+  constexpr double kLeast = 1e-6;
+  std::vector<double> result(output.size());
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    result[i] = std::log(std::max(kLeast, output[i]) / std::max(kLeast, at_drive[i]));
+  }
+  return result;
+}
+
+std::vector<double> signed_bend_rad(const Channels& channels) {
+  const auto& velocity = channels[host_sim::kTendonVelocity];
+  const auto& bend_deg = channels[host_sim::kBendAngle];
+  std::vector<double> result(velocity.size());
+  double direction = 1;
+  for (std::size_t i = 0; i < result.size(); ++i) {
+    direction = velocity[i] > 0 ? 1 : velocity[i] < 0 ? -1 : direction;
+    result[i] = direction * bend_deg[i] * std::numbers::pi / 180;
+  }
+  return result;
+}
+
+Information session_information(const std::vector<double>& trace,
+                                const std::vector<double>& signed_bend_rad,
+                                const Disturbance& disturbance) {
+  const auto rows = static_cast<Eigen::Index>(trace.size());
+  Eigen::MatrixX3d columns(rows, 3);
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const auto place = static_cast<std::size_t>(i);
+    columns.row(i) << trace[place], 1, -signed_bend_rad[place];
+  }
+  const Eigen::MatrixX3d white = whitened(columns, disturbance);
+  const Information without_scatter = white.transpose() * white;
+  // Woodbury: the scatter is that of the coefficients in the last two columns.
+  const Eigen::Vector2d variances(disturbance.gain_sd * disturbance.gain_sd,
+                                  disturbance.friction_sd * disturbance.friction_sd);
+  const Eigen::Matrix<double, 3, 2> cross = without_scatter.rightCols<2>();
+  const Eigen::Matrix2d inner =
+      Eigen::Matrix2d::Identity() +
+      Eigen::Matrix2d(variances.asDiagonal()) * without_scatter.bottomRightCorner<2, 2>();
+  return without_scatter -
+         cross * inner.inverse() * Eigen::Matrix2d(variances.asDiagonal()) * cross.transpose();
+}
+
+double sigmas_of(const Information& information) {
+  const Eigen::Matrix2d nuisance = information.bottomRightCorner<2, 2>();
+  const Eigen::Vector2d cross = information.block<2, 1>(1, 0);
+  const double left = information(0, 0) - cross.dot(nuisance.inverse() * cross);
+  return std::sqrt(std::max(0.0, left));
+}
+
+double life_visibility(const Scenario& scenario, const std::string& id) {
+  const SynthPlan all = host_sim::synth::parse_synth_plan(scenario.plan, "blind plan");
+  SynthPlan fewer = all;
+  std::erase_if(fewer.hidden, [&](const auto& hidden) { return hidden.id == id; });
+  const Eigen::VectorXd with = log_cycles_of(run_lives(all, scenario.seed));
+  const Eigen::VectorXd left = left_by_law(std::move(fewer), scenario.seed, with);
+  const double sd = std::numbers::pi / (std::sqrt(6.0) * all.life->weibull_shape);
+  return left.norm() / sd;
+}
+
+Scenario draw_visible_lives(std::uint64_t seed) {
+  constexpr double kBarely = 3;
+  constexpr std::uint64_t kAttempts = 200;
+  for (std::uint64_t attempt = 0;; ++attempt) {
+    Scenario scenario = draw_lives(seed, attempt);
+    const bool visible = std::all_of(scenario.hidden.begin(), scenario.hidden.end(),
+                                     [&](const HiddenEffect& effect) {
+                                       return life_visibility(scenario, effect.id) >= kBarely;
+                                     });
+    if (visible || attempt + 1 == kAttempts) {
+      return scenario;
+    }
+  }
+}
 
 std::vector<double> visibility_of(const Scenario& scenario) {
   std::vector<double> result;
@@ -63,6 +251,19 @@ std::vector<double> visibility_of(const Scenario& scenario) {
                                                   : visibility(scenario, effect.id));
   }
   return result;
+}
+
+double rmse_floor_N(const Scenario& scenario) {
+  if (scenario.data == Data::lives) {
+    return 0;
+  }
+  SynthPlan nothing = host_sim::synth::parse_synth_plan(scenario.plan, "blind plan");
+  nothing.hidden.clear();
+  return rmse_N(samples_of(nothing, scenario));
+}
+
+double relative_gain(double before, double after, double floor) {
+  return (before - after) / (before - floor);
 }
 
 }  // namespace blind

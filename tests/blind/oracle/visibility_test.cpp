@@ -4,10 +4,7 @@
 
 #include <cmath>
 
-#include "tests/blind/oracle/floor.hpp"
-#include "tests/blind/oracle/life_visibility.hpp"
-#include "tests/blind/oracle/session_information.hpp"
-#include "tests/blind/small_scenario.hpp"
+#include "tests/blind/support.hpp"
 
 namespace blind::test {
 namespace {

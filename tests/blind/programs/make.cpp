@@ -11,7 +11,7 @@
 
 #include "host_sim/io/output_file.hpp"
 #include "host_sim/statistics/parallel.hpp"
-#include "tests/blind/oracle/life_visibility.hpp"
+#include "tests/blind/oracle/visibility.hpp"
 
 namespace {
 

@@ -1,5 +1,3 @@
-#include "tests/blind/programs/suite.hpp"
-
 #include <fmt/format.h>
 #include <unistd.h>
 
@@ -14,13 +12,27 @@
 
 #include "host_sim/io/output_file.hpp"
 #include "host_sim/statistics/parallel.hpp"
-#include "tests/blind/report/markdown.hpp"
-#include "tests/blind/running/records_file.hpp"
+#include "tests/blind/oracle/visibility.hpp"
+#include "tests/blind/running/analyses.hpp"
+#include "tests/blind/scoring/markdown.hpp"
+#include "tests/blind/scoring/record.hpp"
 
 namespace blind {
 namespace {
 
+/// What campaigns are drawn with, and what answers for them.
+struct Suite {
+  Scenario (*draw)(std::uint64_t seed);
+  Analysis analysis;
+};
+
+Suite suite_of(Data data) {
+  return data == Data::recordings ? Suite{draw_recordings, analysis_of_recordings()}
+                                  : Suite{draw_visible_lives, analysis_of_lives()};
+}
+
 struct Arguments {
+  Data data = Data::recordings;
   std::uint64_t first_seed = 0;
   std::size_t campaigns = 0;
   bool tuning = false;
@@ -33,6 +45,10 @@ struct Arguments {
 };
 
 void add_options(CLI::App& app, Arguments& arguments) {
+  const std::map<std::string, Data> data{{"recordings", Data::recordings}, {"lives", Data::lives}};
+  app.add_option("data", arguments.data, "recordings or lives")
+      ->required()
+      ->transform(CLI::CheckedTransformer(data));
   app.add_option("--first-seed", arguments.first_seed,
                  "From 100000 on to score (the standard), 1..9999 with --tuning");
   app.add_option("--campaigns", arguments.campaigns, "How many; none scores the records");
@@ -154,9 +170,7 @@ void report(const Arguments& arguments, const std::vector<Record>& records) {
   }
 }
 
-}  // namespace
-
-int suite(int argc, char** argv, Scenario (*draw)(std::uint64_t seed), const Analysis& analysis) {
+int suite(int argc, char** argv) {
   Arguments arguments;
   CLI::App app("Makes campaigns that hide something, has them analysed, and scores the answers.");
   add_options(app, arguments);
@@ -164,7 +178,8 @@ int suite(int argc, char** argv, Scenario (*draw)(std::uint64_t seed), const Ana
   try {
     check_seeds(arguments);
     RecordsFile records(arguments.records);
-    run_all(arguments, scenarios(arguments, draw, records), analysis, records);
+    const Suite suite = suite_of(arguments.data);
+    run_all(arguments, scenarios(arguments, suite.draw, records), suite.analysis, records);
     report(arguments, in_order(records.records()));
   } catch (const std::exception& error) {
     std::cerr << error.what() << '\n';
@@ -173,4 +188,9 @@ int suite(int argc, char** argv, Scenario (*draw)(std::uint64_t seed), const Ana
   return 0;
 }
 
+}  // namespace
 }  // namespace blind
+
+int main(int argc, char** argv) {
+  return blind::suite(argc, argv);
+}

@@ -4,7 +4,6 @@
 
 #include "host_sim/io/input_error.hpp"
 #include "host_sim/io/output_file.hpp"
-#include "tests/blind/oracle/floor.hpp"
 #include "tests/blind/oracle/visibility.hpp"
 
 namespace blind {

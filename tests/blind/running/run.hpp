@@ -7,7 +7,7 @@
 
 #include "host_sim/diagnose/diagnosis.hpp"
 #include "tests/blind/making/make.hpp"
-#include "tests/blind/records/record.hpp"
+#include "tests/blind/scoring/record.hpp"
 
 namespace blind {
 

@@ -9,8 +9,8 @@
 #include "host_sim/campaign/campaign.hpp"
 #include "host_sim/io/input_error.hpp"
 #include "host_sim/synth/campaign/make.hpp"
-#include "tests/blind/running/records_file.hpp"
-#include "tests/blind/small_scenario.hpp"
+#include "tests/blind/scoring/record.hpp"
+#include "tests/blind/support.hpp"
 
 namespace blind::test {
 namespace {

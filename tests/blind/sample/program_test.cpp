@@ -8,9 +8,9 @@
 #include <nlohmann/json.hpp>
 
 #include "tests/blind/making/make.hpp"
-#include "tests/blind/oracle/life_visibility.hpp"
-#include "tests/blind/records/verdict_words.hpp"
+#include "tests/blind/oracle/visibility.hpp"
 #include "tests/blind/running/analyses.hpp"
+#include "tests/blind/scoring/record.hpp"
 
 namespace blind::test {
 namespace {

@@ -1,15 +1,21 @@
 #include "tests/blind/scoring/scores.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <limits>
 
-#include "tests/blind/oracle/floor.hpp"
+#include "tests/blind/oracle/visibility.hpp"
 #include "tests/blind/scoring/judgement.hpp"
-#include "tests/blind/scoring/parameters.hpp"
 
 namespace blind {
 namespace {
+
+using Binomial = boost::math::binomial_distribution<double>;
+
+constexpr double kTail = 0.025;
 
 constexpr double kBarely = 3;
 constexpr double kPlainly = 5;
@@ -87,6 +93,61 @@ std::string truth_in_table(const Record& record) {
 }
 
 }  // namespace
+
+double Proportion::value() const {
+  return of == 0 ? std::numeric_limits<double>::quiet_NaN()
+                 : static_cast<double>(holds) / static_cast<double>(of);
+}
+
+double Proportion::lower() const {
+  return of == 0 ? 0
+                 : Binomial::find_lower_bound_on_p(static_cast<double>(of),
+                                                   static_cast<double>(holds), kTail);
+}
+
+double Proportion::upper() const {
+  return of == 0 || holds == of ? 1
+                                : Binomial::find_upper_bound_on_p(
+                                      static_cast<double>(of), static_cast<double>(holds), kTail);
+}
+
+std::size_t Proportion::least_of(std::size_t some) const {
+  constexpr double kFewer = 0.1;
+  const Binomial draws(static_cast<double>(some), value());
+  std::size_t least = 0;
+  while (least < some && boost::math::cdf(draws, static_cast<double>(least)) <= kFewer) {
+    ++least;
+  }
+  return least;
+}
+
+std::string text_of(const Proportion& proportion) {
+  return proportion.of == 0
+             ? "-"
+             : fmt::format("{:.1f} % ({:.1f} .. {:.1f}, {} of {})", 100 * proportion.value(),
+                           100 * proportion.lower(), 100 * proportion.upper(), proportion.holds,
+                           proportion.of);
+}
+
+void Calibration::add(double probability, bool right) {
+  const double last = static_cast<double>(bins_.size() - 1);
+  const double place =
+      std::clamp(std::floor(probability * static_cast<double>(bins_.size())), 0.0, last);
+  Bin& bin = bins_[static_cast<std::size_t>(place)];
+  ++bin.answers;
+  bin.right += right ? 1 : 0;
+  bin.sum_of_probabilities += probability;
+}
+
+double Calibration::error() const {
+  double distance = 0;
+  double answers = 0;
+  for (const Bin& bin : bins_) {
+    distance += std::abs(static_cast<double>(bin.right) - bin.sum_of_probabilities);
+    answers += static_cast<double>(bin.answers);
+  }
+  return answers > 0 ? distance / answers : 0;
+}
 
 Scores scores_of(const std::vector<Record>& records) {
   Scores scores;

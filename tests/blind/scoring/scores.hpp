@@ -1,15 +1,63 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "tests/blind/records/record.hpp"
-#include "tests/blind/scoring/calibration.hpp"
-#include "tests/blind/scoring/proportion.hpp"
+#include "tests/blind/scoring/record.hpp"
 
 namespace blind {
+
+/// How many of some campaigns something holds for.
+struct Proportion {
+  std::size_t holds = 0;
+  std::size_t of = 0;
+
+  void add(bool one) {
+    holds += one ? 1 : 0;
+    ++of;
+  }
+  /// NaN of none.
+  [[nodiscard]] double value() const;
+
+  /// Bounds of 95 % together, by Clopper and Pearson, The use of confidence or fiducial limits
+  /// illustrated in the case of the binomial, Biometrika 26, 1934. 0 and 1 of none.
+  [[nodiscard]] double lower() const;
+  [[nodiscard]] double upper() const;
+
+  /// What `some` campaigns have to reach at least: fewer come out of them in one draw of ten at
+  /// most, where each holds with this proportion.
+  [[nodiscard]] std::size_t least_of(std::size_t some) const;
+};
+
+/// "96.0 % (93.1 .. 97.9, 288 of 300)", or "-" of none.
+std::string text_of(const Proportion& proportion);
+
+/// Answers by the probability that they were given with, in ten bins of equal width.
+class Calibration {
+ public:
+  struct Bin {
+    std::size_t answers = 0;
+    std::size_t right = 0;
+    double sum_of_probabilities = 0;
+  };
+
+  /// @param probability 0 .. 1
+  void add(double probability, bool right);
+
+  /// Expected calibration error: over the bins, the mean of the distance between the share that is
+  /// right and the mean probability, weighted by answers; 0 of none. Reference: Naeini, Cooper and
+  /// Hauskrecht, Obtaining well calibrated probabilities using Bayesian binning, AAAI 2015.
+  [[nodiscard]] double error() const;
+
+  [[nodiscard]] const std::array<Bin, 10>& bins() const { return bins_; }
+
+ private:
+  std::array<Bin, 10> bins_{};
+};
 
 /// Of campaigns with one effect: the first candidate is the truth, or in a class with it.
 struct Detection {

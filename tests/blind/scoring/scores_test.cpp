@@ -7,11 +7,95 @@
 #include <fstream>
 #include <sstream>
 
-#include "tests/blind/report/markdown.hpp"
+#include "tests/blind/scoring/markdown.hpp"
 #include "tests/blind/support.hpp"
 
 namespace blind::test {
 namespace {
+
+TEST(Proportion, NoneOfSomeHasTheBoundsOfTheRuleOfThree) {
+  const Proportion none{0, 1000};
+  EXPECT_EQ(none.lower(), 0);
+  // (1 - p)^1000 = 0.025
+  EXPECT_NEAR(none.upper(), 1 - std::pow(0.025, 1e-3), 1e-9);
+}
+
+TEST(Proportion, AllOfSomeIsItsMirrorImage) {
+  const Proportion all{20, 20};
+  EXPECT_EQ(all.upper(), 1);
+  EXPECT_NEAR(all.lower(), std::pow(0.025, 1.0 / 20), 1e-9);
+}
+
+// Clopper and Pearson's own chart, and R's binom.test(7, 20): 0.1539092 .. 0.5921885.
+TEST(Proportion, SevenOfTwenty) {
+  const Proportion seven{7, 20};
+  EXPECT_NEAR(seven.lower(), 0.1539092, 1e-6);
+  EXPECT_NEAR(seven.upper(), 0.5921885, 1e-6);
+}
+
+TEST(Proportion, NoneOfNoneSaysNothing) {
+  const Proportion nothing;
+  EXPECT_TRUE(std::isnan(nothing.value()));
+  EXPECT_EQ(nothing.lower(), 0);
+  EXPECT_EQ(nothing.upper(), 1);
+  EXPECT_EQ(text_of(nothing), "-");
+}
+
+// Sums of binomials: fewer than 51 of 60 at 0.904 have 0.0586, fewer than 52 0.1181; fewer than 48
+// at 0.865 have 0.0547, fewer than 49 0.1033.
+TEST(Proportion, ASampleHasToReachMostOfIt) {
+  EXPECT_EQ((Proportion{904, 1000}.least_of(60)), 51u);
+  EXPECT_EQ((Proportion{865, 1000}.least_of(60)), 48u);
+  EXPECT_EQ((Proportion{10, 10}.least_of(60)), 60u);
+  EXPECT_EQ((Proportion{0, 10}.least_of(60)), 0u);
+}
+
+TEST(Proportion, CountsWhatItIsTold) {
+  Proportion proportion;
+  proportion.add(true);
+  proportion.add(false);
+  proportion.add(true);
+  proportion.add(true);
+  EXPECT_EQ(proportion.value(), 0.75);
+}
+
+TEST(Calibration, NoAnswersHaveNoError) {
+  EXPECT_EQ(Calibration().error(), 0);
+}
+
+TEST(Calibration, ThreeOfFourAtThreeQuartersIsPerfect) {
+  Calibration calibration;
+  for (const bool right : {true, true, true, false}) {
+    calibration.add(0.75, right);
+  }
+  EXPECT_EQ(calibration.error(), 0);
+}
+
+// Bin 0.9 .. 1: three answers of 0.95, two right, |2 - 2.85| = 0.85. Bin 0.5 .. 0.6: one answer of
+// 0.5, right, |1 - 0.5| = 0.5. (0.85 + 0.5) / 4.
+TEST(Calibration, ErrorIsWeightedByAnswers) {
+  Calibration calibration;
+  calibration.add(0.95, true);
+  calibration.add(0.95, true);
+  calibration.add(0.95, false);
+  calibration.add(0.5, true);
+  EXPECT_NEAR(calibration.error(), 1.35 / 4, 1e-12);
+}
+
+// Within one bin too much confidence and too little cancel; across bins they do not.
+TEST(Calibration, BinsDoNotCancel) {
+  Calibration calibration;
+  calibration.add(0.15, true);
+  calibration.add(0.85, false);
+  EXPECT_NEAR(calibration.error(), 0.85, 1e-12);
+}
+
+TEST(Calibration, CertaintyBelongsToTheLastBin) {
+  Calibration calibration;
+  calibration.add(1, true);
+  EXPECT_EQ(calibration.bins()[9].answers, 1U);
+  EXPECT_EQ(calibration.bins()[9].right, 1U);
+}
 
 Record visible(Record record, double sigmas) {
   record.visibility = {sigmas};

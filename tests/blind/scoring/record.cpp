@@ -1,12 +1,28 @@
-#include "tests/blind/records/record.hpp"
+#include "tests/blind/scoring/record.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+#include <exception>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
+#include <utility>
 
+#include "host_sim/io/output_file.hpp"
 #include "tests/blind/making/make.hpp"
-#include "tests/blind/records/verdict_words.hpp"
 
 namespace blind {
 namespace {
+
+using host_sim::diagnose::Verdict;
+
+constexpr std::array<std::pair<Verdict, std::string_view>, 4> kVerdicts{
+    {{Verdict::none, "none"},
+     {Verdict::named, "named"},
+     {Verdict::ambiguous, "ambiguous"},
+     {Verdict::unknown, "unknown"}}};
 
 using Json = nlohmann::ordered_json;
 using host_sim::diagnose::Candidate;
@@ -87,7 +103,34 @@ Findings findings_of(const Json& json) {
   return findings;
 }
 
+std::vector<std::string> sorted_ids(const Scenario& truth) {
+  std::vector<std::string> ids;
+  for (const HiddenEffect& effect : truth.hidden) {
+    ids.push_back(effect.id);
+  }
+  std::sort(ids.begin(), ids.end());
+  return ids;
+}
+
 }  // namespace
+
+std::string_view verdict_word(Verdict verdict) {
+  for (const auto& [one, word] : kVerdicts) {
+    if (one == verdict) {
+      return word;
+    }
+  }
+  return "";
+}
+
+Verdict verdict_named(const std::string& word) {
+  for (const auto& [verdict, text] : kVerdicts) {
+    if (text == word) {
+      return verdict;
+    }
+  }
+  throw std::runtime_error("a record with the unknown verdict " + word);
+}
 
 std::string line_of(const Record& record) {
   const Json json{{"truth", Json::parse(truth_text(record.truth, ""))},
@@ -111,6 +154,80 @@ Record record_of(const std::string& line) {
   record.error = json.at("error").get<std::string>();
   record.seconds = json.at("seconds").get<double>();
   return record;
+}
+
+std::string answer_of(const Scenario& truth) {
+  switch (truth.kind) {
+    case Kind::none:
+      return "none";
+    case Kind::outside:
+      return "unknown";
+    case Kind::one:
+    case Kind::two:
+      break;
+  }
+  return fmt::format("{}", fmt::join(sorted_ids(truth), "+"));
+}
+
+std::string short_line_of(const Record& record) {
+  constexpr std::size_t kShown = 3;
+  const auto& findings = record.findings;
+  std::vector<std::string> shown;
+  for (std::size_t i = 0; i < std::min(kShown, findings.candidates.size()); ++i) {
+    shown.push_back(
+        fmt::format("{} {:.3f}", findings.candidates[i].id, findings.candidates[i].probability));
+  }
+  const bool outside = record.truth.kind == Kind::outside;
+  const std::string truth =
+      outside ? "outside:" + record.truth.hidden.front().id : answer_of(record.truth);
+  const std::string design =
+      record.truth.data == Data::lives
+          ? fmt::format("lives {}", record.truth.specimens)
+          : fmt::format("{} {}", word_of(record.truth.design), word_of(record.truth.input));
+  return fmt::format("{} {} z=[{:.1f}] {} -> {} | {} | {:.1f} s{}", record.truth.seed, design,
+                     fmt::join(record.visibility, ", "), truth, verdict_word(findings.verdict),
+                     fmt::join(shown, ", "), record.seconds,
+                     record.error.empty() ? "" : " | " + record.error);
+}
+
+RecordsFile::RecordsFile(std::filesystem::path path) : path_(std::move(path)) {
+  read();
+  file_.open(path_, std::ios::app);
+  if (!file_) {
+    throw host_sim::OutputError(path_.string(), "it cannot be opened");
+  }
+}
+
+void RecordsFile::read() {
+  std::ifstream file(path_);
+  std::string line;
+  std::uintmax_t whole_bytes = 0;
+  for (std::size_t number = 1; std::getline(file, line); ++number) {
+    if (file.eof()) {
+      std::filesystem::resize_file(path_, whole_bytes);
+      return;
+    }
+    whole_bytes += line.size() + 1;
+    try {
+      records_.push_back(record_of(line));
+    } catch (const std::exception& error) {
+      throw std::runtime_error(
+          fmt::format("{}:{}: not a record: {}", path_.string(), number, error.what()));
+    }
+  }
+}
+
+bool RecordsFile::has(std::uint64_t seed) const {
+  return std::any_of(records_.begin(), records_.end(),
+                     [&](const Record& record) { return record.truth.seed == seed; });
+}
+
+void RecordsFile::add(Record record) {
+  file_ << line_of(record) << '\n' << std::flush;
+  if (!file_) {
+    throw host_sim::OutputError(path_.string(), "it cannot be written");
+  }
+  records_.push_back(std::move(record));
 }
 
 }  // namespace blind

@@ -1,9 +1,35 @@
-#include "tests/blind/generator/toml_text.hpp"
+#include "tests/blind/generator/scenario.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 namespace blind {
+
+std::string_view word_of(Kind kind) {
+  switch (kind) {
+    case Kind::none:
+      return "none";
+    case Kind::one:
+      return "one";
+    case Kind::two:
+      return "two";
+    case Kind::outside:
+      return "outside";
+  }
+  return "";
+}
+
+std::string_view word_of(Design design) {
+  return design == Design::crossed ? "crossed" : "one_pose";
+}
+
+std::string_view word_of(Input input) {
+  return input == Input::load_cell ? "load_cell" : "motor_current";
+}
+
+std::string_view word_of(Data data) {
+  return data == Data::recordings ? "recordings" : "lives";
+}
 
 std::string table(std::string_view name) {
   return fmt::format("\n[{}]\n", name);

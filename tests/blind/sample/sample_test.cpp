@@ -1,21 +1,29 @@
-#include "tests/blind/sample/sample.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
 #include <iostream>
 #include <mutex>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "host_sim/statistics/parallel.hpp"
-#include "tests/blind/report/markdown.hpp"
+#include "tests/blind/generator/scenario.hpp"
+#include "tests/blind/oracle/visibility.hpp"
+#include "tests/blind/running/analyses.hpp"
+#include "tests/blind/running/run.hpp"
 #include "tests/blind/scoring/judgement.hpp"
+#include "tests/blind/scoring/markdown.hpp"
 #include "tests/blind/scoring/scores.hpp"
 
-namespace blind {
+namespace blind::test {
+namespace {
 
+/// Runs campaigns of these scenarios on all cores and prints a line of each.
+/// @return records in the order of the scenarios
 std::vector<Record> run_sample(const std::vector<Scenario>& scenarios, const Analysis& analysis,
-                               const std::vector<std::string>& without) {
+                               const std::vector<std::string>& without = {}) {
   std::mutex mutex;
   RunOptions options;
   options.folder =
@@ -36,6 +44,7 @@ std::vector<Record> run_sample(const std::vector<Scenario>& scenarios, const Ana
   return records;
 }
 
+/// The first scenarios to score with.
 std::vector<Scenario> first_scenarios(Scenario (*draw)(std::uint64_t seed), std::size_t count) {
   std::vector<Scenario> scenarios;
   for (std::size_t i = 0; i < count; ++i) {
@@ -43,8 +52,6 @@ std::vector<Scenario> first_scenarios(Scenario (*draw)(std::uint64_t seed), std:
   }
   return scenarios;
 }
-
-namespace {
 
 /// From `seed` on; the seed after it is left there.
 Scenario next_hiding(Scenario (*draft)(std::uint64_t seed), Scenario (*draw)(std::uint64_t seed),
@@ -58,8 +65,8 @@ Scenario next_hiding(Scenario (*draft)(std::uint64_t seed), Scenario (*draw)(std
   }
 }
 
-}  // namespace
-
+/// What every answer to a sample must keep: no name where nothing is hidden, every name right, and
+/// the truth first as often as many campaigns have had it; see Proportion::least_of().
 void expect_good(const std::vector<Record>& records, const Proportion& right_of_many) {
   std::cout << summary_of(scores_of(records));
   Proportion right;
@@ -74,6 +81,10 @@ void expect_good(const std::vector<Record>& records, const Proportion& right_of_
   EXPECT_GE(right.holds, right_of_many.least_of(right.of)) << text_of(right);
 }
 
+/// Without the effect in the catalogue nothing is named instead in its campaigns, and they are
+/// unknown where an oracle sees the effect at so many standard deviations: of each effect campaigns
+/// are tried until one is as plain as that.
+/// @param draft gives kind, design and effects of a seed as `draw` does, sooner
 void expect_unknown_without(Scenario (*draft)(std::uint64_t seed),
                             Scenario (*draw)(std::uint64_t seed), const Analysis& analysis,
                             const std::vector<std::string>& ids, double plain_sigmas) {
@@ -93,4 +104,38 @@ void expect_unknown_without(Scenario (*draft)(std::uint64_t seed),
   }
 }
 
-}  // namespace blind
+constexpr std::size_t kCampaigns = 60;
+
+/// With the truth first: the answers that are right, of all probabilities, in the README's tables.
+constexpr Proportion kRightRecordings{904, 1000};
+constexpr double kPlainRecordings_sigmas = 20;  ///< that must leave something unknown
+
+TEST(BlindRecordings, Sample) {
+  const auto scenarios = first_scenarios(draw_recordings, kCampaigns);
+  expect_good(run_sample(scenarios, analysis_of_recordings()), kRightRecordings);
+}
+
+TEST(BlindRecordings, WithoutAnEffectItsCampaignIsUnknown) {
+  expect_unknown_without(draw_recordings, draw_recordings, analysis_of_recordings(),
+                         {"friction_wear", "friction_temperature", "friction_position",
+                          "friction_preload", "slack", "torque_ripple"},
+                         kPlainRecordings_sigmas);
+}
+
+/// With the truth first: the answers that are right, of all probabilities, in the README's tables.
+constexpr Proportion kRightLives{865, 1000};
+constexpr double kPlainLives_sigmas = 6;  ///< that must leave something unknown
+
+TEST(BlindLives, Sample) {
+  const auto scenarios = first_scenarios(draw_visible_lives, kCampaigns);
+  expect_good(run_sample(scenarios, analysis_of_lives()), kRightLives);
+}
+
+TEST(BlindLives, WithoutAnEffectItsCampaignIsUnknown) {
+  expect_unknown_without([](std::uint64_t seed) { return draw_lives(seed, 0); }, draw_visible_lives,
+                         analysis_of_lives(), {"ageing", "load_sequence", "lot_frailty"},
+                         kPlainLives_sigmas);
+}
+
+}  // namespace
+}  // namespace blind::test

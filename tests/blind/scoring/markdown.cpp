@@ -1,4 +1,4 @@
-#include "tests/blind/report/markdown.hpp"
+#include "tests/blind/scoring/markdown.hpp"
 
 #include <fmt/format.h>
 
