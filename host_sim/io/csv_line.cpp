@@ -14,15 +14,15 @@ bool CsvLine::next() {
   if (next_ < line_.size() && line_[next_] == '"') {
     read_quoted();
   }
-  const std::size_t comma = std::min(line_.find(',', next_), line_.size());
-  const std::string_view rest = line_.substr(next_, comma - next_);
+  const std::size_t end = std::min(line_.find(delimiter_, next_), line_.size());
+  const std::string_view rest = line_.substr(next_, end - next_);
   if (line_.substr(offset_).starts_with('"')) {
     broken_ = broken_ || !rest.empty();
   } else {
     text_ = rest;
   }
-  at_end_ = comma == line_.size();
-  next_ = comma + 1;
+  at_end_ = end == line_.size();
+  next_ = end + 1;
   return true;
 }
 

@@ -6,10 +6,12 @@
 
 namespace host_sim {
 
-/// Splits one line of CSV (RFC 4180, without its line end) into fields.
+/// Splits one line of CSV (RFC 4180, without its line end; also with another delimiter) into
+/// fields.
 class CsvLine {
  public:
-  explicit CsvLine(std::string_view line) : line_(line) {}
+  explicit CsvLine(std::string_view line, char delimiter = ',')
+      : line_(line), delimiter_(delimiter) {}
 
   /// Goes to the next field; false after the last one.
   bool next();
@@ -27,6 +29,7 @@ class CsvLine {
   void read_quoted();
 
   std::string_view line_;
+  char delimiter_;
   std::size_t next_ = 0;
   std::size_t offset_ = 0;
   std::string text_;

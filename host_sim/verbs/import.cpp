@@ -1,36 +1,114 @@
 #include "host_sim/recording/import.hpp"
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "host_sim/command_line/numbers.hpp"
 #include "host_sim/command_line/type_names.hpp"
 #include "host_sim/io/byte_source.hpp"
+#include "host_sim/recording/import_columns.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
 namespace host_sim {
 namespace {
 
-constexpr const char* kExample =
+constexpr const char* kDavinciExample =
     "Example: host_sim import davinci Tool_4_Maryland_L_4.csv --out davinci";
+constexpr const char* kColumnsExample =
+    "A map is CHANNEL=[-][FACTOR*]COLUMN[ in UNIT][+OFFSET]; rate(COLUMN[ in UNIT]) is "
+    "differentiated by\n"
+    "time. A column that holds more than letters, digits and _ stands in double quotes.\n"
+    "Example: host_sim import columns log1.csv log2.csv --out drive --map time_s='t in ms' \\\n"
+    "  --map input_tension_N='200*\"motor torque\"' --map output_tension_N='-load in kN' \\\n"
+    "  --map tendon_velocity_m_s='0.005*rate(angle in deg)' --map motor_angle_rad='angle in deg'";
 
 struct ImportArguments {
-  std::string file;
+  std::vector<std::string> files;
   std::string out;
-  recording::DavinciOptions options;
+  recording::DavinciOptions davinci;
+  std::vector<std::string> maps;
+  recording::ColumnsOptions columns;
+  double rate_Hz = 0;
+  std::string session_column;
 };
 
-void run(const ImportArguments& arguments) {
-  check_files(
-      "import",
-      {.reads = {{"FILE", arguments.file}}, .writes = {}, .fills = {{"--out", arguments.out}}});
-  const recording::RecordedCampaign campaign = recording::import_davinci(
-      open_source(arguments.file, "a CSV file of the da Vinci cable transmission"),
-      arguments.file == "-" ? "standard input" : arguments.file, arguments.options);
-  recording::write_campaign(campaign, arguments.out);
-  std::cerr << arguments.out << ": " << campaign.recordings.size() << " sessions\n";
+void check(const ImportArguments& arguments) {
+  std::vector<NamedPath> reads;
+  for (const std::string& file : arguments.files) {
+    reads.push_back({"FILE", file});
+  }
+  check_files("import", {.reads = reads, .writes = {}, .fills = {{"--out", arguments.out}}});
+}
+
+std::string source_name(const std::string& file) {
+  return file == "-" ? "standard input" : file;
+}
+
+void write(const recording::RecordedCampaign& campaign, const std::string& folder) {
+  recording::write_campaign(campaign, folder);
+  std::cerr << folder << ": " << campaign.recordings.size() << " sessions\n";
+}
+
+void import_davinci(const ImportArguments& arguments) {
+  check(arguments);
+  const std::string& file = arguments.files.front();
+  write(
+      recording::import_davinci(open_source(file, "a CSV file of the da Vinci cable transmission"),
+                                source_name(file), arguments.davinci),
+      arguments.out);
+}
+
+void import_columns(const ImportArguments& arguments) {
+  recording::ColumnsOptions options;
+  for (const std::string& map : arguments.maps) {
+    options.maps.push_back(recording::column_map(map));
+  }
+  if (arguments.rate_Hz > 0) {
+    options.rate_Hz = arguments.rate_Hz;
+  }
+  if (!arguments.session_column.empty()) {
+    options.session_column = arguments.session_column;
+  }
+  if (const std::string missing = recording::missing_map(options); !missing.empty()) {
+    throw CLI::ValidationError("--map", "needs " + missing);
+  }
+  check(arguments);
+  recording::RecordedCampaign campaign;
+  const std::filesystem::path out = std::filesystem::path(arguments.out + "/.").lexically_normal();
+  campaign.campaign_toml = recording::unknown_campaign(out.parent_path().filename().string());
+  for (const std::string& file : arguments.files) {
+    recording::import_columns(open_source(file, "a table with a line of names"), source_name(file),
+                              std::filesystem::path(file).stem().string(), options, campaign);
+  }
+  write(campaign, arguments.out);
+}
+
+std::string problem_of_map(const std::string& text) {
+  try {
+    recording::column_map(text);
+  } catch (const std::invalid_argument& problem) {
+    return problem.what();
+  }
+  return {};
+}
+
+CLI::App* add_source(CLI::App& verb, ImportArguments& arguments, const char* name, const char* text,
+                     int most_files, const char* footer) {
+  CLI::App* source = verb.add_subcommand(name, text);
+  source->add_option("FILE", arguments.files, "The measurements, a CSV file; - is standard input")
+      ->required()
+      ->expected(1, most_files);
+  source->add_option("--out", arguments.out, "The campaign folder to write")
+      ->required()
+      ->type_name(command_line::kFolder);
+  source->footer(footer);
+  return source;
 }
 
 }  // namespace
@@ -38,22 +116,37 @@ void run(const ImportArguments& arguments) {
 void add_import(CLI::App& app, int&) {
   CLI::App* verb = app.add_subcommand("import", "A campaign folder from measurements of others");
   verb->require_subcommand(1);
-  verb->footer(kExample);
+  verb->footer(kDavinciExample);
   auto arguments = std::make_shared<ImportArguments>();
-  CLI::App* davinci = verb->add_subcommand(
-      "davinci", "Torques of a cable transmission, O'Neill et al., RA-L 3(4):3027 (2018)");
-  davinci->add_option("FILE", arguments->file, "The measurements, a CSV file; - is standard input")
-      ->required();
-  davinci->add_option("--out", arguments->out, "The campaign folder to write")
-      ->required()
-      ->type_name(command_line::kFolder);
+
+  CLI::App* davinci = add_source(
+      *verb, *arguments, "davinci",
+      "Torques of a cable transmission, O'Neill et al., RA-L 3(4):3027 (2018)", 1, kDavinciExample);
   davinci
-      ->add_option("--pulley-radius-mm", arguments->options.pulley_radius_mm,
+      ->add_option("--pulley-radius-mm", arguments->davinci.pulley_radius_mm,
                    "Turns torques into tensions")
       ->check(command_line::in_range(0.1, 1000.0))
       ->capture_default_str();
-  davinci->footer(kExample);
-  davinci->callback([arguments] { run(*arguments); });
+  davinci->callback([arguments] { import_davinci(*arguments); });
+
+  CLI::App* columns =
+      add_source(*verb, *arguments, "columns", "Tables of any log; each file is a session", 10000,
+                 kColumnsExample);
+  columns->add_option("--map", arguments->maps, "What a channel is made of; once for each channel")
+      ->required()
+      ->expected(1)
+      ->take_all()
+      ->type_name("MAP")
+      ->check(CLI::Validator(problem_of_map, ""));
+  columns
+      ->add_option("--sample-rate-Hz", arguments->rate_Hz,
+                   "Samples per second, where there is no time")
+      ->check(command_line::in_range(1e-3, 1e6));
+  columns
+      ->add_option("--session-column", arguments->session_column,
+                   "Rows with the same value in it are a session")
+      ->type_name("COLUMN");
+  columns->callback([arguments] { import_columns(*arguments); });
 }
 
 }  // namespace host_sim

@@ -84,6 +84,13 @@ const std::vector<Verb>& verbs() {
        {"--plan"}},
       {"pack", "model.toml", {"model.toml"}, {"--out"}, {}, {"MODEL"}},
       {"import davinci", "good.csv", {"good.csv"}, {}, {"--out"}, {"FILE"}},
+      {"import columns",
+       "good.csv r/one.csv --map time_s=time_s --map input_tension_N=input_tension_N --map "
+       "output_tension_N=input_tension_N --map \"tendon_velocity_m_s=rate(input_tension_N)\"",
+       {"good.csv", "r/one.csv"},
+       {},
+       {"--out"},
+       {"FILE"}},
       {"monitor", "--once --log logs/a.csv", {"logs/a.csv"}, {}, {"--record"}, {"--log"}},
   };
   return all;
@@ -326,7 +333,7 @@ TEST_F(EveryVerb, ANameThatIsTooLongIsToldAsSuch) {
 
 TEST_F(EveryVerb, ANumberIsOne) {
   std::size_t numbers = 0;
-  std::set<std::string> names{"import davinci"};
+  std::set<std::string> names{"import davinci", "import columns"};
   for (const Verb& verb : verbs()) {
     names.insert(verb.name);
   }
