@@ -178,7 +178,7 @@ TEST(ImportColumns, SaysWhereATableIsWrong) {
   EXPECT_EQ(complaint(log_text() + "9999,nan,1,1,x\n", options()),
             "log.csv:19:6: F is 'nan'; accepted: a finite decimal number");
   EXPECT_EQ(complaint(log_text() + "9999,2000,1,1,x\n", options()),
-            "log.csv:19:6: input_tension_N becomes -2000000; accepted: -1000000 to 1000000");
+            "log.csv:19:6: input_tension_N becomes -2000000; accepted: -1000000..1000000");
   EXPECT_EQ(
       complaint(log_text() + "3,1,1,1,x\n", options()),
       "log.csv:19:1: time goes from 1.5 s to 0.003 s; accepted: time that increases within each "
@@ -193,7 +193,7 @@ TEST(ImportColumns, SaysWhereATableIsWrong) {
   ColumnsOptions fast = options();
   fast.maps.back() = column_map("tendon_velocity_m_s=1e4*rate(angle)");
   EXPECT_EQ(complaint(log_text(), fast),
-            "log.csv: tendon_velocity_m_s becomes 9000000 at 0 s; accepted: -1000 to 1000");
+            "log.csv: tendon_velocity_m_s becomes 9000000 at 0 s; accepted: -1000..1000");
 
   RecordedCampaign twice = imported(log_text(), options());
   EXPECT_EQ(
