@@ -99,11 +99,11 @@ std::string problem_of_map(const std::string& text) {
 }
 
 CLI::App* add_source(CLI::App& verb, ImportArguments& arguments, const char* name, const char* text,
-                     int most_files, const char* footer) {
+                     int files, const char* footer) {
   CLI::App* source = verb.add_subcommand(name, text);
   source->add_option("FILE", arguments.files, "The measurements, a CSV file; - is standard input")
       ->required()
-      ->expected(1, most_files);
+      ->expected(files);
   source->add_option("--out", arguments.out, "The campaign folder to write")
       ->required()
       ->type_name(command_line::kFolder);
