@@ -99,11 +99,10 @@ std::string problem_of_map(const std::string& text) {
 }
 
 CLI::App* add_source(CLI::App& verb, ImportArguments& arguments, const char* name, const char* text,
-                     int files, const char* footer) {
+                     const char* footer) {
   CLI::App* source = verb.add_subcommand(name, text);
   source->add_option("FILE", arguments.files, "The measurements, a CSV file; - is standard input")
-      ->required()
-      ->expected(files);
+      ->required();
   source->add_option("--out", arguments.out, "The campaign folder to write")
       ->required()
       ->type_name(command_line::kFolder);
@@ -121,7 +120,8 @@ void add_import(CLI::App& app, int&) {
 
   CLI::App* davinci = add_source(
       *verb, *arguments, "davinci",
-      "Torques of a cable transmission, O'Neill et al., RA-L 3(4):3027 (2018)", 1, kDavinciExample);
+      "Torques of a cable transmission, O'Neill et al., RA-L 3(4):3027 (2018)", kDavinciExample);
+  davinci->get_option("FILE")->expected(1);
   davinci
       ->add_option("--pulley-radius-mm", arguments->davinci.pulley_radius_mm,
                    "Turns torques into tensions")
