@@ -8,9 +8,9 @@
 #include <iostream>
 #include <streambuf>
 
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/interruption.hpp"
-#include "host_sim/io/output_file.hpp"
+#include "hal/files/input_error.hpp"
+#include "hal/files/interruption.hpp"
+#include "hal/files/output_file.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
 namespace {
@@ -48,7 +48,7 @@ class StandardOutput {
   void finish() { file_.commit(); }
 
  private:
-  host_sim::OutputFile file_;
+  hal::files::OutputFile file_;
   std::streambuf* before_;
 };
 
@@ -66,7 +66,7 @@ int run(int argc, char** argv) {
       "Example: host_sim replay --help");
   int status = 0;
   take_standard_descriptors();
-  host_sim::watch_for_interruption();
+  hal::files::watch_for_interruption();
   StandardOutput output;
   host_sim::add_replay(app, status);
   host_sim::add_calibrate(app, status);
@@ -85,15 +85,15 @@ int run(int argc, char** argv) {
       status = app.exit(error) == 0 ? 0 : kUsage;
     }
     output.finish();
-  } catch (const host_sim::InputError& error) {
+  } catch (const hal::files::InputError& error) {
     return fail(error);
-  } catch (const host_sim::Interruption& error) {
+  } catch (const hal::files::Interruption& error) {
     std::cerr << "host_sim: " << error.what() << '\n';
     return kInterrupted;
-  } catch (const host_sim::OutputError& error) {
+  } catch (const hal::files::OutputError& error) {
     return fail(error);
   } catch (const std::filesystem::filesystem_error& error) {
-    return fail(host_sim::OutputError(error.path1().string(), error.code().message()));
+    return fail(hal::files::OutputError(error.path1().string(), error.code().message()));
   } catch (const std::exception& error) {
     std::cerr << "host_sim: ";
     return fail(error);

@@ -7,11 +7,15 @@
 #include <thread>
 #include <utility>
 
+#include "hal/files/interruption.hpp"
 #include "host_sim/batch/wire.hpp"
-#include "host_sim/io/interruption.hpp"
 #include "host_sim/statistics/parallel.hpp"
 
 namespace host_sim::batch {
+
+using hal::files::Interruption;
+using hal::files::stop_if_interrupted;
+
 namespace {
 
 /// The first byte of what a rank hands in: packed answers, or why there are none.

@@ -7,10 +7,13 @@
 #include <stdexcept>
 #include <thread>
 
+#include "hal/files/interruption.hpp"
 #include "host_sim/batch/ranks.hpp"
-#include "host_sim/io/interruption.hpp"
 
 namespace host_sim::batch {
+
+using hal::files::stop_if_interrupted;
+
 namespace {
 
 constexpr int kFirst = 0;

@@ -5,15 +5,21 @@
 #include <new>
 #include <nlohmann/json.hpp>
 
+#include "hal/files/input_error.hpp"
+#include "hal/files/interruption.hpp"
+#include "hal/files/output_file.hpp"
+#include "hal/files/text.hpp"
 #include "host_sim/batch/deal.hpp"
 #include "host_sim/batch/shared_progress.hpp"
 #include "host_sim/batch/wire.hpp"
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/interruption.hpp"
-#include "host_sim/io/output_file.hpp"
-#include "host_sim/io/printable.hpp"
 
 namespace host_sim::batch {
+
+using hal::files::InputError;
+using hal::files::Interruption;
+using hal::files::OutputError;
+using hal::files::printable;
+using hal::files::stop_if_interrupted;
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Answer, row, json, error, found)
 

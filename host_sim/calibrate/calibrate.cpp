@@ -8,14 +8,17 @@
 #include <span>
 #include <string_view>
 
+#include "hal/files/input_error.hpp"
 #include "host_sim/calibrate/levels.hpp"
 #include "host_sim/calibrate/stress_life.hpp"
 #include "host_sim/calibrate/use_levels.hpp"
 #include "host_sim/calibrate/validation.hpp"
-#include "host_sim/io/input_error.hpp"
 #include "host_sim/statistics/fit.hpp"
 
 namespace host_sim::calibrate {
+
+using hal::files::InputError;
+
 namespace {
 
 /// Why a fit does not exist, and what it would need.

@@ -11,14 +11,19 @@
 #include <unordered_map>
 #include <utility>
 
+#include "hal/files/input_error.hpp"
+#include "hal/files/input_file.hpp"
+#include "hal/files/text.hpp"
 #include "host_sim/campaign/campaign_files.hpp"
 #include "host_sim/campaign/load.hpp"
-#include "host_sim/io/byte_source.hpp"
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/printable.hpp"
-#include "host_sim/io/text_file.hpp"
 
 namespace host_sim {
+
+using hal::files::in_quotes;
+using hal::files::InputError;
+using hal::files::open_source;
+using hal::files::read_text_file;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/io/model.hpp"
+#include "host_sim/model/model.hpp"
 
 namespace host_sim {
 

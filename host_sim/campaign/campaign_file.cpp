@@ -5,13 +5,20 @@
 #include <string>
 #include <utility>
 
+#include "hal/files/text.hpp"
+#include "hal/files/toml_table.hpp"
 #include "host_sim/campaign/campaign_files.hpp"
 #include "host_sim/campaign/load.hpp"
-#include "host_sim/io/model_tables.hpp"
-#include "host_sim/io/printable.hpp"
-#include "host_sim/io/toml_table.hpp"
+#include "host_sim/model/model_tables.hpp"
 
 namespace host_sim {
+
+using hal::files::describe;
+using hal::files::in_quotes;
+using hal::files::NumberKey;
+using hal::files::parse_toml;
+using hal::files::TomlTable;
+
 namespace {
 
 constexpr NumberKey kShare{"share", "", {0.0, 1.0, true}};

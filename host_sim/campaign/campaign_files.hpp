@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/files/input_file.hpp"
 #include "host_sim/campaign/campaign.hpp"
 #include "host_sim/campaign/csv_table.hpp"
 #include "host_sim/campaign/load.hpp"
-#include "host_sim/io/byte_source.hpp"
 
 namespace host_sim {
 
@@ -35,7 +35,8 @@ struct SpecimenRow {
 
 /// Reads and checks specimens.csv; `name` stands for the file in errors.
 /// @throws InputError, for the second row of a specimen too
-std::vector<SpecimenRow> parse_specimens(std::unique_ptr<ByteSource> source, std::string_view name);
+std::vector<SpecimenRow> parse_specimens(std::unique_ptr<hal::files::ByteSource> source,
+                                         std::string_view name);
 
 /// A row of blocks.csv.
 struct BlockRow {
@@ -48,7 +49,8 @@ struct BlockRow {
 
 /// Reads and checks blocks.csv; `name` stands for the file in errors.
 /// @throws InputError
-std::vector<BlockRow> parse_blocks(std::unique_ptr<ByteSource> source, std::string_view name);
+std::vector<BlockRow> parse_blocks(std::unique_ptr<hal::files::ByteSource> source,
+                                   std::string_view name);
 
 /// A campaign of the contents of its files, with specimens in order of their names; no `blocks`
 /// where there is no such file.

@@ -5,11 +5,23 @@
 #include <cmath>
 #include <utility>
 
-#include "host_sim/io/csv_line.hpp"
-#include "host_sim/io/number.hpp"
-#include "host_sim/io/unit_suffix.hpp"
+#include "hal/files/csv.hpp"
+#include "hal/files/text.hpp"
 
 namespace host_sim {
+
+using hal::files::ByteSource;
+using hal::files::character_count;
+using hal::files::CsvLine;
+using hal::files::in_quotes;
+using hal::files::InputError;
+using hal::files::NumberRange;
+using hal::files::other_unit;
+using hal::files::parse_number;
+using hal::files::printable;
+using hal::files::range_text;
+using hal::files::TextPlace;
+
 namespace {
 
 const std::string kNothing;

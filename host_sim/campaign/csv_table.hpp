@@ -8,11 +8,9 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/io/byte_source.hpp"
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/line_buffer.hpp"
-#include "host_sim/io/number_range.hpp"
-#include "host_sim/io/text_place.hpp"
+#include "hal/files/input_error.hpp"
+#include "hal/files/input_file.hpp"
+#include "hal/files/text.hpp"
 
 namespace host_sim {
 
@@ -24,7 +22,7 @@ struct Place {
 
   /// @throws InputError
   [[noreturn]] void fail(std::string_view found, std::string_view accepted) const {
-    throw InputError(file, line, column, found, accepted);
+    throw hal::files::InputError(file, line, column, found, accepted);
   }
 };
 
@@ -40,7 +38,7 @@ struct CsvColumn {
 class CsvTable {
  public:
   /// Reads the header; `name` stands for the file in errors.
-  CsvTable(std::unique_ptr<ByteSource> source, std::string_view name,
+  CsvTable(std::unique_ptr<hal::files::ByteSource> source, std::string_view name,
            std::span<const CsvColumn> columns);
 
   std::string_view name(std::size_t column) const { return columns_[column].name; }
@@ -60,7 +58,7 @@ class CsvTable {
   const std::string& text(std::size_t column) const;
 
   /// A cell as a finite number in its range.
-  double number(std::size_t column, const NumberRange& range) const;
+  double number(std::size_t column, const hal::files::NumberRange& range) const;
 
   /// The end of the header, where a column that is missing would stand.
   const Place& header_end() const noexcept { return header_end_; }
@@ -76,17 +74,17 @@ class CsvTable {
     std::uint64_t column = 1;
   };
 
-  TextPlace this_line() const { return {name_, lines_.line_number(), lines_.line()}; }
+  hal::files::TextPlace this_line() const { return {name_, lines_.line_number(), lines_.line()}; }
   bool go_to_content();
-  void read_header(const TextPlace& line);
-  void read_row(const TextPlace& line);
-  std::size_t column_named(const std::string& name, const TextPlace& line,
+  void read_header(const hal::files::TextPlace& line);
+  void read_row(const hal::files::TextPlace& line);
+  std::size_t column_named(const std::string& name, const hal::files::TextPlace& line,
                            std::size_t offset) const;
   std::string column_names() const;
 
   std::string name_;
   std::vector<CsvColumn> columns_;
-  LineBuffer lines_;
+  hal::files::LineBuffer lines_;
   std::vector<std::size_t> fields_;  ///< for each column the number of its field
   std::vector<Cell> row_;
   Place header_end_;

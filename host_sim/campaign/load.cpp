@@ -9,6 +9,10 @@
 #include "host_sim/reference/equations.hpp"
 
 namespace host_sim {
+
+using hal::files::NumberKey;
+using hal::files::NumberRange;
+
 namespace {
 
 constexpr NumberRange kTension_N{0.0, 1e6};

@@ -5,9 +5,9 @@
 #include <span>
 #include <string_view>
 
+#include "hal/files/text.hpp"
 #include "host_sim/campaign/campaign.hpp"
 #include "host_sim/campaign/csv_table.hpp"
-#include "host_sim/io/number_range.hpp"
 
 namespace host_sim {
 
@@ -26,7 +26,7 @@ enum LoadKeyId : unsigned {
 inline constexpr std::size_t kLoadColumnCount = kEffectiveTensionKey;
 
 /// The numbers that may give a load.
-std::span<const NumberKey, kLoadKeyCount> load_keys();
+std::span<const hal::files::NumberKey, kLoadKeyCount> load_keys();
 
 /// What gives a load in a CSV file, in words; and in a use of campaign.toml.
 std::string_view load_words();

@@ -2,10 +2,14 @@
 
 #include <fmt/format.h>
 
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/model_keys.hpp"
+#include "hal/files/input_error.hpp"
+#include "host_sim/model/model_tables.hpp"
 
 namespace host_sim {
+
+using hal::files::InputError;
+using hal::files::range_text;
+
 namespace {
 
 std::string campaign_file(const Campaign& campaign) {

@@ -5,11 +5,15 @@
 #include <unordered_map>
 #include <utility>
 
+#include "hal/files/text.hpp"
 #include "host_sim/campaign/campaign_files.hpp"
 #include "host_sim/campaign/csv_table.hpp"
-#include "host_sim/io/printable.hpp"
 
 namespace host_sim {
+
+using hal::files::ByteSource;
+using hal::files::in_quotes;
+
 namespace {
 
 /// The columns of a load, for a table whose first columns are these.

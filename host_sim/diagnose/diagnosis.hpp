@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "host_sim/campaign/campaign.hpp"
-#include "host_sim/extension/extension.hpp"
+#include "host_sim/model/model.hpp"
 
 namespace host_sim::diagnose {
 

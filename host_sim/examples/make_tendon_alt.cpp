@@ -16,7 +16,7 @@
 #include <utility>
 #include <vector>
 
-#include "host_sim/io/output_file.hpp"
+#include "hal/files/output_file.hpp"
 #include "host_sim/reference/equations.hpp"
 #include "host_sim/statistics/common_shape.hpp"
 #include "host_sim/statistics/distribution.hpp"
@@ -257,7 +257,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    host_sim::write_file(argv[1], specimens());
+    hal::files::write_file(argv[1], specimens());
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 1;

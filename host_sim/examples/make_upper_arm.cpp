@@ -11,7 +11,7 @@
 #include <iterator>
 #include <string>
 
-#include "host_sim/io/output_file.hpp"
+#include "hal/files/output_file.hpp"
 
 namespace {
 
@@ -97,7 +97,7 @@ int main(int argc, char** argv) {
     return 2;
   }
   try {
-    host_sim::write_file(argv[1], profile());
+    hal::files::write_file(argv[1], profile());
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}\n", error.what());
     return 1;

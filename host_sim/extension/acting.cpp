@@ -7,9 +7,19 @@
 #include <string_view>
 
 #include "host_sim/extension/life.hpp"
-#include "host_sim/extension/value.hpp"
+#include "host_sim/model/model.hpp"
 
 namespace host_sim {
+
+using hal::files::InputKind;
+using hal::files::kMotorAngle;
+using hal::files::kSheathTemperature;
+using hal::files::kTendonVelocity;
+using hal::files::kWindingTemperature;
+using hal::files::profile_columns;
+using hal::files::ProfileChannels;
+using hal::files::ProfileColumnId;
+
 namespace {
 
 /// An effect that is evaluated sample by sample.

@@ -3,10 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/extension/extension.hpp"
-#include "host_sim/io/model.hpp"
-#include "host_sim/io/profile.hpp"
-#include "host_sim/io/profile_columns.hpp"
+#include "hal/files/profile.hpp"
+#include "hal/files/profile_rows.hpp"
+#include "host_sim/model/model.hpp"
 
 namespace host_sim {
 
@@ -25,6 +24,7 @@ struct Acting {
 /// Of a model whose input is of this kind, with these channels beside it. What friction does
 /// between motor and output is not seen in a motor current, and what drive and current sensor do
 /// not in an output tension.
-Acting acting_extensions(const Model& model, InputKind kind, const ProfileChannels& channels);
+Acting acting_extensions(const Model& model, hal::files::InputKind kind,
+                         const hal::files::ProfileChannels& channels);
 
 }  // namespace host_sim

@@ -8,12 +8,15 @@
 #include <numbers>
 #include <string>
 
+#include "hal/files/input_error.hpp"
 #include "host_sim/extension/life.hpp"
-#include "host_sim/extension/value.hpp"
-#include "host_sim/io/input_error.hpp"
+#include "host_sim/model/model.hpp"
 #include "lifemodel/pack/pack.hpp"
 
 namespace host_sim {
+
+using hal::files::InputError;
+
 namespace {
 
 namespace fixed = lifemodel::extension;

@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "host_sim/io/model.hpp"
+#include "host_sim/model/model.hpp"
 #include "lifemodel/extension/extension.hpp"
 
 namespace host_sim {

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "host_sim/extension/value.hpp"
+#include "host_sim/model/model.hpp"
 
 namespace host_sim {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "host_sim/io/model.hpp"
+#include "host_sim/model/model.hpp"
 
 namespace host_sim {
 

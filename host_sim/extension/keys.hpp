@@ -5,13 +5,13 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/io/number_range.hpp"
+#include "hal/files/text.hpp"
 
 namespace host_sim {
 
 /// A number that a table [extension.<id>] may hold.
 struct ExtensionKey {
-  NumberKey number;
+  hal::files::NumberKey number;
   std::optional<double>
       otherwise;          ///< what it is where the table leaves it out; else it must be there
   bool per_pose = false;  ///< one number, or an array with one for each bend angle
@@ -31,7 +31,7 @@ std::span<const ExtensionKeys> extension_keys();
 const ExtensionKeys* extension_keys(std::string_view id);
 
 /// The bend angles for which [extension.bend_angle] gives errors.
-inline constexpr NumberKey kBendAngles{"bend_angles_deg", "deg", {0, 1800}};
+inline constexpr hal::files::NumberKey kBendAngles{"bend_angles_deg", "deg", {0, 1800}};
 
 /// How many bend angles that may be.
 inline constexpr std::size_t kMostBendAngles = 8;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/extension/value.hpp"
+#include "host_sim/model/model.hpp"
 
 namespace host_sim {
 namespace {

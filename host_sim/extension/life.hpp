@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "host_sim/io/model.hpp"
+#include "host_sim/model/model.hpp"
 #include "host_sim/reference/cycle_damage.hpp"
 
 namespace host_sim {

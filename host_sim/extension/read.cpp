@@ -7,12 +7,21 @@
 #include <cmath>
 #include <optional>
 
+#include "hal/files/input_file.hpp"
 #include "host_sim/extension/keys.hpp"
-#include "host_sim/extension/value.hpp"
-#include "host_sim/io/model_tables.hpp"
-#include "host_sim/io/text_file.hpp"
+#include "host_sim/model/model.hpp"
+#include "host_sim/model/model_tables.hpp"
 
 namespace host_sim {
+
+using hal::files::describe;
+using hal::files::file_name;
+using hal::files::NumberKey;
+using hal::files::parse_toml;
+using hal::files::range_text;
+using hal::files::read_text_file;
+using hal::files::TomlTable;
+
 namespace {
 
 constexpr std::string_view kExtension = "extension";

@@ -4,9 +4,8 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/extension/extension.hpp"
-#include "host_sim/io/model.hpp"
-#include "host_sim/io/toml_table.hpp"
+#include "hal/files/toml_table.hpp"
+#include "host_sim/model/model.hpp"
 
 namespace host_sim {
 
@@ -14,7 +13,7 @@ namespace host_sim {
 /// extension_keys(), and of bend_angle `bend_angles_deg` last.
 /// @throws InputError for an effect or key that is unknown, a number that is missing, of the wrong
 /// type or outside the bounds of the catalogue, and bend angles that do not rise
-std::vector<Extension> read_extensions(const TomlTable& extension);
+std::vector<Extension> read_extensions(const hal::files::TomlTable& extension);
 
 /// As read_model(), with the tables [extension.<id>].
 Model read_extended_model(const std::filesystem::path& path);

@@ -3,7 +3,7 @@
 #include <span>
 #include <string>
 
-#include "host_sim/extension/extension.hpp"
+#include "host_sim/model/model.hpp"
 
 namespace host_sim {
 

@@ -8,9 +8,13 @@
 #include <cstdlib>
 #include <utility>
 
-#include "host_sim/io/printable.hpp"
+#include "hal/files/text.hpp"
 
 namespace host_sim {
+
+using hal::files::character_count;
+using hal::files::printable;
+
 namespace {
 
 constexpr std::size_t kLabelLimit = 30;

@@ -6,11 +6,14 @@
 #include <numeric>
 #include <vector>
 
-#include "host_sim/io/interruption.hpp"
+#include "hal/files/interruption.hpp"
 #include "host_sim/life_law/life_fit.hpp"
 #include "host_sim/statistics/parallel.hpp"
 
 namespace host_sim::plan {
+
+using hal::files::stop_if_interrupted;
+
 namespace {
 
 struct Campaign {

@@ -8,13 +8,26 @@
 #include <numbers>
 #include <numeric>
 
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/printable.hpp"
+#include "hal/files/input_error.hpp"
+#include "hal/files/text.hpp"
 #include "host_sim/recording/motion.hpp"
 #include "host_sim/recording/signal.hpp"
 #include "host_sim/reference/equations.hpp"
 
 namespace host_sim::recording {
+
+using hal::files::in_quotes;
+using hal::files::InputError;
+using hal::files::kBendAngle;
+using hal::files::kInputTensionColumn;
+using hal::files::kMotorAngle;
+using hal::files::kMotorCurrentColumn;
+using hal::files::kOutputTensionColumn;
+using hal::files::kSheathTemperature;
+using hal::files::kTendonVelocity;
+using hal::files::kTime;
+using hal::files::kWindingTemperature;
+
 namespace {
 
 /// What the faults of its session leave of a recording. A constant channel counts as not recorded;

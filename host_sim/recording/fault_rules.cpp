@@ -9,6 +9,13 @@
 
 namespace host_sim::recording {
 
+using hal::files::kInputTensionColumn;
+using hal::files::kMotorAngle;
+using hal::files::kMotorCurrentColumn;
+using hal::files::kOutputTensionColumn;
+using hal::files::kTendonVelocity;
+using hal::files::ProfileColumnId;
+
 std::vector<Stretch> gaps_in(std::span<const double> time_s) {
   constexpr double kSteps = 5.5;
   std::vector<double> steps_s;

@@ -12,7 +12,7 @@ namespace host_sim::recording {
 
 /// A channel that is recorded and changes.
 struct LiveChannel {
-  ProfileColumnId id;
+  hal::files::ProfileColumnId id;
   std::span<const double> values;
   Sensor sensor;
 };
@@ -25,10 +25,10 @@ struct SessionView {
 };
 
 /// Whether it is a tension or the current that stands for one.
-bool is_load(ProfileColumnId id);
+bool is_load(hal::files::ProfileColumnId id);
 
 /// Whether a channel has to change within a session. Temperatures and the bend angle do not.
-bool has_to_change(ProfileColumnId id);
+bool has_to_change(hal::files::ProfileColumnId id);
 
 /// The samples right after which time has jumped: five samples
 /// or more are missing, that is a step of more than 5.5 times the median.

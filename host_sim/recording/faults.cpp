@@ -5,12 +5,21 @@
 #include <set>
 #include <utility>
 
-#include "host_sim/io/printable.hpp"
+#include "hal/files/text.hpp"
 #include "host_sim/recording/fault_rules.hpp"
 #include "host_sim/recording/motion.hpp"
 #include "host_sim/recording/recording.hpp"
 
 namespace host_sim::recording {
+
+using hal::files::in_quotes;
+using hal::files::kInputTensionColumn;
+using hal::files::kProfileColumnCount;
+using hal::files::kTendonVelocity;
+using hal::files::kTime;
+using hal::files::profile_columns;
+using hal::files::ProfileColumnId;
+
 namespace {
 
 constexpr std::string_view kSamplesOut = "these samples are left out";

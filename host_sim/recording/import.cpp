@@ -9,12 +9,28 @@
 #include <system_error>
 #include <utility>
 
+#include "hal/files/interruption.hpp"
+#include "hal/files/output_file.hpp"
 #include "host_sim/campaign/csv_table.hpp"
-#include "host_sim/io/interruption.hpp"
-#include "host_sim/io/output_file.hpp"
 #include "host_sim/recording/recording_files.hpp"
 
 namespace host_sim::recording {
+
+using hal::files::ByteSource;
+using hal::files::InputError;
+using hal::files::kInputTensionColumn;
+using hal::files::kMotorAngle;
+using hal::files::kOutputTensionColumn;
+using hal::files::kProfileColumnCount;
+using hal::files::kTendonVelocity;
+using hal::files::kTime;
+using hal::files::NumberRange;
+using hal::files::OutputError;
+using hal::files::OutputFile;
+using hal::files::profile_columns;
+using hal::files::ProfileColumnId;
+using hal::files::stop_if_interrupted;
+
 namespace {
 
 namespace fs = std::filesystem;

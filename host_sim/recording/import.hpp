@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/io/byte_source.hpp"
+#include "hal/files/input_file.hpp"
 #include "host_sim/recording/recording.hpp"
 
 namespace host_sim::recording {
@@ -40,7 +40,7 @@ struct DavinciOptions {
 /// the pulley. The drive's torque falls below zero where friction carries the load back.
 /// @param name stands for the file in errors
 /// @throws InputError
-RecordedCampaign import_davinci(std::unique_ptr<ByteSource> source, std::string_view name,
-                                const DavinciOptions& options);
+RecordedCampaign import_davinci(std::unique_ptr<hal::files::ByteSource> source,
+                                std::string_view name, const DavinciOptions& options);
 
 }  // namespace host_sim::recording

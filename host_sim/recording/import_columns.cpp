@@ -10,15 +10,38 @@
 #include <stdexcept>
 #include <utility>
 
-#include "host_sim/io/csv_line.hpp"
-#include "host_sim/io/line_buffer.hpp"
-#include "host_sim/io/number.hpp"
-#include "host_sim/io/number_range.hpp"
-#include "host_sim/io/printable.hpp"
-#include "host_sim/io/text_place.hpp"
+#include "hal/files/csv.hpp"
+#include "hal/files/input_error.hpp"
+#include "hal/files/input_file.hpp"
+#include "hal/files/text.hpp"
 #include "host_sim/recording/recording_files.hpp"
 
 namespace host_sim::recording {
+
+using hal::files::ByteSource;
+using hal::files::CsvLine;
+using hal::files::in_quotes;
+using hal::files::InputError;
+using hal::files::kBendAngle;
+using hal::files::kInputTensionColumn;
+using hal::files::kMotorAngle;
+using hal::files::kMotorCurrentColumn;
+using hal::files::kOutputTensionColumn;
+using hal::files::kProfileColumnCount;
+using hal::files::kSheathTemperature;
+using hal::files::kTendonVelocity;
+using hal::files::kTime;
+using hal::files::kWindingTemperature;
+using hal::files::LineBuffer;
+using hal::files::NumberRange;
+using hal::files::parse_number;
+using hal::files::profile_column_names;
+using hal::files::profile_columns;
+using hal::files::ProfileColumn;
+using hal::files::ProfileColumnId;
+using hal::files::range_text;
+using hal::files::TextPlace;
+
 namespace {
 
 /// One of it is scale of the channel's own unit, from offset on.

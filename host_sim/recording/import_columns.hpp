@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/io/byte_source.hpp"
-#include "host_sim/io/profile_columns.hpp"
+#include "hal/files/input_file.hpp"
+#include "hal/files/profile_rows.hpp"
 #include "host_sim/recording/import.hpp"
 
 namespace host_sim::recording {
@@ -15,7 +15,7 @@ namespace host_sim::recording {
 /// A channel out of a column of a table: scale * column + offset, or scale times the rate of change
 /// of the column.
 struct ColumnMap {
-  ProfileColumnId channel = kTime;
+  hal::files::ProfileColumnId channel = hal::files::kTime;
   std::string column;
   double scale = 1;
   double offset = 0;  ///< in the unit of the channel
@@ -42,7 +42,7 @@ std::string missing_map(const ColumnsOptions& options);
 /// @param session its name, where no column says it
 /// @pre nothing is missing in the options
 /// @throws InputError
-void import_columns(std::unique_ptr<ByteSource> source, std::string_view name,
+void import_columns(std::unique_ptr<hal::files::ByteSource> source, std::string_view name,
                     std::string_view session, const ColumnsOptions& options,
                     RecordedCampaign& campaign);
 

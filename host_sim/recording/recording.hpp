@@ -7,14 +7,14 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/files/profile_rows.hpp"
 #include "host_sim/campaign/campaign.hpp"
-#include "host_sim/io/profile_columns.hpp"
 
 namespace host_sim::recording {
 
 /// By ProfileColumnId, the values of each channel in the unit of profile_columns(); a channel that
 /// was not recorded is empty.
-using Channels = std::array<std::vector<double>, kProfileColumnCount>;
+using Channels = std::array<std::vector<double>, hal::files::kProfileColumnCount>;
 
 /// One recording: what the sensors said in one session of a campaign.
 struct Recording {
@@ -27,11 +27,11 @@ struct Recording {
   /// Each of samples() values or empty. Time rises strictly.
   Channels channels;
 
-  [[nodiscard]] const std::vector<double>& operator[](ProfileColumnId id) const {
+  [[nodiscard]] const std::vector<double>& operator[](hal::files::ProfileColumnId id) const {
     return channels[id];
   }
-  [[nodiscard]] bool has(ProfileColumnId id) const { return !channels[id].empty(); }
-  [[nodiscard]] std::size_t samples() const { return channels[kTime].size(); }
+  [[nodiscard]] bool has(hal::files::ProfileColumnId id) const { return !channels[id].empty(); }
+  [[nodiscard]] std::size_t samples() const { return channels[hal::files::kTime].size(); }
 };
 
 /// The recordings that sessions.csv of a campaign names, in order of their sessions' names; none
@@ -54,7 +54,7 @@ struct Fault {
     not_positive,  ///< a tension or current that has no logarithm
   };
   std::string session;
-  ProfileColumnId channel = kTime;
+  hal::files::ProfileColumnId channel = hal::files::kTime;
   Kind kind = Kind::constant;
   std::size_t first = 0;  ///< sample at which it begins
   std::size_t count = 0;  ///< samples of the session that it touches
@@ -69,7 +69,7 @@ std::vector<Fault> faults_of(const std::vector<Recording>& recordings);
 
 /// All faults of one kind in one channel, over all sessions.
 struct FaultSummary {
-  ProfileColumnId channel = kTime;
+  hal::files::ProfileColumnId channel = hal::files::kTime;
   Fault::Kind kind = Fault::Kind::constant;
   std::size_t sessions = 0;  ///< that have it
   std::size_t faults = 0;

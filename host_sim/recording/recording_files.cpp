@@ -11,17 +11,33 @@
 #include <unordered_map>
 #include <utility>
 
+#include "hal/files/input_error.hpp"
+#include "hal/files/interruption.hpp"
+#include "hal/files/profile_rows.hpp"
+#include "hal/files/text.hpp"
 #include "host_sim/campaign/campaign.hpp"
 #include "host_sim/campaign/campaign_files.hpp"
 #include "host_sim/campaign/csv_table.hpp"
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/interruption.hpp"
-#include "host_sim/io/printable.hpp"
-#include "host_sim/io/profile_header.hpp"
-#include "host_sim/io/profile_rows.hpp"
 #include "host_sim/recording/recording.hpp"
 
 namespace host_sim::recording {
+
+using hal::files::ByteSource;
+using hal::files::in_quotes;
+using hal::files::InputError;
+using hal::files::kInputTensionColumn;
+using hal::files::kMotorCurrentColumn;
+using hal::files::kOutputTensionColumn;
+using hal::files::kTendonVelocity;
+using hal::files::kTime;
+using hal::files::open_source;
+using hal::files::parse_profile_columns;
+using hal::files::profile_columns;
+using hal::files::ProfileColumnId;
+using hal::files::ProfileRows;
+using hal::files::stop_if_interrupted;
+using hal::files::TextPlace;
+
 namespace {
 
 enum SessionColumn : unsigned { kSession, kSpecimen, kFile, kStartCycle, kSessionColumnCount };

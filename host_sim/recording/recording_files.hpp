@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/files/input_file.hpp"
 #include "host_sim/campaign/csv_table.hpp"
-#include "host_sim/io/byte_source.hpp"
 #include "host_sim/recording/recording.hpp"
 
 namespace host_sim::recording {
@@ -22,13 +22,14 @@ struct SessionRow {
 
 /// Reads and checks sessions.csv; `name` stands for the file in errors.
 /// @throws InputError, for the second row of a session too
-std::vector<SessionRow> parse_sessions(std::unique_ptr<ByteSource> source, std::string_view name);
+std::vector<SessionRow> parse_sessions(std::unique_ptr<hal::files::ByteSource> source,
+                                       std::string_view name);
 
 /// The fewest samples of a recording.
 inline constexpr std::size_t kFewestSamples = 16;
 
 /// Reads and checks the samples of one recording; `name` stands for the file in errors.
 /// @throws InputError
-Channels parse_recording(std::unique_ptr<ByteSource> source, std::string_view name);
+Channels parse_recording(std::unique_ptr<hal::files::ByteSource> source, std::string_view name);
 
 }  // namespace host_sim::recording

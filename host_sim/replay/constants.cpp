@@ -7,12 +7,15 @@
 #include <numbers>
 #include <string>
 
+#include "hal/files/input_error.hpp"
 #include "host_sim/extension/fixed.hpp"
-#include "host_sim/io/input_error.hpp"
 #include "lifemodel/block/parameter_block.hpp"
 #include "lifemodel/pack/pack.hpp"
 
 namespace host_sim {
+
+using hal::files::InputError;
+
 namespace {
 
 using lifemodel::BlockError;

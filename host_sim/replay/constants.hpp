@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "host_sim/io/model.hpp"
+#include "host_sim/model/model.hpp"
 #include "host_sim/reference/constants.hpp"
 #include "host_sim/reference/equations.hpp"
 #include "lifemodel/block/extended_block.hpp"

@@ -6,11 +6,15 @@
 #include <string>
 #include <system_error>
 
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/interruption.hpp"
+#include "hal/files/input_error.hpp"
+#include "hal/files/interruption.hpp"
 #include "host_sim/io/natural_order.hpp"
 
 namespace host_sim {
+
+using hal::files::InputError;
+using hal::files::stop_if_interrupted;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -8,6 +8,11 @@
 #include "lifemodel/pack/pack.hpp"
 
 namespace host_sim {
+
+using hal::files::InputKind;
+using hal::files::ProfileReader;
+using hal::files::ProfileRow;
+
 namespace {
 
 using lifemodel::Direction;

@@ -5,9 +5,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "hal/files/profile.hpp"
 #include "host_sim/extension/apply.hpp"
-#include "host_sim/io/model.hpp"
-#include "host_sim/io/profile.hpp"
+#include "host_sim/model/model.hpp"
 #include "host_sim/reference/equations.hpp"
 #include "host_sim/replay/virtual_board.hpp"
 #include "lifemodel/block/extended_block.hpp"
@@ -61,14 +61,14 @@ class ProfileInput {
   /// @param start_cycle that the sheath has seen before
   /// Preconditions: the model has a drive where the profile holds motor current; `parameters` are
   /// those of the model and outlive this object.
-  ProfileInput(const ProfileReader& profile, const Model& model,
+  ProfileInput(const hal::files::ProfileReader& profile, const Model& model,
                const lifemodel::ExtendedParameters& parameters, std::uint32_t start_cycle);
 
   /// Samples are missing before the next row.
   void gap();
 
   /// Sets the tensions of the next row; raises flags as the target would.
-  void take(const ProfileRow& row, lifemodel::Flags& flags);
+  void take(const hal::files::ProfileRow& row, lifemodel::Flags& flags);
 
   [[nodiscard]] lifemodel::Tension tension() const { return tension_; }
   /// The row as the sensor of a board would give it.
@@ -89,13 +89,13 @@ class ProfileInput {
     bool pulled = true;  ///< before the last turn
   };
 
-  void take_output(const ProfileRow& row);
-  void take_surroundings(const ProfileRow& row);
-  void take_extended(const ProfileRow& row);
+  void take_output(const hal::files::ProfileRow& row);
+  void take_surroundings(const hal::files::ProfileRow& row);
+  void take_extended(const hal::files::ProfileRow& row);
   [[nodiscard]] lifemodel::Direction direction() const;
   [[nodiscard]] lifemodel::Tension converted(lifemodel::Flags& flags);
 
-  InputKind kind_;
+  hal::files::InputKind kind_;
   bool has_bend_angle_;
   double ultimate_tension_N_;
   double friction_coefficient_;

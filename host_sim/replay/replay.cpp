@@ -10,10 +10,10 @@
 #include <span>
 #include <stdexcept>
 
+#include "hal/files/input_error.hpp"
 #include "host_sim/extension/fixed.hpp"
 #include "host_sim/extension/life.hpp"
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/model.hpp"
+#include "host_sim/model/model.hpp"
 #include "host_sim/replay/constants.hpp"
 #include "host_sim/replay/flag_names.hpp"
 #include "host_sim/replay/profile_input.hpp"
@@ -27,6 +27,12 @@
 #include "lifemodel/tendon.hpp"
 
 namespace host_sim {
+
+using hal::files::InputError;
+using hal::files::InputKind;
+using hal::files::ProfileReader;
+using hal::files::ProfileRow;
+
 namespace {
 
 using lifemodel::CycleDamage;

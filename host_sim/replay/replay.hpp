@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "hal/files/profile.hpp"
 #include "host_sim/extension/acting.hpp"
-#include "host_sim/io/model.hpp"
-#include "host_sim/io/profile.hpp"
+#include "host_sim/model/model.hpp"
 #include "host_sim/reference/equations.hpp"
 #include "host_sim/reference/life.hpp"
 #include "host_sim/reference/reference.hpp"
@@ -20,7 +20,7 @@ namespace host_sim {
 
 /// What one pass of a profile did to the wire, by the estimator and by the reference.
 struct ReplayResult {
-  InputKind input = InputKind::kInputTension;
+  hal::files::InputKind input = hal::files::InputKind::kInputTension;
   std::uint64_t samples = 0;
   double duration_s = 0;
   CycleCounts cycles;
@@ -57,7 +57,7 @@ struct ReplayOptions {
 /// the length of the profile.
 /// @param model_name stands for the model in errors
 /// @throws InputError for a profile that cannot be trusted or does not go with the model
-ReplayResult replay(ProfileReader& profile, const Model& model, const std::string& model_name,
-                    const ReplayOptions& options);
+ReplayResult replay(hal::files::ProfileReader& profile, const Model& model,
+                    const std::string& model_name, const ReplayOptions& options);
 
 }  // namespace host_sim

@@ -8,11 +8,16 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
-#include "host_sim/extension/value.hpp"
-#include "host_sim/io/csv_row.hpp"
+#include "hal/files/csv.hpp"
+#include "host_sim/model/model.hpp"
 #include "host_sim/report/replay/captions.hpp"
 
 namespace host_sim {
+
+using hal::files::csv_head;
+using hal::files::CsvRow;
+using hal::files::InputKind;
+
 namespace {
 
 using nlohmann::ordered_json;

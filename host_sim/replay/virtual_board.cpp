@@ -15,6 +15,9 @@
 #include "lifemodel/extension/life.hpp"
 
 namespace host_sim {
+
+using hal::files::InputKind;
+
 namespace {
 
 namespace fake = hal::fake;

@@ -9,7 +9,7 @@
 #include "firmware/protocol/messages.hpp"
 #include "hal/can_frame.hpp"
 #include "hal/clock.hpp"
-#include "host_sim/io/profile.hpp"
+#include "hal/files/profile.hpp"
 #include "lifemodel/block/extended_block.hpp"
 #include "lifemodel/damage/damage.hpp"
 #include "lifemodel/extension/sample.hpp"
@@ -32,7 +32,7 @@ class VirtualBoard {
   using Listener = std::function<void(hal::Time, const hal::CanFrame&)>;
 
   /// @param start_cycle that the sheath has seen before
-  VirtualBoard(InputKind kind, const lifemodel::ExtendedParameters& parameters,
+  VirtualBoard(hal::files::InputKind kind, const lifemodel::ExtendedParameters& parameters,
                std::uint32_t start_cycle, protocol::Node node, Listener listener);
   VirtualBoard(VirtualBoard&&) noexcept;
   VirtualBoard& operator=(VirtualBoard&&) noexcept;

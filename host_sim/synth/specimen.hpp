@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "host_sim/io/model.hpp"
+#include "host_sim/model/model.hpp"
 #include "host_sim/synth/life_departures.hpp"
 
 namespace host_sim::synth {

@@ -6,13 +6,13 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/io/number_range.hpp"
+#include "hal/files/text.hpp"
 
 namespace host_sim::synth {
 
 /// A number that the table of an effect may give.
 struct Parameter {
-  NumberKey key;
+  hal::files::NumberKey key;
   std::optional<double> standard = {};  ///< where the table leaves it out; without it, required
   bool list = false;                    ///< one number, or a list of them
 };

@@ -11,6 +11,9 @@
 #include "host_sim/verbs/verbs.hpp"
 
 namespace host_sim {
+
+using hal::files::OutputFile;
+
 namespace {
 
 constexpr int kSomeRefused = 1;

@@ -5,15 +5,15 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/files/output_file.hpp"
 #include "host_sim/batch/run_batch.hpp"
-#include "host_sim/io/output_file.hpp"
 
 namespace host_sim {
 
 /// The outputs of a batch: a table with a row and a JSON file with an object for each piece.
 struct BatchOutputs {
-  std::optional<OutputFile> table;
-  std::optional<OutputFile> json;
+  std::optional<hal::files::OutputFile> table;
+  std::optional<hal::files::OutputFile> json;
 
   /// Opens those whose path is not empty. @throws OutputError
   void open(const std::string& table_path, const std::string& json_path);

@@ -3,15 +3,19 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "hal/files/input_error.hpp"
+#include "hal/files/text.hpp"
 #include "host_sim/calibrate/output/output.hpp"
 #include "host_sim/campaign/campaign.hpp"
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/printable.hpp"
 #include "host_sim/verbs/batch_outputs.hpp"
 #include "host_sim/verbs/calibrate_arguments.hpp"
 #include "host_sim/verbs/outputs.hpp"
 
 namespace host_sim {
+
+using hal::files::InputError;
+using hal::files::printable;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -1,9 +1,9 @@
 #include <mutex>
 #include <optional>
 
+#include "hal/files/interruption.hpp"
 #include "host_sim/calibrate/output/output.hpp"
 #include "host_sim/campaign/nominal_model.hpp"
-#include "host_sim/io/interruption.hpp"
 #include "host_sim/io/progress.hpp"
 #include "host_sim/replay/constants.hpp"
 #include "host_sim/report/calibrate/html.hpp"
@@ -13,6 +13,9 @@
 #include "host_sim/verbs/verbs.hpp"
 
 namespace host_sim {
+
+using hal::files::stop_if_interrupted;
+
 namespace {
 
 calibrate::CalibrateResult with_progress(const Campaign& campaign,

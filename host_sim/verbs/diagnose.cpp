@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "hal/files/interruption.hpp"
 #include "host_sim/command_line/numbers.hpp"
 #include "host_sim/command_line/type_names.hpp"
 #include "host_sim/diagnose/diagnosis.hpp"
@@ -16,7 +17,6 @@
 #include "host_sim/effects/life_effect.hpp"
 #include "host_sim/effects/tension_effect.hpp"
 #include "host_sim/extension/read.hpp"
-#include "host_sim/io/interruption.hpp"
 #include "host_sim/io/progress.hpp"
 #include "host_sim/recording/recording.hpp"
 #include "host_sim/replay/constants.hpp"
@@ -25,6 +25,9 @@
 #include "host_sim/verbs/verbs.hpp"
 
 namespace host_sim {
+
+using hal::files::stop_if_interrupted;
+
 namespace {
 
 struct Arguments {

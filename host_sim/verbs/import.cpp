@@ -8,14 +8,17 @@
 #include <string>
 #include <vector>
 
+#include "hal/files/input_file.hpp"
 #include "host_sim/command_line/numbers.hpp"
 #include "host_sim/command_line/type_names.hpp"
-#include "host_sim/io/byte_source.hpp"
 #include "host_sim/recording/import_columns.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
 namespace host_sim {
+
+using hal::files::open_source;
+
 namespace {
 
 constexpr const char* kDavinciExample =

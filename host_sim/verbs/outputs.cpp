@@ -10,10 +10,16 @@
 #include <iostream>
 #include <system_error>
 
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/printable.hpp"
+#include "hal/files/input_error.hpp"
+#include "hal/files/text.hpp"
 
 namespace host_sim {
+
+using hal::files::in_quotes;
+using hal::files::InputError;
+using hal::files::OutputFile;
+using hal::files::printable;
+
 namespace {
 
 namespace fs = std::filesystem;

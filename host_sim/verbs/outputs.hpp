@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/io/output_file.hpp"
+#include "hal/files/output_file.hpp"
 
 namespace host_sim {
 
@@ -38,11 +38,11 @@ std::vector<NamedPath> named(const std::string& option,
 
 /// The file at `path`, or none where the path is empty because nobody asked for it.
 /// @throws OutputError
-std::optional<OutputFile> open_if_asked(const std::string& path);
+std::optional<hal::files::OutputFile> open_if_asked(const std::string& path);
 
 /// Puts the files in place that were asked for, when all of them are whole.
 /// @throws OutputError
-void commit_all(std::initializer_list<std::optional<OutputFile>*> files);
+void commit_all(std::initializer_list<std::optional<hal::files::OutputFile>*> files);
 
 /// Where a summary for people goes: standard output, or standard error where one of the outputs
 /// takes standard output.

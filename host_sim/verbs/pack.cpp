@@ -8,17 +8,22 @@
 #include <string>
 #include <vector>
 
+#include "hal/files/output_file.hpp"
 #include "host_sim/extension/acting.hpp"
 #include "host_sim/extension/keys.hpp"
 #include "host_sim/extension/read.hpp"
-#include "host_sim/extension/value.hpp"
-#include "host_sim/io/output_file.hpp"
+#include "host_sim/model/model.hpp"
 #include "host_sim/replay/constants.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
 #include "lifemodel/block/extended_block.hpp"
 
 namespace host_sim {
+
+using hal::files::InputKind;
+using hal::files::OutputFile;
+using hal::files::ProfileChannels;
+
 namespace {
 
 struct PackArguments {

@@ -10,8 +10,8 @@
 #include <utility>
 
 #include "host_sim/command_line/numbers.hpp"
-#include "host_sim/io/model.hpp"
 #include "host_sim/io/progress.hpp"
+#include "host_sim/model/model.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/plan_diagnosis.hpp"
 #include "host_sim/verbs/verbs.hpp"

@@ -5,12 +5,15 @@
 #include <fstream>
 #include <system_error>
 
+#include "hal/files/input_error.hpp"
 #include "host_sim/extension/read.hpp"
-#include "host_sim/io/input_error.hpp"
 #include "host_sim/replay/constants.hpp"
 #include "host_sim/replay/results.hpp"
 
 namespace host_sim {
+
+using hal::files::InputError;
+
 namespace {
 
 namespace fs = std::filesystem;

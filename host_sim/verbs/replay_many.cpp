@@ -1,10 +1,10 @@
 #include <array>
 #include <nlohmann/json.hpp>
 
+#include "hal/files/input_error.hpp"
+#include "hal/files/text.hpp"
 #include "host_sim/batch/wire.hpp"
 #include "host_sim/extension/read.hpp"
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/printable.hpp"
 #include "host_sim/replay/replay.hpp"
 #include "host_sim/replay/results.hpp"
 #include "host_sim/verbs/batch_outputs.hpp"
@@ -14,6 +14,12 @@
 #include "host_sim/verbs/replay_totals.hpp"
 
 namespace host_sim {
+
+using hal::files::input_kind_from;
+using hal::files::InputError;
+using hal::files::printable;
+using hal::files::ProfileReader;
+
 namespace {
 
 using nlohmann::ordered_json;

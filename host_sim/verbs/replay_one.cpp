@@ -1,11 +1,11 @@
 #include <filesystem>
 
+#include "hal/files/candump.hpp"
+#include "hal/files/input_error.hpp"
+#include "hal/files/interruption.hpp"
 #include "host_sim/extension/read.hpp"
-#include "host_sim/extension/value.hpp"
-#include "host_sim/io/candump.hpp"
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/interruption.hpp"
 #include "host_sim/io/progress.hpp"
+#include "host_sim/model/model.hpp"
 #include "host_sim/replay/replay.hpp"
 #include "host_sim/replay/results.hpp"
 #include "host_sim/report/replay/html.hpp"
@@ -15,6 +15,13 @@
 #include "host_sim/verbs/verbs.hpp"
 
 namespace host_sim {
+
+using hal::files::candump_line;
+using hal::files::input_kind_from;
+using hal::files::InputError;
+using hal::files::ProfileOptions;
+using hal::files::ProfileReader;
+using hal::files::stop_if_interrupted;
 
 int replay_one(const ReplayArguments& arguments) {
   const std::string& path = arguments.profiles.front();

@@ -10,6 +10,9 @@
 #include "host_sim/replay/replay.hpp"
 
 namespace host_sim {
+
+using hal::files::ProfileReader;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -3,10 +3,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
 #include "tests/calibrate/campaigns.hpp"
 
 namespace host_sim::calibrate {
+
+using hal::files::InputError;
+
 namespace {
 
 using test::CampaignBuilder;

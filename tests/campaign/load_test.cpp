@@ -9,6 +9,9 @@
 #include "tests/campaign/support.hpp"
 
 namespace host_sim {
+
+using hal::files::InputError;
+
 namespace {
 
 Campaign::Load load_of(const std::string& load_columns, const std::string& load) {

@@ -12,6 +12,9 @@
 #include "tests/campaign/support.hpp"
 
 namespace host_sim {
+
+using hal::files::InputError;
+
 namespace {
 
 /// Cells of a table by column.

@@ -9,6 +9,9 @@
 #include "tests/campaign/support.hpp"
 
 namespace host_sim {
+
+using hal::files::memory_source;
+
 namespace {
 
 using test::replaced;

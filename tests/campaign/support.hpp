@@ -30,10 +30,11 @@ bend_angle_deg = 270.0
 
 inline Campaign campaign_of(const CampaignTexts& texts) {
   CampaignFile file = parse_campaign_file(texts.campaign, "c.toml");
-  std::vector<SpecimenRow> specimens = parse_specimens(memory_source(texts.specimens), "s.csv");
+  std::vector<SpecimenRow> specimens =
+      parse_specimens(hal::files::memory_source(texts.specimens), "s.csv");
   std::vector<BlockRow> blocks;
   if (!texts.blocks.empty()) {
-    blocks = parse_blocks(memory_source(texts.blocks), "b.csv");
+    blocks = parse_blocks(hal::files::memory_source(texts.blocks), "b.csv");
   }
   return assemble(std::move(file), std::move(specimens), blocks);
 }

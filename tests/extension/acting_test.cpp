@@ -8,6 +8,10 @@
 #include "tests/extension/models.hpp"
 
 namespace host_sim {
+
+using hal::files::InputKind;
+using hal::files::ProfileChannels;
+
 namespace {
 
 using extension_test::model_with;

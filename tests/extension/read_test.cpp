@@ -7,7 +7,7 @@
 
 #include "host_sim/effects/life_effect.hpp"
 #include "host_sim/extension/keys.hpp"
-#include "host_sim/extension/value.hpp"
+#include "host_sim/model/model.hpp"
 #include "tests/extension/models.hpp"
 #include "tests/io/support.hpp"
 

@@ -10,6 +10,9 @@
 #include "tests/extension/models.hpp"
 
 namespace host_sim {
+
+using hal::files::NumberRange;
+
 namespace {
 
 TEST(ExtensionWrite, WritesATableForEachEffect) {

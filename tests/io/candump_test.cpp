@@ -1,4 +1,4 @@
-#include "host_sim/io/candump.hpp"
+#include "hal/files/candump.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,6 +12,13 @@
 #include "tests/io/support.hpp"
 
 namespace host_sim {
+
+using hal::files::candump_line;
+using hal::files::CandumpReader;
+using hal::files::LoggedFrame;
+using hal::files::memory_source;
+using hal::files::parse_candump_line;
+
 namespace {
 
 using Direction = LoggedFrame::Direction;

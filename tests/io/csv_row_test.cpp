@@ -1,14 +1,14 @@
-#include "host_sim/io/csv_row.hpp"
-
 #include <gtest/gtest.h>
 
 #include <array>
 #include <limits>
 
+#include "hal/files/csv.hpp"
+
 namespace {
 
-using host_sim::csv_head;
-using host_sim::CsvRow;
+using hal::files::csv_head;
+using hal::files::CsvRow;
 
 TEST(CsvRow, QuotesWhatAReaderWouldTakeApart) {
   CsvRow row;

@@ -6,11 +6,17 @@
 #include <limits>
 #include <vector>
 
-#include "host_sim/io/model.hpp"
-#include "host_sim/io/profile.hpp"
+#include "hal/files/profile.hpp"
+#include "host_sim/model/model.hpp"
 #include "tests/io/support.hpp"
 
 namespace host_sim {
+
+using hal::files::InputKind;
+using hal::files::open_source;
+using hal::files::ProfileReader;
+using hal::files::ProfileRow;
+
 namespace {
 
 const std::filesystem::path kExamples = TENDONLIFE_EXAMPLES;

@@ -1,10 +1,13 @@
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
 
 #include <gtest/gtest.h>
 
 #include <string>
 
 namespace host_sim {
+
+using hal::files::InputError;
+
 namespace {
 
 TEST(InputError, SaysPlaceFoundAndAccepted) {

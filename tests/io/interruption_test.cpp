@@ -1,4 +1,4 @@
-#include "host_sim/io/interruption.hpp"
+#include "hal/files/interruption.hpp"
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
@@ -15,11 +15,11 @@
 
 namespace {
 
-using host_sim::Interruption;
-using host_sim::stop_if_interrupted;
-using host_sim::wait_to_read;
-using host_sim::wait_to_write;
-using host_sim::watch_for_interruption;
+using hal::files::Interruption;
+using hal::files::stop_if_interrupted;
+using hal::files::wait_to_read;
+using hal::files::wait_to_write;
+using hal::files::watch_for_interruption;
 using testing::ExitedWithCode;
 using testing::KilledBySignal;
 

@@ -1,4 +1,4 @@
-#include "host_sim/io/model.hpp"
+#include "host_sim/model/model.hpp"
 
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/io/model_keys.hpp"
+#include "host_sim/model/model_tables.hpp"
 #include "tests/io/support.hpp"
 
 namespace host_sim {

@@ -1,5 +1,3 @@
-#include "host_sim/io/number.hpp"
-
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
@@ -12,7 +10,12 @@
 #include <string>
 #include <string_view>
 
+#include "hal/files/text.hpp"
+
 namespace host_sim {
+
+using hal::files::parse_number;
+
 namespace {
 
 std::optional<double> whole_number(std::string_view text) {

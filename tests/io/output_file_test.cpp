@@ -1,4 +1,4 @@
-#include "host_sim/io/output_file.hpp"
+#include "hal/files/output_file.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -35,6 +35,11 @@ extern "C" int fsync(int descriptor) {
 }
 
 namespace host_sim {
+
+using hal::files::OutputError;
+using hal::files::OutputFile;
+using hal::files::partial_of;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -1,11 +1,16 @@
-#include "host_sim/io/printable.hpp"
-
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <string>
 
+#include "hal/files/text.hpp"
+
 namespace host_sim {
+
+using hal::files::character_count;
+using hal::files::in_quotes;
+using hal::files::printable;
+
 namespace {
 
 using std::string_literals::operator""s;

@@ -6,12 +6,12 @@
 #include <string>
 #include <string_view>
 
-#include "host_sim/io/profile.hpp"
+#include "hal/files/profile.hpp"
 
 namespace {
 
-using host_sim::ProfileReader;
-using host_sim::ProfileRow;
+using hal::files::ProfileReader;
+using hal::files::ProfileRow;
 
 constexpr int kRows = 200000;
 
@@ -52,7 +52,7 @@ std::string quoted_fields() {
 void read_all(benchmark::State& state, const std::string& text) {
   std::array<ProfileRow, 4096> rows{};
   for (auto _ : state) {
-    ProfileReader reader(host_sim::memory_source(text), "benchmark");
+    ProfileReader reader(hal::files::memory_source(text), "benchmark");
     while (const std::size_t count = reader.read(rows)) {
       benchmark::DoNotOptimize(rows[count - 1]);
     }

@@ -5,10 +5,15 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/io/profile.hpp"
+#include "hal/files/profile.hpp"
 #include "tests/io/support.hpp"
 
 namespace host_sim {
+
+using hal::files::InputKind;
+using hal::files::ProfileOptions;
+using hal::files::ProfileReader;
+
 namespace {
 
 using std::string_literals::operator""s;

@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "host_sim/io/profile.hpp"
+#include "hal/files/profile.hpp"
 
 namespace {
 
@@ -46,6 +46,10 @@ void operator delete[](void* memory, std::size_t) noexcept {
 }
 
 namespace host_sim {
+
+using hal::files::ProfileReader;
+using hal::files::ProfileRow;
+
 namespace {
 
 constexpr std::uint64_t kStreamBytes = 200'000'000;

@@ -11,10 +11,15 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/io/profile.hpp"
+#include "hal/files/profile.hpp"
 #include "tests/io/support.hpp"
 
 namespace host_sim {
+
+using hal::files::ByteSource;
+using hal::files::InputError;
+using hal::files::ProfileRow;
+
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();

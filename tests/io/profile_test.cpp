@@ -1,4 +1,4 @@
-#include "host_sim/io/profile.hpp"
+#include "hal/files/profile.hpp"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -9,6 +9,17 @@
 #include "tests/io/support.hpp"
 
 namespace host_sim {
+
+using hal::files::input_kind_from;
+using hal::files::InputKind;
+using hal::files::kInputTensionColumn;
+using hal::files::kSheathTemperature;
+using hal::files::kTime;
+using hal::files::memory_source;
+using hal::files::ProfileChannels;
+using hal::files::ProfileReader;
+using hal::files::ProfileRow;
+
 namespace {
 
 using test::rows_of;

@@ -16,9 +16,9 @@
 #include <utility>
 #include <vector>
 
-#include "host_sim/io/byte_source.hpp"
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/profile.hpp"
+#include "hal/files/input_error.hpp"
+#include "hal/files/input_file.hpp"
+#include "hal/files/profile.hpp"
 
 namespace host_sim::test {
 
@@ -27,38 +27,42 @@ template <typename Act>
 std::string complaint_of(Act act) {
   try {
     act();
-  } catch (const InputError& error) {
+  } catch (const hal::files::InputError& error) {
     return error.what();
   }
   return {};
 }
 
 /// All rows of a profile in memory, read `chunk` at a time.
-inline std::vector<ProfileRow> rows_of(std::unique_ptr<ByteSource> source,
-                                       ProfileOptions options = {}, std::size_t chunk = 64) {
-  ProfileReader reader(std::move(source), "p.csv", options);
-  std::vector<ProfileRow> rows;
-  std::vector<ProfileRow> part(chunk);
+inline std::vector<hal::files::ProfileRow> rows_of(std::unique_ptr<hal::files::ByteSource> source,
+                                                   hal::files::ProfileOptions options = {},
+                                                   std::size_t chunk = 64) {
+  hal::files::ProfileReader reader(std::move(source), "p.csv", options);
+  std::vector<hal::files::ProfileRow> rows;
+  std::vector<hal::files::ProfileRow> part(chunk);
   while (const std::size_t count = reader.read(part)) {
     rows.insert(rows.end(), part.begin(), part.begin() + static_cast<std::ptrdiff_t>(count));
   }
   return rows;
 }
 
-inline std::vector<ProfileRow> rows_of(std::string_view text, ProfileOptions options = {}) {
-  return rows_of(memory_source(text), options);
+inline std::vector<hal::files::ProfileRow> rows_of(std::string_view text,
+                                                   hal::files::ProfileOptions options = {}) {
+  return rows_of(hal::files::memory_source(text), options);
 }
 
-inline std::string profile_complaint(std::string_view text, ProfileOptions options = {}) {
+inline std::string profile_complaint(std::string_view text,
+                                     hal::files::ProfileOptions options = {}) {
   return complaint_of([&] { rows_of(text, options); });
 }
 
-inline bool same(const ProfileRow& a, const ProfileRow& b) {
+inline bool same(const hal::files::ProfileRow& a, const hal::files::ProfileRow& b) {
   return a.time_s == b.time_s && a.value == b.value &&
          a.tendon_velocity_m_s == b.tendon_velocity_m_s && a.bend_angle_deg == b.bend_angle_deg;
 }
 
-inline bool same(const std::vector<ProfileRow>& a, const std::vector<ProfileRow>& b) {
+inline bool same(const std::vector<hal::files::ProfileRow>& a,
+                 const std::vector<hal::files::ProfileRow>& b) {
   if (a.size() != b.size()) {
     return false;
   }

@@ -1,4 +1,4 @@
-#include "firmware/boards/linux/toml_depth.hpp"
+#include "hal/files/toml_depth.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -11,13 +11,13 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/io/toml_table.hpp"
+#include "hal/files/toml_table.hpp"
 #include "tests/io/support.hpp"
 
 namespace {
 
-using board::kMostTomlDepth;
-using board::TomlDepth;
+using hal::files::kMostTomlDepth;
+using hal::files::TomlDepth;
 using host_sim::test::complaint_of;
 
 static_assert(kMostTomlDepth == 32, "the texts below are made for it");
@@ -180,7 +180,7 @@ TEST(TomlDepth, NothingThatIsParsedAfterItIsDeep) {
 
 TEST(ParseToml, RefusesWhatIsTooDeepBeforeItIsParsed) {
   const std::string deep = "# a comment\n[" + times(200'000, "a.") + "a]\n";
-  EXPECT_EQ(complaint_of([&] { host_sim::parse_toml(deep, "m.toml"); }),
+  EXPECT_EQ(complaint_of([&] { hal::files::parse_toml(deep, "m.toml"); }),
             "m.toml:2:65: more than 32 levels; accepted: TOML of at most 32 levels");
 }
 

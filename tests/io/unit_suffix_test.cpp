@@ -1,8 +1,11 @@
-#include "host_sim/io/unit_suffix.hpp"
-
 #include <gtest/gtest.h>
 
+#include "hal/files/text.hpp"
+
 namespace host_sim {
+
+using hal::files::other_unit;
+
 namespace {
 
 TEST(OtherUnit, FindsTheForeignSuffix) {

@@ -180,7 +180,7 @@ TEST_F(Profiles, OutputTensionKeepsItsDirectionWhileStanding) {
 TEST_F(Profiles, OfSeveralTendonsAreOfOneKind) {
   const std::array same{put("a.csv", "time_s,motor_current_A\n0,1\n"),
                         put("b.csv", "time_s,motor_current_A\n0,1\n")};
-  EXPECT_EQ(kind_of(same), host_sim::InputKind::kMotorCurrent);
+  EXPECT_EQ(kind_of(same), hal::files::InputKind::kMotorCurrent);
   const std::array mixed{same[0], put("c.csv", "time_s,input_tension_N\n0,1\n")};
   EXPECT_NE(complaint_of([&] {
               static_cast<void>(kind_of(mixed));

@@ -11,7 +11,7 @@
 
 #include "firmware/protocol/codec.hpp"
 #include "firmware/protocol/e2e.hpp"
-#include "host_sim/io/candump.hpp"
+#include "hal/files/candump.hpp"
 #include "tests/protocol/expected_values.hpp"
 #include "tests/protocol/frames.hpp"
 #include "tests/protocol/random_messages.hpp"
@@ -138,7 +138,7 @@ void write(const std::filesystem::path& stem, std::vector<Sent> traffic) {
   Receivers receivers;
   std::uint64_t time_us = 1'700'000'000'000'000;
   for (Sent& sent : traffic) {
-    log << host_sim::candump_line(time_us += 1000, "vcan0", sent.frame);
+    log << hal::files::candump_line(time_us += 1000, "vcan0", sent.frame);
     sent.expected["status"] = receivers.status_of(sent.frame);
     lines << sent.expected.dump() << '\n';
   }

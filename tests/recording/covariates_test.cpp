@@ -13,6 +13,16 @@
 #include "tests/recording/support.hpp"
 
 namespace host_sim::recording {
+
+using hal::files::kBendAngle;
+using hal::files::kInputTensionColumn;
+using hal::files::kMotorAngle;
+using hal::files::kMotorCurrentColumn;
+using hal::files::kOutputTensionColumn;
+using hal::files::kTendonVelocity;
+using hal::files::kTime;
+using hal::files::ProfileColumnId;
+
 namespace {
 
 using testing::ElementsAre;

@@ -9,6 +9,15 @@
 #include "tests/recording/support.hpp"
 
 namespace host_sim::recording {
+
+using hal::files::kInputTensionColumn;
+using hal::files::kMotorAngle;
+using hal::files::kMotorCurrentColumn;
+using hal::files::kOutputTensionColumn;
+using hal::files::kTendonVelocity;
+using hal::files::kTime;
+using hal::files::ProfileColumnId;
+
 namespace {
 
 using Kind = Fault::Kind;

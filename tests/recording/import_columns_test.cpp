@@ -15,6 +15,14 @@
 #include "tests/recording/support.hpp"
 
 namespace host_sim::recording {
+
+using hal::files::kInputTensionColumn;
+using hal::files::kMotorAngle;
+using hal::files::kOutputTensionColumn;
+using hal::files::kTendonVelocity;
+using hal::files::kTime;
+using hal::files::memory_source;
+
 namespace {
 
 using testing::DoubleNear;

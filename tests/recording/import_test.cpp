@@ -7,13 +7,23 @@
 #include <filesystem>
 #include <string>
 
+#include "hal/files/output_file.hpp"
 #include "host_sim/campaign/campaign.hpp"
-#include "host_sim/io/output_file.hpp"
 #include "host_sim/recording/recording.hpp"
 #include "host_sim/recording/recording_files.hpp"
 #include "tests/recording/support.hpp"
 
 namespace host_sim::recording {
+
+using hal::files::kInputTensionColumn;
+using hal::files::kMotorAngle;
+using hal::files::kOutputTensionColumn;
+using hal::files::kTendonVelocity;
+using hal::files::kTime;
+using hal::files::memory_source;
+using hal::files::open_source;
+using hal::files::OutputError;
+
 namespace {
 
 using testing::DoubleEq;

@@ -11,6 +11,14 @@
 #include "tests/recording/support.hpp"
 
 namespace host_sim::recording {
+
+using hal::files::kInputTensionColumn;
+using hal::files::kMotorCurrentColumn;
+using hal::files::kProfileColumnCount;
+using hal::files::kSheathTemperature;
+using hal::files::kTime;
+using hal::files::memory_source;
+
 namespace {
 
 constexpr std::string_view kSessionsHeader = "session,specimen,file,start_cycle\n";

@@ -7,6 +7,18 @@
 #include "host_sim/statistics/random.hpp"
 
 namespace host_sim::test {
+
+using hal::files::kBendAngle;
+using hal::files::kInputTensionColumn;
+using hal::files::kMotorAngle;
+using hal::files::kMotorCurrentColumn;
+using hal::files::kOutputTensionColumn;
+using hal::files::kSheathTemperature;
+using hal::files::kTendonVelocity;
+using hal::files::kTime;
+using hal::files::kWindingTemperature;
+using hal::files::ProfileColumnId;
+
 namespace {
 
 constexpr std::size_t kSamples = 4000;

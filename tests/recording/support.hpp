@@ -55,7 +55,7 @@ struct Rig {
 recording::Recording recording_of(const Rig& rig);
 
 /// Changes the values of a channel within [from, to) seconds.
-void change(recording::Recording& recording, ProfileColumnId channel, double from_s, double to_s,
-            const std::function<double(double)>& value);
+void change(recording::Recording& recording, hal::files::ProfileColumnId channel, double from_s,
+            double to_s, const std::function<double(double)>& value);
 
 }  // namespace host_sim::test

@@ -9,7 +9,7 @@
 
 #include "firmware/protocol/codec.hpp"
 #include "firmware/protocol/e2e.hpp"
-#include "host_sim/io/candump.hpp"
+#include "hal/files/candump.hpp"
 #include "tests/replay/program.hpp"
 
 namespace {
@@ -25,7 +25,7 @@ struct Sent {
 class ReplayToBus : public host_sim_test::Program {
  protected:
   std::vector<Sent> log(const std::string& name) {
-    host_sim::CandumpReader reader(folder_ / name);
+    hal::files::CandumpReader reader(folder_ / name);
     std::vector<Sent> frames;
     while (const auto line = reader.next()) {
       const auto frame = line->classic();

@@ -7,12 +7,16 @@
 #include <sstream>
 #include <string>
 
-#include "host_sim/io/byte_source.hpp"
+#include "hal/files/input_file.hpp"
 #include "host_sim/replay/replay.hpp"
 #include "host_sim/replay/results.hpp"
 #include "tests/extension/models.hpp"
 
 namespace host_sim {
+
+using hal::files::memory_source;
+using hal::files::ProfileReader;
+
 namespace {
 
 using extension_test::model_with;

@@ -6,12 +6,18 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "host_sim/io/byte_source.hpp"
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
+#include "hal/files/input_file.hpp"
 #include "host_sim/replay/profile_input.hpp"
 #include "host_sim/replay/results.hpp"
 
 namespace host_sim {
+
+using hal::files::InputError;
+using hal::files::InputKind;
+using hal::files::memory_source;
+using hal::files::ProfileReader;
+
 namespace {
 
 Model paper_model() {

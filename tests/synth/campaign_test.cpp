@@ -1,12 +1,20 @@
 #include <map>
 
+#include "hal/files/output_file.hpp"
 #include "host_sim/campaign/campaign_files.hpp"
-#include "host_sim/io/output_file.hpp"
 #include "host_sim/synth/campaign/folder.hpp"
 #include "host_sim/synth/campaign/make.hpp"
 #include "tests/synth/support.hpp"
 
 namespace host_sim::synth::test {
+
+using hal::files::InputKind;
+using hal::files::kInputTensionColumn;
+using hal::files::kOutputTensionColumn;
+using hal::files::kTendonVelocity;
+using hal::files::kTime;
+using hal::files::OutputError;
+
 namespace {
 
 namespace fs = std::filesystem;

@@ -4,6 +4,15 @@
 #include "tests/synth/support.hpp"
 
 namespace host_sim::synth::test {
+
+using hal::files::kBendAngle;
+using hal::files::kInputTensionColumn;
+using hal::files::kMotorAngle;
+using hal::files::kMotorCurrentColumn;
+using hal::files::kOutputTensionColumn;
+using hal::files::kSheathTemperature;
+using hal::files::kWindingTemperature;
+
 namespace {
 
 /// Motor current by the nominal drive.

@@ -11,6 +11,9 @@
 #include "tests/synth/support.hpp"
 
 namespace host_sim::synth::test {
+
+using hal::files::memory_source;
+
 namespace {
 
 using OneLife = std::vector<std::unique_ptr<LifePart>>;

@@ -1,6 +1,11 @@
 #include "tests/synth/support.hpp"
 
 namespace host_sim::synth::test {
+
+using hal::files::kInputTensionColumn;
+using hal::files::kMotorCurrentColumn;
+using hal::files::kOutputTensionColumn;
+
 namespace {
 
 TEST(SynthOutside, CreepDriftsInTheCourseOfASession) {

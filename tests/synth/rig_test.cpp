@@ -8,6 +8,16 @@
 #include "tests/synth/support.hpp"
 
 namespace host_sim::synth::test {
+
+using hal::files::kBendAngle;
+using hal::files::kInputTensionColumn;
+using hal::files::kMotorAngle;
+using hal::files::kMotorCurrentColumn;
+using hal::files::kOutputTensionColumn;
+using hal::files::kSheathTemperature;
+using hal::files::kTendonVelocity;
+using hal::files::kTime;
+
 namespace {
 
 TEST(SynthBaseline, LeavesNothingWithoutEffectAndNoise) {

@@ -3,6 +3,12 @@
 #include "tests/synth/support.hpp"
 
 namespace host_sim::synth::test {
+
+using hal::files::kInputTensionColumn;
+using hal::files::kOutputTensionColumn;
+using hal::files::kSheathTemperature;
+using hal::files::kTendonVelocity;
+
 namespace {
 
 double position_m(std::size_t i) {

@@ -74,7 +74,7 @@ inline double time_of(std::size_t i) {
 inline std::vector<double> directions(const Channels& channels) {
   std::vector<double> result;
   double last = 1;
-  for (const double v : channels[kTendonVelocity]) {
+  for (const double v : channels[hal::files::kTendonVelocity]) {
     last = v > 0 ? 1 : v < 0 ? -1 : last;
     result.push_back(last);
   }
@@ -86,8 +86,9 @@ inline std::vector<double> residuals(const Channels& channels) {
   const std::vector<double> s = directions(channels);
   std::vector<double> result;
   for (std::size_t i = 0; i < s.size(); ++i) {
-    result.push_back(std::log(channels[kOutputTensionColumn][i]) -
-                     std::log(channels[kInputTensionColumn][i]) + kMu * kPhi_rad * s[i]);
+    result.push_back(std::log(channels[hal::files::kOutputTensionColumn][i]) -
+                     std::log(channels[hal::files::kInputTensionColumn][i]) +
+                     kMu * kPhi_rad * s[i]);
   }
   return result;
 }

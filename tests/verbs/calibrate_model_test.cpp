@@ -1,13 +1,13 @@
 #include <gtest/gtest.h>
 
+#include "hal/files/input_error.hpp"
 #include "host_sim/calibrate/output/output.hpp"
 #include "host_sim/campaign/nominal_model.hpp"
-#include "host_sim/io/input_error.hpp"
 #include "tests/verbs/hand_made_result.hpp"
 
 namespace {
 
-using host_sim::InputError;
+using hal::files::InputError;
 using host_sim::Model;
 using host_sim::require_nominal_model;
 using host_sim::calibrate::model_text;

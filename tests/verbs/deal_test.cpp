@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "host_sim/io/interruption.hpp"
+#include "hal/files/interruption.hpp"
 
 namespace {
 
@@ -42,8 +42,8 @@ TEST(Deal, TellsWhyTheWorkFailed) {
 TEST(Deal, AnInterruptionStaysOne) {
   Ranks ranks;
   EXPECT_THROW(
-      deal(ranks, 2, 1, [](std::size_t) -> std::string { throw host_sim::Interruption(); }),
-      host_sim::Interruption);
+      deal(ranks, 2, 1, [](std::size_t) -> std::string { throw hal::files::Interruption(); }),
+      hal::files::Interruption);
 }
 
 TEST(Deal, NothingToDoIsNoError) {

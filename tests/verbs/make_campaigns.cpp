@@ -10,7 +10,7 @@
 #include <iostream>
 #include <string>
 
-#include "host_sim/io/output_file.hpp"
+#include "hal/files/output_file.hpp"
 #include "host_sim/statistics/random.hpp"
 
 namespace {
@@ -25,7 +25,7 @@ constexpr int kSpecimensInLevel = 20;
 constexpr double kLongest_cycles = 1200;  // where a test is stopped
 
 void write(const fs::path& path, const std::string& text) {
-  host_sim::OutputFile file(path);
+  hal::files::OutputFile file(path);
   file.write(text);
   file.commit();
 }

@@ -5,13 +5,13 @@
 #include <new>
 #include <stdexcept>
 
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/interruption.hpp"
+#include "hal/files/input_error.hpp"
+#include "hal/files/interruption.hpp"
 
 namespace {
 
-using host_sim::InputError;
-using host_sim::Interruption;
+using hal::files::InputError;
+using hal::files::Interruption;
 using host_sim::batch::Answer;
 using host_sim::batch::Batch;
 using host_sim::batch::error_line;

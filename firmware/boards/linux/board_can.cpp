@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "host_sim/io/candump.hpp"
+#include "hal/files/candump.hpp"
 
 namespace board {
 namespace {
@@ -33,7 +33,7 @@ hal::Error BoardCan::send(const hal::CanFrame& frame) {
     return bus_->send(frame);
   }
   if (log_) {
-    log_->write(host_sim::candump_line(clock_.now().us, kNoBus, frame));
+    log_->write(hal::files::candump_line(clock_.now().us, kNoBus, frame));
     ++logged_;
   }
   return hal::Error::none;

@@ -8,8 +8,8 @@
 #include "firmware/boards/linux/board_clock.hpp"
 #include "firmware/boards/linux/config.hpp"
 #include "hal/can_port.hpp"
+#include "hal/files/output_file.hpp"
 #include "hal/linux/socketcan.hpp"
-#include "host_sim/io/output_file.hpp"
 
 namespace board {
 
@@ -17,7 +17,7 @@ namespace board {
 /// `candump -L` writes it.
 class BoardCan {
  public:
-  /// `clock` outlives the port. Throws hal::linux_os::DeviceError or host_sim::OutputError.
+  /// `clock` outlives the port. Throws hal::linux_os::DeviceError or hal::files::OutputError.
   BoardCan(const CanConfig& config, protocol::Node node, const BoardClock& clock);
 
   hal::Error send(const hal::CanFrame& frame);
@@ -29,14 +29,14 @@ class BoardCan {
   [[nodiscard]] const hal::linux_os::SocketCanCounts* counts() const;
   /// Frames that went into the log.
   [[nodiscard]] std::uint64_t logged() const { return logged_; }
-  /// Puts the log in place. Throws host_sim::OutputError.
+  /// Puts the log in place. Throws hal::files::OutputError.
   void finish();
 
  private:
   const BoardClock& clock_;
   hal::linux_os::CanCalls calls_;
   std::optional<hal::linux_os::SocketCan> bus_;
-  std::optional<host_sim::OutputFile> log_;
+  std::optional<hal::files::OutputFile> log_;
   std::uint64_t logged_ = 0;
 };
 static_assert(hal::CanPort<BoardCan>);

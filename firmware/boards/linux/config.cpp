@@ -2,38 +2,91 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
+#include <span>
 #include <string>
 
-#include "firmware/boards/linux/text_file.hpp"
-#include "firmware/boards/linux/toml_depth.hpp"
-#include "firmware/boards/linux/toml_table.hpp"
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_file.hpp"
+#include "hal/files/toml_table.hpp"
 
 namespace board {
 namespace {
 
 namespace fs = std::filesystem;
+using hal::files::TomlTable;
 
-constexpr std::size_t kSizeLimit = std::size_t{1} << 20;
 constexpr std::array<std::string_view, 3> kRealTime{"off", "prefer", "require"};
 constexpr std::array<std::string_view, 3> kSensorKinds{"iio", "iio-buffer", "profile"};
 constexpr std::array<std::string_view, 2> kAtEnd{"stop", "repeat"};
+
+using Keys = std::initializer_list<std::string_view>;
+
+/// Refuses other keys than these.
+TomlTable with_keys(TomlTable table, Keys keys) {
+  table.refuse_unknown_keys({}, std::span(keys.begin(), keys.size()));
+  return table;
+}
+
+[[noreturn]] void refuse(const TomlTable& table, std::string_view key, std::string_view found,
+                         std::string_view accepted) {
+  table.fail(table.place_of(key), found, accepted);
+}
+
+[[noreturn]] void refuse(const TomlTable& table, std::string_view key, std::string_view accepted) {
+  refuse(table, key, fmt::format("{} is {}", key, hal::files::describe(table.node(key, accepted))),
+         accepted);
+}
+
+/// A text that is not empty.
+std::string text(const TomlTable& table, std::string_view key, std::string_view accepted) {
+  const auto* const value = table.node(key, accepted).as_string();
+  if (value == nullptr || value->get().empty() || value->get().find('\0') != std::string::npos) {
+    refuse(table, key, accepted);
+  }
+  return value->get();
+}
+
+std::string text_or(const TomlTable& table, std::string_view key, std::string_view accepted,
+                    std::string_view standard) {
+  return table.has(key) ? text(table, key, accepted) : std::string(standard);
+}
+
+/// The place of the text among `choices`.
+std::size_t choice(const TomlTable& table, std::string_view key,
+                   std::span<const std::string_view> choices) {
+  const std::string accepted = fmt::format("{} \"{}\"", key, fmt::join(choices, "\", \""));
+  const auto found = std::find(choices.begin(), choices.end(), text(table, key, accepted));
+  if (found == choices.end()) {
+    refuse(table, key, accepted);
+  }
+  return static_cast<std::size_t>(found - choices.begin());
+}
+
+int integer(const TomlTable& table, std::string_view key, int minimum, int maximum) {
+  const std::string accepted = fmt::format("{} {}..{}, a whole number", key, minimum, maximum);
+  const auto* const value = table.node(key, accepted).as_integer();
+  if (value == nullptr || value->get() < minimum || value->get() > maximum) {
+    refuse(table, key, accepted);
+  }
+  return static_cast<int>(value->get());
+}
 
 class ConfigReader {
  public:
   ConfigReader(std::string_view name, const toml::table& root, const fs::path& folder)
       : folder_(folder),
-        root_(name, "the file", root,
-              {"schema", "node", "can", "loop", "store", "sensor", "tendon", "gpio"}) {}
+        root_(with_keys({name, root, "", {1, 1}},
+                        {"schema", "node", "can", "loop", "store", "sensor", "tendon", "gpio"})) {}
 
   Config read() {
-    static_cast<void>(root_.integer("schema", 1, 1));
+    static_cast<void>(integer(root_, "schema", 1, 1));
     read_node();
     read_can();
     read_loop();
-    config_.store =
-        path(root_.table("store", {"folder"}), "folder", "a folder to keep the lives in");
+    config_.store = path(with_keys(root_.table("store"), {"folder"}), "folder",
+                         "a folder to keep the lives in");
     read_sensor();
     read_tendons();
     read_gpio();
@@ -42,16 +95,16 @@ class ConfigReader {
 
  private:
   fs::path path(const TomlTable& table, std::string_view key, std::string_view accepted) const {
-    return folder_ / table.text(key, accepted);
+    return folder_ / text(table, key, accepted);
   }
 
   void read_node() {
-    const TomlTable node = root_.table("node", {"id", "serial", "authority_key"});
-    config_.node = static_cast<protocol::Node>(node.integer("id", 1, 127));
+    const TomlTable node = with_keys(root_.table("node"), {"id", "serial", "authority_key"});
+    config_.node = static_cast<protocol::Node>(integer(node, "id", 1, 127));
     constexpr std::string_view kSerial = "serial of 1 to 12 characters";
-    config_.serial = node.text_or("serial", kSerial, "");
+    config_.serial = text_or(node, "serial", kSerial, "");
     if (config_.serial.size() > 12) {
-      node.refuse("serial", kSerial);
+      refuse(node, "serial", kSerial);
     }
     if (node.has("authority_key")) {
       config_.authority_key = path(node, "authority_key", "a file with the key of this node");
@@ -59,48 +112,50 @@ class ConfigReader {
   }
 
   void read_can() {
-    const TomlTable can = root_.table("can", {"interface", "log"});
-    config_.can.interface = can.text("interface", "the name of a CAN interface, or \"none\"");
+    const TomlTable can = with_keys(root_.table("can"), {"interface", "log"});
+    config_.can.interface = text(can, "interface", "the name of a CAN interface, or \"none\"");
     if (can.has("log")) {
       if (config_.can.interface != kNoBus) {
-        can.refuse("log", "a log beside a bus",
-                   "log where interface is \"none\"; candump logs a bus");
+        refuse(can, "log", "a log beside a bus",
+               "log where interface is \"none\"; candump logs a bus");
       }
       config_.can.log = path(can, "log", "a file for the frames");
     }
   }
 
   void read_loop() {
-    const TomlTable loop = root_.table("loop", {"rate_Hz", "real_time", "priority"});
+    const TomlTable loop = with_keys(root_.table("loop"), {"rate_Hz", "real_time", "priority"});
     config_.loop.period_us =
-        static_cast<std::uint32_t>(std::lround(1e6 / loop.number("rate_Hz", {1, 20'000})));
+        static_cast<std::uint32_t>(std::lround(1e6 / loop.number({"rate_Hz", "Hz", {1, 20'000}})));
     if (loop.has("real_time")) {
-      config_.loop.real_time = static_cast<RealTime>(loop.choice("real_time", kRealTime));
+      config_.loop.real_time = static_cast<RealTime>(choice(loop, "real_time", kRealTime));
     }
-    config_.loop.priority = loop.integer_or("priority", 1, 98, config_.loop.priority);
+    if (loop.has("priority")) {
+      config_.loop.priority = integer(loop, "priority", 1, 98);
+    }
   }
 
   void read_sensor() {
-    const TomlTable sensor = root_.table("sensor", {"kind", "device", "trigger", "at_end"});
+    const TomlTable sensor =
+        with_keys(root_.table("sensor"), {"kind", "device", "trigger", "at_end"});
     SensorConfig& config = config_.sensor;
-    config.kind = static_cast<SensorKind>(sensor.choice("kind", kSensorKinds));
+    config.kind = static_cast<SensorKind>(choice(sensor, "kind", kSensorKinds));
     only_for(sensor, {"at_end"}, config.kind == SensorKind::profile, "kind is \"profile\"");
     only_for(sensor, {"device"}, config.kind != SensorKind::profile, "kind is \"iio\"");
     only_for(sensor, {"trigger"}, config.kind == SensorKind::iio_buffer, "kind is \"iio-buffer\"");
     if (config.kind == SensorKind::profile) {
-      config.at_end = static_cast<AtEnd>(sensor.choice("at_end", kAtEnd));
+      config.at_end = static_cast<AtEnd>(choice(sensor, "at_end", kAtEnd));
     } else {
-      config.device = sensor.text("device", "an IIO device, e.g. \"iio:device0\" or its name");
-      config.trigger = sensor.text_or("trigger", "the name of an IIO trigger", "");
+      config.device = text(sensor, "device", "an IIO device, e.g. \"iio:device0\" or its name");
+      config.trigger = text_or(sensor, "trigger", "the name of an IIO trigger", "");
     }
   }
 
-  static void only_for(const TomlTable& table, std::initializer_list<std::string_view> keys,
-                       bool allowed, std::string_view when) {
+  static void only_for(const TomlTable& table, Keys keys, bool allowed, std::string_view when) {
     for (const std::string_view key : keys) {
       if (table.has(key) && !allowed) {
-        table.refuse(key, fmt::format("{} is of no use here", key),
-                     fmt::format("{} where {}", key, when));
+        refuse(table, key, fmt::format("{} is of no use here", key),
+               fmt::format("{} where {}", key, when));
       }
     }
   }
@@ -110,10 +165,10 @@ class ConfigReader {
     const auto* const array = root_.node("tendon", accepted).as_array();
     if (array == nullptr || array->empty() || array->size() > kMostTendons ||
         !array->is_homogeneous<toml::table>()) {
-      root_.refuse("tendon",
-                   array == nullptr ? "tendon is no array of tables"
-                                    : fmt::format("tendon has {} entries", array->size()),
-                   accepted);
+      refuse(root_, "tendon",
+             array == nullptr ? "tendon is no array of tables"
+                              : fmt::format("tendon has {} entries", array->size()),
+             accepted);
     }
     for (const toml::node& entry : *array) {
       read_tendon(*entry.as_table());
@@ -121,8 +176,8 @@ class ConfigReader {
   }
 
   void read_tendon(const toml::table& entry) {
-    const TomlTable tendon(root_.file(), "[[tendon]]", entry,
-                           {"parameters", "channel", "ampere_per_unit", "profile"});
+    const TomlTable tendon = with_keys({root_.file(), entry, "[tendon]", entry.source().begin},
+                                       {"parameters", "channel", "ampere_per_unit", "profile"});
     const bool profile = config_.sensor.kind == SensorKind::profile;
     only_for(tendon, {"profile"}, profile, "the sensor is a profile");
     only_for(tendon, {"channel", "ampere_per_unit"}, !profile, "the sensor is of IIO");
@@ -133,16 +188,16 @@ class ConfigReader {
     } else {
       config.channel = channel(tendon);
       config.ampere_per_unit =
-          tendon.number_or("ampere_per_unit", {-1e6, 1e6}, config.ampere_per_unit);
+          tendon.number_or({"ampere_per_unit", "", {-1e6, 1e6}}, config.ampere_per_unit);
     }
     config_.tendons.push_back(config);
   }
 
   static std::string channel(const TomlTable& tendon) {
     constexpr std::string_view kAccepted = "a channel of the IIO device, e.g. \"in_current0\"";
-    std::string channel = tendon.text("channel", kAccepted);
+    std::string channel = text(tendon, "channel", kAccepted);
     if (channel.find('/') != std::string::npos) {
-      tendon.refuse("channel", kAccepted);
+      refuse(tendon, "channel", kAccepted);
     }
     return channel;
   }
@@ -151,18 +206,18 @@ class ConfigReader {
     constexpr std::string_view kAccepted =
         "the name or offset of a line as a text, or { line = \"...\", active_low = true }";
     if (table.node(key, kAccepted).is_string()) {
-      return {table.text(key, kAccepted), false};
+      return {text(table, key, kAccepted), false};
     }
     if (!table.node(key, kAccepted).is_table()) {
-      table.refuse(key, kAccepted);
+      refuse(table, key, kAccepted);
     }
-    const TomlTable entry = table.table(key, {"line", "active_low"});
+    const TomlTable entry = with_keys(table.table(key), {"line", "active_low"});
     const auto* const low =
         entry.has("active_low") ? entry.node("active_low", "true or false").as_boolean() : nullptr;
     if (entry.has("active_low") && low == nullptr) {
-      entry.refuse("active_low", "true or false");
+      refuse(entry, "active_low", "true or false");
     }
-    return {entry.text("line", "the name or offset of a line as a text"),
+    return {text(entry, "line", "the name or offset of a line as a text"),
             low != nullptr && low->get()};
   }
 
@@ -171,10 +226,11 @@ class ConfigReader {
   }
 
   void read_gpio() {
-    const TomlTable gpio = root_.table("gpio", {"chip", "drive_enable", "brake", "emergency_stop",
-                                                "debounce_ms", "status_light", "watchdog"});
+    const TomlTable gpio =
+        with_keys(root_.table("gpio"), {"chip", "drive_enable", "brake", "emergency_stop",
+                                        "debounce_ms", "status_light", "watchdog"});
     GpioConfig config;
-    config.chip = gpio.text("chip", "a gpiochip by path, name or label, or \"none\"");
+    config.chip = text(gpio, "chip", "a gpiochip by path, name or label, or \"none\"");
     if (config.chip == kNoBus) {
       only_for(
           gpio,
@@ -185,8 +241,8 @@ class ConfigReader {
     config.drive_enable = line(gpio, "drive_enable");
     config.brake = line(gpio, "brake");
     config.emergency_stop = line(gpio, "emergency_stop");
-    config.debounce =
-        std::chrono::microseconds(std::lround(1e3 * gpio.number_or("debounce_ms", {1, 5}, 2)));
+    config.debounce = std::chrono::microseconds(
+        std::lround(1e3 * gpio.number_or({"debounce_ms", "ms", {1, 5}}, 2)));
     config.status_light = line_if_any(gpio, "status_light");
     config.watchdog = line_if_any(gpio, "watchdog");
     config_.gpio = config;
@@ -197,30 +253,16 @@ class ConfigReader {
   Config config_;
 };
 
-toml::table parse(std::string_view text, std::string_view name) {
-  if (const auto at = TomlDepth(text).first_too_deep()) {
-    throw host_sim::InputError(name, at->line, at->column,
-                               fmt::format("more than {} levels", kMostTomlDepth),
-                               fmt::format("TOML of at most {} levels", kMostTomlDepth));
-  }
-  try {
-    return toml::parse(text);
-  } catch (const toml::parse_error& error) {
-    const toml::source_position at = error.source().begin;
-    throw host_sim::InputError(name, at.line, at.column, error.description(), "TOML 1.0");
-  }
-}
-
 }  // namespace
 
 Config parse_config(std::string_view text, std::string_view name, const fs::path& folder) {
-  const toml::table root = parse(text, name);
+  const toml::table root = hal::files::parse_toml(text, name);
   return ConfigReader(name, root, folder).read();
 }
 
 Config read_config(const fs::path& path) {
   const std::string text =
-      read_small_file(path, kSizeLimit, "a configuration (TOML) of at most 1 MiB");
+      hal::files::read_text_file(path, "a configuration (TOML) of at most 1 MiB");
   return parse_config(text, path.string(), path.parent_path());
 }
 

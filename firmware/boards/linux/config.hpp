@@ -78,7 +78,7 @@ struct Config {
   std::optional<GpioConfig> gpio;     ///< nothing: bench without lines
 };
 
-/// Reads a configuration; relative paths in it start at `folder`. Throws host_sim::InputError.
+/// Reads a configuration; relative paths in it start at `folder`. Throws hal::files::InputError.
 Config parse_config(std::string_view text, std::string_view name,
                     const std::filesystem::path& folder = {});
 /// The same of a file of at most 1 MiB; relative paths start at its folder.

@@ -34,7 +34,7 @@ template <std::size_t kTendons, class SensorT>
 class Controller {
  public:
   /// Throws std::runtime_error, its what() one line: hal::linux_os::DeviceError where a device
-  /// cannot be used, host_sim::InputError or OutputError where a file cannot.
+  /// cannot be used, hal::files::InputError or OutputError where a file cannot.
   Controller(const Setup& setup, SensorT& sensor)
       : setup_(setup),
         sensor_(sensor),

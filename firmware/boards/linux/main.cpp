@@ -12,7 +12,7 @@
 #include "firmware/boards/linux/config.hpp"
 #include "firmware/boards/linux/setup.hpp"
 #include "hal/error.hpp"
-#include "host_sim/io/output_file.hpp"
+#include "hal/files/output_file.hpp"
 
 namespace {
 
@@ -64,7 +64,7 @@ void warn_of_missing_lines(const board::Config& config) {
 void write(const board::Report& report, const std::string& path) {
   std::cout << board::to_text(report);
   if (!path.empty()) {
-    host_sim::OutputFile out(path);
+    hal::files::OutputFile out(path);
     out.write(board::to_json(report));
     out.commit();
   }

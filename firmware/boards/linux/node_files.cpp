@@ -8,15 +8,15 @@
 #include <span>
 #include <string>
 
-#include "firmware/boards/linux/text_file.hpp"
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
+#include "hal/files/input_file.hpp"
 #include "lifemodel/block/parameter_block.hpp"
 
 namespace board {
 namespace {
 
 namespace fs = std::filesystem;
-using host_sim::InputError;
+using hal::files::InputError;
 
 constexpr std::string_view kKey =
     "32 hexadecimal digits in a file with mode 0600 (head -c 16 /dev/urandom | xxd -p)";
@@ -40,7 +40,7 @@ void check_mode(const fs::path& path) {
 
 app::Key read_authority_key(const fs::path& path) {
   check_mode(path);
-  std::string text = read_small_file(path, 64, kKey);
+  std::string text = hal::files::read_text_file(path, kKey, 64);
   text.erase(text.find_last_not_of(" \t\r\n") + 1);
   app::Key key{};
   bool right = text.size() == 2 * key.size();
@@ -64,7 +64,7 @@ app::Key read_authority_key(const fs::path& path) {
 
 lifemodel::Parameters read_parameters(const fs::path& path, std::uint32_t period_us) {
   constexpr std::string_view kBlock = "a parameter block, made by `host_sim pack`";
-  const std::string bytes = read_small_file(path, lifemodel::kBlockBytes, kBlock);
+  const std::string bytes = hal::files::read_text_file(path, kBlock, lifemodel::kBlockBytes);
   const auto parameters = lifemodel::decode(std::as_bytes(std::span(bytes)));
   if (!parameters) {
     throw InputError(path.string(), 0, 0, lifemodel::to_string(parameters.error()), kBlock);

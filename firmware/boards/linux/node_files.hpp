@@ -8,11 +8,11 @@
 namespace board {
 
 /// Reads the key of a node: 32 hexadecimal digits in a regular file that only its owner may read or
-/// write, as OpenSSH asks of private keys. Throws host_sim::InputError.
+/// write, as OpenSSH asks of private keys. Throws hal::files::InputError.
 app::Key read_authority_key(const std::filesystem::path& path);
 
 /// Reads a parameter block that `host_sim pack` made, for a loop of this period. Throws
-/// host_sim::InputError.
+/// hal::files::InputError.
 lifemodel::Parameters read_parameters(const std::filesystem::path& path, std::uint32_t period_us);
 
 }  // namespace board

@@ -8,17 +8,17 @@
 #include <optional>
 #include <type_traits>
 
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
 #include "lifemodel/pack/pack.hpp"
 
 namespace board {
 namespace {
 
 namespace fs = std::filesystem;
-using host_sim::InputError;
-using host_sim::InputKind;
-using host_sim::ProfileReader;
-using host_sim::ProfileRow;
+using hal::files::InputError;
+using hal::files::InputKind;
+using hal::files::ProfileReader;
+using hal::files::ProfileRow;
 using lifemodel::Direction;
 using lifemodel::MotorCurrent;
 using lifemodel::Tension;
@@ -126,8 +126,8 @@ InputKind kind_of(std::span<const fs::path> profiles) {
     const InputKind other = ProfileReader(path).kind();
     if (other != kind) {
       throw InputError(path.string(), 0, 0,
-                       fmt::format("holds {}, and {} holds {}", host_sim::to_string(other),
-                                   profiles.front().string(), host_sim::to_string(kind)),
+                       fmt::format("holds {}, and {} holds {}", hal::files::to_string(other),
+                                   profiles.front().string(), hal::files::to_string(kind)),
                        "profiles of one kind for all tendons");
     }
   }

@@ -9,7 +9,7 @@
 #include "firmware/app/intake.hpp"
 #include "hal/devices.hpp"
 #include "hal/error.hpp"
-#include "host_sim/io/profile.hpp"
+#include "hal/files/profile.hpp"
 #include "lifemodel/block/parameters.hpp"
 
 namespace board {
@@ -25,11 +25,11 @@ struct RecordedSamples {
 /// Longest recording that is played, in samples.
 inline constexpr std::size_t kMostSamples = 50'000'000;
 
-/// What the profiles hold, the same for all. Throws host_sim::InputError where they differ.
-host_sim::InputKind kind_of(std::span<const std::filesystem::path> profiles);
+/// What the profiles hold, the same for all. Throws hal::files::InputError where they differ.
+hal::files::InputKind kind_of(std::span<const std::filesystem::path> profiles);
 
 /// Reads a whole profile of this kind. Its rows must be a whole number of periods apart, to a tenth
-/// of a period. Throws host_sim::InputError.
+/// of a period. Throws hal::files::InputError.
 template <class SampleT>
 RecordedSamples<SampleT> read_samples(const std::filesystem::path& path,
                                       const lifemodel::Parameters& parameters);

@@ -13,7 +13,7 @@ Report run_tendons(const Setup& setup, const std::atomic<bool>& stop) {
   if (measures_current(setup.config)) {
     return with(CurrentSensor(setup));
   }
-  if (profile_kind(setup.config) == host_sim::InputKind::kInputTension) {
+  if (profile_kind(setup.config) == hal::files::InputKind::kInputTension) {
     return with(profile_sensor<lifemodel::Tension>(setup));
   }
   return with(profile_sensor<app::OutputTension>(setup));

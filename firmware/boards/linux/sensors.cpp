@@ -24,13 +24,13 @@ std::vector<hal::linux_os::IioChannelSpec> channels_of(const Config& config) {
 
 }  // namespace
 
-host_sim::InputKind profile_kind(const Config& config) {
+hal::files::InputKind profile_kind(const Config& config) {
   return kind_of(profiles_of(config));
 }
 
 bool measures_current(const Config& config) {
   return config.sensor.kind != SensorKind::profile ||
-         profile_kind(config) == host_sim::InputKind::kMotorCurrent;
+         profile_kind(config) == hal::files::InputKind::kMotorCurrent;
 }
 
 CurrentSensor::CurrentSensor(const Setup& setup) : source_(open(setup)) {}

@@ -10,13 +10,13 @@
 
 namespace board {
 
-/// What the profiles of a configuration hold. Throws host_sim::InputError.
-host_sim::InputKind profile_kind(const Config& config);
+/// What the profiles of a configuration hold. Throws hal::files::InputError.
+hal::files::InputKind profile_kind(const Config& config);
 
-/// Whether the samples are motor current. Throws host_sim::InputError.
+/// Whether the samples are motor current. Throws hal::files::InputError.
 bool measures_current(const Config& config);
 
-/// Plays the profiles of a configuration. Throws host_sim::InputError.
+/// Plays the profiles of a configuration. Throws hal::files::InputError.
 template <class SampleT>
 ProfileSensor<SampleT> profile_sensor(const Setup& setup) {
   std::vector<RecordedSamples<SampleT>> tendons;
@@ -31,7 +31,7 @@ class CurrentSensor {
  public:
   using Sample = lifemodel::MotorCurrent;
 
-  /// Throws hal::linux_os::DeviceError or host_sim::InputError.
+  /// Throws hal::linux_os::DeviceError or hal::files::InputError.
   explicit CurrentSensor(const Setup& setup);
 
   hal::Result<Sample> isr_read(std::size_t tendon) {

@@ -5,12 +5,12 @@
 
 #include "firmware/boards/linux/node_files.hpp"
 #include "firmware/boards/linux/sensors.hpp"
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
 
 namespace board {
 namespace {
 
-using host_sim::InputError;
+using hal::files::InputError;
 
 app::Config node_of(const Config& config) {
   app::Config node;

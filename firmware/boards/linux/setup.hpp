@@ -19,7 +19,7 @@ struct Setup {
   bool virtual_clock = false;
 };
 
-/// Reads what a configuration names. Throws host_sim::InputError, also where the sensor needs a
+/// Reads what a configuration names. Throws hal::files::InputError, also where the sensor needs a
 /// drive that the parameters do not have.
 Setup read_setup(const Config& config, bool virtual_clock);
 

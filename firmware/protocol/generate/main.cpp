@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "firmware/protocol/generate/generate.hpp"
-#include "host_sim/io/output_file.hpp"
+#include "hal/files/output_file.hpp"
 
 namespace {
 
@@ -31,7 +31,7 @@ std::vector<Node> checked_nodes(const std::vector<int>& numbers) {
 }
 
 void write(const std::string& path, const std::string& text) {
-  host_sim::OutputFile file{path};
+  hal::files::OutputFile file{path};
   file.write(text);
   file.commit();
 }

@@ -1,11 +1,15 @@
 #include <fmt/format.h>
 
+#include "hal/files/input_error.hpp"
+#include "hal/files/text.hpp"
 #include "host_sim/calibrate/output/output.hpp"
 #include "host_sim/campaign/nominal_model.hpp"
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/printable.hpp"
 
 namespace host_sim::calibrate {
+
+using hal::files::InputError;
+using hal::files::printable;
+
 namespace {
 
 Model fitted_model(const Campaign& campaign, const LifeLaw& law) {

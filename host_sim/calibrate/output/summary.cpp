@@ -7,10 +7,14 @@
 #include <string>
 #include <vector>
 
+#include "hal/files/text.hpp"
 #include "host_sim/calibrate/output/output.hpp"
-#include "host_sim/io/printable.hpp"
 
 namespace host_sim::calibrate {
+
+using hal::files::character_count;
+using hal::files::printable;
+
 namespace {
 
 /// Rows of cells in aligned columns for a terminal: the first column to the left, the others to the

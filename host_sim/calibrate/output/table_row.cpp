@@ -4,10 +4,14 @@
 #include <cmath>
 #include <limits>
 
+#include "hal/files/csv.hpp"
 #include "host_sim/calibrate/output/output.hpp"
-#include "host_sim/io/csv_row.hpp"
 
 namespace host_sim::calibrate {
+
+using hal::files::csv_head;
+using hal::files::CsvRow;
+
 namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();

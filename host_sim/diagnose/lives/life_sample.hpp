@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "host_sim/campaign/campaign.hpp"
-#include "host_sim/io/model.hpp"
+#include "host_sim/model/model.hpp"
 
 namespace host_sim::diagnose::lives {
 

@@ -9,7 +9,7 @@
 #include "host_sim/diagnose/lives/life_sample.hpp"
 #include "host_sim/diagnose/lives/life_settings.hpp"
 #include "host_sim/effects/life_effect.hpp"
-#include "host_sim/extension/extension.hpp"
+#include "host_sim/model/model.hpp"
 
 namespace host_sim::diagnose::lives {
 

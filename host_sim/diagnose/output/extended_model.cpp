@@ -5,13 +5,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hal/files/text.hpp"
 #include "host_sim/campaign/nominal_model.hpp"
 #include "host_sim/diagnose/diagnosis.hpp"
 #include "host_sim/extension/write.hpp"
-#include "host_sim/io/printable.hpp"
 #include "host_sim/recording/recording.hpp"
 
 namespace host_sim::diagnose {
+
+using hal::files::kInputTensionColumn;
+using hal::files::printable;
+
 namespace {
 
 constexpr double kMostEfficient = 1;

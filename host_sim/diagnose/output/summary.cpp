@@ -6,11 +6,14 @@
 #include <cmath>
 #include <string>
 
+#include "hal/files/text.hpp"
 #include "host_sim/diagnose/diagnosis.hpp"
 #include "host_sim/diagnose/output/prose.hpp"
-#include "host_sim/io/printable.hpp"
 
 namespace host_sim::diagnose {
+
+using hal::files::printable;
+
 namespace {
 
 /// Below it a candidate is not told.

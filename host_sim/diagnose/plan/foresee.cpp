@@ -13,12 +13,16 @@
 #include <system_error>
 #include <vector>
 
+#include "hal/files/input_error.hpp"
+#include "hal/files/output_file.hpp"
 #include "host_sim/diagnose/sessions.hpp"
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/output_file.hpp"
 #include "host_sim/synth/campaign/make.hpp"
 
 namespace host_sim::diagnose {
+
+using hal::files::InputError;
+using hal::files::OutputError;
+
 namespace {
 
 /// No campaign is better than this: calibration and rounding remain.

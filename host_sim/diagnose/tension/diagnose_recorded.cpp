@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "hal/files/input_error.hpp"
 #include "host_sim/diagnose/audit.hpp"
 #include "host_sim/diagnose/tension/decision.hpp"
 #include "host_sim/diagnose/tension/estimates.hpp"
@@ -15,10 +16,12 @@
 #include "host_sim/diagnose/tension/pictures.hpp"
 #include "host_sim/diagnose/tension/prose.hpp"
 #include "host_sim/diagnose/tension/steps.hpp"
-#include "host_sim/io/input_error.hpp"
 #include "host_sim/statistics/distribution.hpp"
 
 namespace host_sim::diagnose {
+
+using hal::files::InputError;
+
 namespace {
 
 /// Relative; signatures of the largest effects leave as much.

@@ -9,9 +9,15 @@
 #include <utility>
 #include <vector>
 
-#include "host_sim/io/text_place.hpp"
+#include "hal/files/input_error.hpp"
 
 namespace host_sim::monitor {
+
+using hal::files::in_quotes;
+
+using hal::files::ByteSource;
+using hal::files::TextPlace;
+
 namespace {
 
 constexpr std::string_view kSpace = " \t";

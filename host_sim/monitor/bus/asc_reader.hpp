@@ -6,8 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "host_sim/io/byte_source.hpp"
-#include "host_sim/io/line_buffer.hpp"
+#include "hal/files/input_file.hpp"
 #include "host_sim/monitor/bus/frame_log.hpp"
 
 namespace host_sim::monitor {
@@ -28,7 +27,7 @@ bool is_asc(std::string_view front);
 class AscReader final : public LogReader {
  public:
   /// `name` stands for the file in errors.
-  AscReader(std::unique_ptr<ByteSource> source, std::string name);
+  AscReader(std::unique_ptr<hal::files::ByteSource> source, std::string name);
 
   std::optional<SeenFrame> next() override;
 
@@ -41,7 +40,7 @@ class AscReader final : public LogReader {
   std::optional<SeenFrame> take_line();
 
   std::string name_;
-  LineBuffer lines_;
+  hal::files::LineBuffer lines_;
   Format format_;
   std::int64_t time_ns_ = 0;
 };

@@ -7,14 +7,21 @@
 #include <string>
 #include <string_view>
 
-#include "host_sim/io/byte_source.hpp"
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/printable.hpp"
+#include "hal/files/input_error.hpp"
+#include "hal/files/input_file.hpp"
+#include "hal/files/text.hpp"
 #include "host_sim/monitor/bus/asc_reader.hpp"
 #include "host_sim/monitor/bus/can_packet.hpp"
 #include "host_sim/monitor/bus/pcap_reader.hpp"
 
 namespace host_sim::monitor {
+
+using hal::files::candump_line;
+using hal::files::in_quotes;
+using hal::files::InputError;
+using hal::files::LoggedFrame;
+using hal::files::open_source;
+
 namespace {
 
 constexpr std::uint64_t kLatest_us = 9'000'000'000'000'000;  // has room in nanoseconds

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "host_sim/io/candump.hpp"
+#include "hal/files/candump.hpp"
 #include "host_sim/monitor/bus/seen_frame.hpp"
 
 namespace host_sim::monitor {
@@ -32,14 +32,14 @@ class CandumpLogReader final : public LogReader {
   /// `-` is standard input. @throws InputError
   explicit CandumpLogReader(const std::filesystem::path& path)
       : name_(path.string()), reader_(path) {}
-  CandumpLogReader(std::unique_ptr<ByteSource> source, std::string_view name)
+  CandumpLogReader(std::unique_ptr<hal::files::ByteSource> source, std::string_view name)
       : name_(name), reader_(std::move(source), name) {}
 
   std::optional<SeenFrame> next() override;
 
  private:
   std::string name_;
-  CandumpReader reader_;
+  hal::files::CandumpReader reader_;
 };
 
 /// The line that `candump -L` writes for what was seen, with its line end: data, remote and error

@@ -8,10 +8,13 @@
 #include <span>
 #include <utility>
 
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
 #include "host_sim/monitor/bus/can_packet.hpp"
 
 namespace host_sim::monitor {
+
+using hal::files::InputError;
+
 namespace {
 
 constexpr std::string_view kAcceptedCapture =

@@ -2,9 +2,13 @@
 
 #include <algorithm>
 
-#include "host_sim/io/interruption.hpp"
+#include "hal/files/interruption.hpp"
 
 namespace host_sim::monitor {
+
+using hal::files::Interruption;
+using hal::files::stop_if_interrupted;
+
 namespace {
 
 using Clock = std::chrono::steady_clock;

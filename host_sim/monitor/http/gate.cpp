@@ -7,10 +7,13 @@
 #include <optional>
 #include <utility>
 
+#include "hal/files/input_error.hpp"
 #include "host_sim/io/host_port.hpp"
-#include "host_sim/io/input_error.hpp"
 
 namespace host_sim::monitor {
+
+using hal::files::InputError;
+
 namespace {
 
 bool is_token_character(char c) {

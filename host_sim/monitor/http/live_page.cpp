@@ -15,12 +15,15 @@
 #include <system_error>
 #include <thread>
 
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/system_error_text.hpp"
+#include "hal/files/input_error.hpp"
 #include "host_sim/monitor/http/hub.hpp"
 #include "host_sim/monitor/http/routes.hpp"
 
 namespace host_sim::monitor {
+
+using hal::files::InputError;
+using hal::files::reason_of;
+
 namespace {
 
 using Clock = std::chrono::steady_clock;

@@ -14,10 +14,14 @@
 #include <utility>
 #include <vector>
 
-#include "host_sim/io/output_file.hpp"
-#include "host_sim/io/system_error_text.hpp"
+#include "hal/files/input_error.hpp"
+#include "hal/files/output_file.hpp"
 
 namespace host_sim::monitor {
+
+using hal::files::OutputError;
+using hal::files::reason_of;
+
 namespace {
 
 using hal::linux_os::Descriptor;

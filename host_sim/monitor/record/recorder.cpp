@@ -6,10 +6,12 @@
 #include <string_view>
 #include <utility>
 
-#include "host_sim/io/output_file.hpp"
+#include "hal/files/output_file.hpp"
 #include "host_sim/monitor/bus/frame_log.hpp"
 
 namespace host_sim::monitor {
+
+using hal::files::OutputError;
 
 Recorder::Recorder(const std::filesystem::path& folder, const Rotation& rotation,
                    std::string interface)

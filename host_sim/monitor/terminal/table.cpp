@@ -8,10 +8,13 @@
 #include <string_view>
 #include <utility>
 
-#include "host_sim/io/printable.hpp"
+#include "hal/files/text.hpp"
 #include "host_sim/monitor/fleet/node_view.hpp"
 
 namespace host_sim::monitor {
+
+using hal::files::printable;
+
 namespace {
 
 /// How a cell looks where there are colours. Words say the same.

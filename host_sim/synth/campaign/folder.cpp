@@ -7,11 +7,17 @@
 #include <system_error>
 #include <utility>
 
+#include "hal/files/input_error.hpp"
+#include "hal/files/output_file.hpp"
 #include "host_sim/campaign/campaign.hpp"
-#include "host_sim/io/output_file.hpp"
-#include "host_sim/io/system_error_text.hpp"
 
 namespace host_sim::synth {
+
+using hal::files::OutputError;
+using hal::files::partial_of;
+using hal::files::reason_of;
+using hal::files::sync_folder_of;
+
 namespace {
 
 namespace fs = std::filesystem;

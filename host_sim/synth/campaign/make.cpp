@@ -8,12 +8,14 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "host_sim/io/model_keys.hpp"
-#include "host_sim/io/output_file.hpp"
+#include "hal/files/output_file.hpp"
+#include "host_sim/model/model_tables.hpp"
 #include "host_sim/synth/campaign/lives.hpp"
 #include "host_sim/synth/campaign/sessions.hpp"
 
 namespace host_sim::synth {
+
+using hal::files::write_file;
 
 Truth make_campaign(const SynthPlan& plan, const MakeOptions& options,
                     const std::filesystem::path& folder) {

@@ -8,14 +8,24 @@
 #include <numbers>
 #include <system_error>
 
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/output_file.hpp"
+#include "hal/files/input_error.hpp"
+#include "hal/files/output_file.hpp"
 #include "host_sim/statistics/parallel.hpp"
 #include "host_sim/synth/draws.hpp"
 #include "host_sim/synth/plan/plan.hpp"
 #include "host_sim/synth/tension/departures.hpp"
 
 namespace host_sim::synth {
+
+using hal::files::InputError;
+using hal::files::kProfileColumnCount;
+using hal::files::kTime;
+using hal::files::OutputError;
+using hal::files::profile_columns;
+using hal::files::ProfileColumn;
+using hal::files::ProfileColumnId;
+using hal::files::write_file;
+
 namespace {
 
 std::unique_ptr<TensionPart> tension_part(const Hidden& hidden) {

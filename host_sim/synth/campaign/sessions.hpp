@@ -22,6 +22,7 @@ Channels session_channels(const SynthPlan& plan, const Setting& setting,
 SessionScatter session_scatter(const SynthPlan& plan, std::uint64_t seed, std::size_t session);
 
 /// A recording as CSV, with the channels wanted that there are.
-std::string recording_text(const std::vector<ProfileColumnId>& wanted, const Channels& channels);
+std::string recording_text(const std::vector<hal::files::ProfileColumnId>& wanted,
+                           const Channels& channels);
 
 }  // namespace host_sim::synth

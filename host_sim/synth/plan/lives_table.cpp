@@ -8,6 +8,10 @@
 #include "host_sim/synth/plan/tables.hpp"
 
 namespace host_sim::synth {
+
+using hal::files::NumberKey;
+using hal::files::TomlTable;
+
 namespace {
 
 constexpr NumberKey kLevelBendAngle{"bend_angle_deg", "deg", {0, 1800}};

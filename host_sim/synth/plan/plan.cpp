@@ -5,13 +5,22 @@
 #include <algorithm>
 #include <array>
 
-#include "host_sim/io/model_tables.hpp"
-#include "host_sim/io/text_file.hpp"
+#include "hal/files/input_file.hpp"
+#include "host_sim/model/model_tables.hpp"
 #include "host_sim/synth/life_departures.hpp"
 #include "host_sim/synth/plan/tables.hpp"
 #include "host_sim/synth/tension/departures.hpp"
 
 namespace host_sim::synth {
+
+using hal::files::describe;
+using hal::files::file_name;
+using hal::files::NumberKey;
+using hal::files::NumberRange;
+using hal::files::parse_toml;
+using hal::files::read_text_file;
+using hal::files::TomlTable;
+
 namespace {
 
 constexpr NumberKey kLogSd{"log_tension_sd", "", {0, 1}};

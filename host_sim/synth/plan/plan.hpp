@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/io/model.hpp"
-#include "host_sim/io/profile_columns.hpp"
+#include "hal/files/profile_rows.hpp"
+#include "host_sim/model/model.hpp"
 #include "host_sim/synth/life_departures.hpp"
 #include "host_sim/synth/tension/motion.hpp"
 #include "host_sim/synth/tension/rig.hpp"
@@ -32,7 +32,7 @@ struct RecordingPlan {
   double sample_rate_Hz = 200;
   double duration_s = 20;
   Motion motion;
-  std::vector<ProfileColumnId> channels;  ///< of the files, time first
+  std::vector<hal::files::ProfileColumnId> channels;  ///< of the files, time first
 };
 
 /// [scatter]: what differs from session to session and is no effect.

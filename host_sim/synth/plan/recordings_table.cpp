@@ -9,6 +9,23 @@
 #include "host_sim/synth/plan/tables.hpp"
 
 namespace host_sim::synth {
+
+using hal::files::describe;
+using hal::files::kInputTensionColumn;
+using hal::files::kMotorAngle;
+using hal::files::kMotorCurrentColumn;
+using hal::files::kOutputTensionColumn;
+using hal::files::kProfileColumnCount;
+using hal::files::kTendonVelocity;
+using hal::files::kTime;
+using hal::files::kWindingTemperature;
+using hal::files::NumberKey;
+using hal::files::profile_column_names;
+using hal::files::profile_columns;
+using hal::files::ProfileColumn;
+using hal::files::ProfileColumnId;
+using hal::files::TomlTable;
+
 namespace {
 
 constexpr NumberKey kBendAngles{"bend_angles_deg", "deg", {0, 1800}};

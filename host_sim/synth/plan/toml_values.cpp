@@ -7,6 +7,12 @@
 #include "host_sim/synth/plan/tables.hpp"
 
 namespace host_sim::synth {
+
+using hal::files::describe;
+using hal::files::NumberKey;
+using hal::files::range_text;
+using hal::files::TomlTable;
+
 namespace {
 
 constexpr std::size_t kLongestList = 10'000;

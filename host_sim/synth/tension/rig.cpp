@@ -6,9 +6,21 @@
 #include <cstdint>
 #include <numbers>
 
-#include "host_sim/io/interruption.hpp"
+#include "hal/files/interruption.hpp"
 
 namespace host_sim::synth {
+
+using hal::files::kBendAngle;
+using hal::files::kInputTensionColumn;
+using hal::files::kMotorAngle;
+using hal::files::kMotorCurrentColumn;
+using hal::files::kOutputTensionColumn;
+using hal::files::kSheathTemperature;
+using hal::files::kTendonVelocity;
+using hal::files::kTime;
+using hal::files::kWindingTemperature;
+using hal::files::stop_if_interrupted;
+
 namespace {
 
 constexpr double kCopperPerKelvin = 0.00393;

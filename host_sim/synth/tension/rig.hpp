@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "host_sim/io/model.hpp"
+#include "host_sim/model/model.hpp"
 #include "host_sim/synth/tension/departures.hpp"
 #include "host_sim/synth/tension/motion.hpp"
 #include "host_sim/synth/tension/sensors.hpp"

@@ -6,6 +6,15 @@
 #include "host_sim/synth/draws.hpp"
 
 namespace host_sim::synth {
+
+using hal::files::kInputTensionColumn;
+using hal::files::kMotorCurrentColumn;
+using hal::files::kOutputTensionColumn;
+using hal::files::kSheathTemperature;
+using hal::files::kTendonVelocity;
+using hal::files::kTime;
+using hal::files::kWindingTemperature;
+
 namespace {
 
 using statistics::Random;

@@ -4,12 +4,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "host_sim/io/profile_columns.hpp"
+#include "hal/files/profile_rows.hpp"
 
 namespace host_sim::synth {
 
 /// What is recorded in one session, by ProfileColumnId, in the unit of each column.
-using Channels = std::array<std::vector<double>, kProfileColumnCount>;
+using Channels = std::array<std::vector<double>, hal::files::kProfileColumnCount>;
 
 /// What sensors and recorder add to all sessions of a plan. Resolutions of 0 leave values alone.
 struct Noise {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "host_sim/io/output_file.hpp"
+#include "hal/files/output_file.hpp"
 #include "host_sim/synth/campaign/make.hpp"
 
 namespace blind {
@@ -49,7 +49,7 @@ Enum named(const Json& json, const std::array<Enum, count>& all) {
   throw std::runtime_error("a truth with the unknown word " + word);
 }
 
-using host_sim::OutputFile;
+using hal::files::OutputFile;
 using host_sim::synth::SynthPlan;
 
 SynthPlan plan_of(const Scenario& scenario) {

@@ -134,7 +134,7 @@ Samples samples_of(const SynthPlan& plan, const Scenario& scenario) {
         plan, setting, session_scatter(plan, scenario.seed, setting.number), scenario.seed);
     append(samples.log_ratio, log_ratio(channels, scenario.input));
     append(samples.signed_bend_rad, signed_bend_rad(channels));
-    append(samples.output_N, channels[host_sim::kOutputTensionColumn]);
+    append(samples.output_N, channels[hal::files::kOutputTensionColumn]);
   }
   return samples;
 }
@@ -167,9 +167,9 @@ double rmse_N(const Samples& samples) {
 using host_sim::synth::Channels;
 
 std::vector<double> log_ratio(const Channels& channels, Input input) {
-  const auto& at_drive = channels[input == Input::load_cell ? host_sim::kInputTensionColumn
-                                                            : host_sim::kMotorCurrentColumn];
-  const auto& output = channels[host_sim::kOutputTensionColumn];
+  const auto& at_drive = channels[input == Input::load_cell ? hal::files::kInputTensionColumn
+                                                            : hal::files::kMotorCurrentColumn];
+  const auto& output = channels[hal::files::kOutputTensionColumn];
   constexpr double kLeast = 1e-6;
   std::vector<double> result(output.size());
   for (std::size_t i = 0; i < result.size(); ++i) {
@@ -179,8 +179,8 @@ std::vector<double> log_ratio(const Channels& channels, Input input) {
 }
 
 std::vector<double> signed_bend_rad(const Channels& channels) {
-  const auto& velocity = channels[host_sim::kTendonVelocity];
-  const auto& bend_deg = channels[host_sim::kBendAngle];
+  const auto& velocity = channels[hal::files::kTendonVelocity];
+  const auto& bend_deg = channels[hal::files::kBendAngle];
   std::vector<double> result(velocity.size());
   double direction = 1;
   for (std::size_t i = 0; i < result.size(); ++i) {

@@ -9,7 +9,7 @@
 #include <iostream>
 #include <string>
 
-#include "host_sim/io/output_file.hpp"
+#include "hal/files/output_file.hpp"
 #include "host_sim/statistics/parallel.hpp"
 #include "tests/blind/oracle/visibility.hpp"
 
@@ -24,7 +24,7 @@ struct Arguments {
 };
 
 void write(const std::filesystem::path& path, const std::string& text) {
-  host_sim::OutputFile file(path);
+  hal::files::OutputFile file(path);
   file.write(text);
   file.commit();
 }

@@ -10,7 +10,7 @@
 #include <mutex>
 #include <sstream>
 
-#include "host_sim/io/output_file.hpp"
+#include "hal/files/output_file.hpp"
 #include "host_sim/statistics/parallel.hpp"
 #include "tests/blind/oracle/visibility.hpp"
 #include "tests/blind/running/analyses.hpp"
@@ -164,7 +164,7 @@ void report(const Arguments& arguments, const std::vector<Record>& records) {
     std::ifstream old(arguments.readme);
     std::stringstream text;
     text << old.rdbuf();
-    host_sim::OutputFile file(arguments.readme);
+    hal::files::OutputFile file(arguments.readme);
     file.write(with_tables(text.str(), word_of(records.front().truth.data), tables));
     file.commit();
   }

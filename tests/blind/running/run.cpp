@@ -2,8 +2,8 @@
 
 #include <chrono>
 
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/output_file.hpp"
+#include "hal/files/input_error.hpp"
+#include "hal/files/output_file.hpp"
 #include "tests/blind/oracle/visibility.hpp"
 
 namespace blind {
@@ -13,7 +13,7 @@ using Clock = std::chrono::steady_clock;
 
 void write(const std::filesystem::path& path, const std::string& text) {
   std::filesystem::create_directories(path.parent_path());
-  host_sim::OutputFile file(path);
+  hal::files::OutputFile file(path);
   file.write(text);
   file.commit();
 }
@@ -28,7 +28,7 @@ void analyse(const std::filesystem::path& folder, const Analysis& analysis,
   const Clock::time_point start = Clock::now();
   try {
     record.findings = analysis(folder, asked);
-  } catch (const host_sim::InputError& error) {
+  } catch (const hal::files::InputError& error) {
     record.error = error.what();
   }
   record.seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "hal/files/input_error.hpp"
 #include "host_sim/campaign/campaign.hpp"
-#include "host_sim/io/input_error.hpp"
 #include "host_sim/synth/campaign/make.hpp"
 #include "tests/blind/scoring/record.hpp"
 #include "tests/blind/support.hpp"
@@ -87,7 +87,7 @@ TEST_F(RunTest, NothingStaysUnlessAskedFor) {
 
 TEST_F(RunTest, ARefusalIsRecorded) {
   const auto analysis = [](const fs::path&, const DiagnoseOptions&) -> Findings {
-    throw host_sim::InputError("sessions.csv", 1, 1, "one session", "at least two");
+    throw hal::files::InputError("sessions.csv", 1, 1, "one session", "at least two");
   };
   const Record record = run_campaign(small_scenario(), analysis, options_);
   EXPECT_NE(record.error.find("one session"), std::string::npos);

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "host_sim/io/output_file.hpp"
+#include "hal/files/output_file.hpp"
 #include "tests/blind/making/make.hpp"
 
 namespace blind {
@@ -194,7 +194,7 @@ RecordsFile::RecordsFile(std::filesystem::path path) : path_(std::move(path)) {
   read();
   file_.open(path_, std::ios::app);
   if (!file_) {
-    throw host_sim::OutputError(path_.string(), "it cannot be opened");
+    throw hal::files::OutputError(path_.string(), "it cannot be opened");
   }
 }
 
@@ -225,7 +225,7 @@ bool RecordsFile::has(std::uint64_t seed) const {
 void RecordsFile::add(Record record) {
   file_ << line_of(record) << '\n' << std::flush;
   if (!file_) {
-    throw host_sim::OutputError(path_.string(), "it cannot be written");
+    throw hal::files::OutputError(path_.string(), "it cannot be written");
   }
   records_.push_back(std::move(record));
 }

@@ -6,13 +6,16 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "hal/files/input_file.hpp"
 #include "host_sim/campaign/campaign_files.hpp"
-#include "host_sim/io/byte_source.hpp"
 #include "host_sim/statistics/random.hpp"
 #include "host_sim/synth/campaign/lives.hpp"
 #include "host_sim/synth/campaign/make.hpp"
 
 namespace host_sim::test {
+
+using hal::files::memory_source;
+
 namespace {
 
 constexpr std::uint64_t kSizeStream = 77;

@@ -4,8 +4,8 @@
 
 #include <string>
 
+#include "hal/files/input_file.hpp"
 #include "host_sim/campaign/campaign_files.hpp"
-#include "host_sim/io/byte_source.hpp"
 
 namespace host_sim::diagnose::lives::test {
 
@@ -17,7 +17,7 @@ inline Campaign campaign_of(const std::string& specimens, double ultimate_tensio
       "weibull_shape = 5.94\n",
       ultimate_tension_N);
   return assemble(parse_campaign_file(model, "campaign.toml"),
-                  parse_specimens(memory_source(specimens), "specimens.csv"), {});
+                  parse_specimens(hal::files::memory_source(specimens), "specimens.csv"), {});
 }
 
 inline const std::string kHeader =

@@ -2,11 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include "hal/files/input_error.hpp"
 #include "host_sim/extension/read.hpp"
-#include "host_sim/io/input_error.hpp"
 #include "tests/diagnose/output/hand_made_diagnosis.hpp"
 
 namespace host_sim::diagnose {
+
+using hal::files::InputError;
+
 namespace {
 
 /// With all tables; recordings alone.

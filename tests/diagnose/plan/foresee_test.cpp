@@ -9,9 +9,12 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
 
 namespace host_sim::diagnose {
+
+using hal::files::InputError;
+
 namespace {
 
 /// Eight short sessions, driven and measured by the motor current unless a load cell is asked for.

@@ -9,6 +9,9 @@
 #include "tests/recording/support.hpp"
 
 namespace host_sim::diagnose::testing {
+
+using hal::files::open_source;
+
 namespace {
 
 using ::testing::HasSubstr;

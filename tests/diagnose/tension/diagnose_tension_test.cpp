@@ -10,12 +10,15 @@
 #include <string>
 #include <vector>
 
+#include "hal/files/input_error.hpp"
 #include "host_sim/campaign/campaign.hpp"
 #include "host_sim/diagnose/diagnosis.hpp"
-#include "host_sim/io/input_error.hpp"
 #include "host_sim/synth/campaign/make.hpp"
 
 namespace host_sim::diagnose {
+
+using hal::files::InputError;
+
 namespace {
 
 using ::testing::HasSubstr;

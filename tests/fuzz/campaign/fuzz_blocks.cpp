@@ -6,17 +6,17 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/files/input_error.hpp"
 #include "host_sim/campaign/campaign_files.hpp"
-#include "host_sim/io/input_error.hpp"
 #include "tests/fuzz/campaign/check.hpp"
 
 namespace {
 
 std::vector<host_sim::SpecimenRow> specimens() {
   return host_sim::parse_specimens(
-      host_sim::memory_source("specimen,lot,cycles,status,input_tension_mean_N,"
-                              "input_tension_amplitude_N\n"
-                              "a,1,10,failed,,\nb,1,3,suspended,,\nc,1,5,failed,25,25\n"),
+      hal::files::memory_source("specimen,lot,cycles,status,input_tension_mean_N,"
+                                "input_tension_amplitude_N\n"
+                                "a,1,10,failed,,\nb,1,3,suspended,,\nc,1,5,failed,25,25\n"),
       "specimens");
 }
 
@@ -28,8 +28,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
     host_sim::fuzz::check(host_sim::assemble(
-        kPaper, kSpecimens, host_sim::parse_blocks(host_sim::memory_source(text), "fuzz")));
-  } catch (const host_sim::InputError& error) {
+        kPaper, kSpecimens, host_sim::parse_blocks(hal::files::memory_source(text), "fuzz")));
+  } catch (const hal::files::InputError& error) {
     host_sim::fuzz::require_one_line(error.what());
   }
   return 0;

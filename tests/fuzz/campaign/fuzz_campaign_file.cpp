@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "hal/files/input_error.hpp"
 #include "host_sim/campaign/campaign_files.hpp"
-#include "host_sim/io/input_error.hpp"
 #include "tests/fuzz/campaign/check.hpp"
 
 using host_sim::fuzz::require;
@@ -26,7 +26,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       }
       require(std::abs(shares - 1) < 1e-8);
     }
-  } catch (const host_sim::InputError& error) {
+  } catch (const hal::files::InputError& error) {
     host_sim::fuzz::require_one_line(error.what());
   }
   return 0;

@@ -7,11 +7,11 @@
 #include <string>
 #include <string_view>
 
+#include "hal/files/input_error.hpp"
 #include "host_sim/extension/acting.hpp"
 #include "host_sim/extension/fixed.hpp"
 #include "host_sim/extension/read.hpp"
 #include "host_sim/extension/write.hpp"
-#include "host_sim/io/input_error.hpp"
 #include "tests/fuzz/io/require.hpp"
 
 using host_sim::Extension;
@@ -45,9 +45,11 @@ void check_all(const host_sim::Model& model) {
   for (std::size_t i = 0; i < again.extensions.size(); ++i) {
     require(same(again.extensions[i], model.extensions[i]));
   }
-  for (const auto kind : {host_sim::InputKind::kInputTension, host_sim::InputKind::kMotorCurrent,
-                          host_sim::InputKind::kOutputTension}) {
-    const auto acting = host_sim::acting_extensions(model, kind, host_sim::ProfileChannels{}.set());
+  for (const auto kind :
+       {hal::files::InputKind::kInputTension, hal::files::InputKind::kMotorCurrent,
+        hal::files::InputKind::kOutputTension}) {
+    const auto acting =
+        host_sim::acting_extensions(model, kind, hal::files::ProfileChannels{}.set());
     require(acting.extensions.size() + acting.others.size() == model.extensions.size());
   }
   auto fixed = host_sim::fixed_extension(model, model.extensions, "model");
@@ -59,7 +61,7 @@ void check_all(const host_sim::Model& model) {
 void check(std::string_view text) {
   try {
     check_all(host_sim::parse_extended_model(text, "fuzz"));
-  } catch (const host_sim::InputError& error) {
+  } catch (const hal::files::InputError& error) {
     host_sim::fuzz::require_one_line(error.what());
   }
 }

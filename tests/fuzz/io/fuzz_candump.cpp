@@ -6,14 +6,14 @@
 #include <string>
 #include <string_view>
 
-#include "host_sim/io/byte_source.hpp"
-#include "host_sim/io/candump.hpp"
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/candump.hpp"
+#include "hal/files/input_error.hpp"
+#include "hal/files/input_file.hpp"
 #include "tests/fuzz/io/require.hpp"
 
 namespace {
 
-using host_sim::LoggedFrame;
+using hal::files::LoggedFrame;
 using host_sim::fuzz::require;
 
 void require_sound(const LoggedFrame& frame) {
@@ -30,9 +30,9 @@ void require_same_again(const LoggedFrame& frame) {
   if (!classic) {
     return;
   }
-  const std::string text = host_sim::candump_line(frame.time_us, frame.interface, *classic);
-  LoggedFrame again =
-      host_sim::parse_candump_line({"again", 1, std::string_view(text).substr(0, text.size() - 1)});
+  const std::string text = hal::files::candump_line(frame.time_us, frame.interface, *classic);
+  LoggedFrame again = hal::files::parse_candump_line(
+      {"again", 1, std::string_view(text).substr(0, text.size() - 1)});
   again.direction = frame.direction;
   require(again == frame);
 }
@@ -42,12 +42,12 @@ void require_same_again(const LoggedFrame& frame) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
-    host_sim::CandumpReader reader(host_sim::memory_source(text), "fuzz");
+    hal::files::CandumpReader reader(hal::files::memory_source(text), "fuzz");
     while (const auto frame = reader.next()) {
       require_sound(*frame);
       require_same_again(*frame);
     }
-  } catch (const host_sim::InputError& error) {
+  } catch (const hal::files::InputError& error) {
     host_sim::fuzz::require_one_line(error.what());
   }
   return 0;

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <string_view>
 
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/model.hpp"
-#include "host_sim/io/model_keys.hpp"
+#include "hal/files/input_error.hpp"
+#include "host_sim/model/model.hpp"
+#include "host_sim/model/model_tables.hpp"
 #include "tests/fuzz/io/require.hpp"
 
 using host_sim::fuzz::require;
@@ -22,7 +22,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
     require(model.counting.hysteresis_N < model.cable.ultimate_tension_N);
     require(host_sim::model_digest(model).size() == 8);
-  } catch (const host_sim::InputError& error) {
+  } catch (const hal::files::InputError& error) {
     host_sim::fuzz::require_one_line(error.what());
   }
   return 0;

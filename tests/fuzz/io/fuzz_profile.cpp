@@ -14,17 +14,17 @@
 #include <utility>
 #include <vector>
 
-#include "host_sim/io/byte_source.hpp"
-#include "host_sim/io/input_error.hpp"
-#include "host_sim/io/profile.hpp"
+#include "hal/files/input_error.hpp"
+#include "hal/files/input_file.hpp"
+#include "hal/files/profile.hpp"
 #include "tests/fuzz/io/require.hpp"
 
 namespace {
 
-using host_sim::ByteSource;
-using host_sim::InputKind;
-using host_sim::ProfileReader;
-using host_sim::ProfileRow;
+using hal::files::ByteSource;
+using hal::files::InputKind;
+using hal::files::ProfileReader;
+using hal::files::ProfileRow;
 using host_sim::fuzz::require;
 
 class PiecewiseSource final : public ByteSource {
@@ -70,7 +70,7 @@ Outcome outcome_of(std::unique_ptr<ByteSource> source, std::optional<InputKind> 
       }
     }
     require(!outcome.rows.empty());
-  } catch (const host_sim::InputError& error) {
+  } catch (const hal::files::InputError& error) {
     outcome.error = error.what();
     host_sim::fuzz::require_one_line(outcome.error);
   }
@@ -89,7 +89,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   constexpr std::array<std::optional<InputKind>, 4> kKinds{
       std::nullopt, InputKind::kInputTension, InputKind::kMotorCurrent, InputKind::kOutputTension};
   const auto kind = kKinds[size % kKinds.size()];
-  const Outcome whole = outcome_of(host_sim::memory_source(text), kind, 16);
+  const Outcome whole = outcome_of(hal::files::memory_source(text), kind, 16);
   const Outcome pieces = outcome_of(std::make_unique<PiecewiseSource>(text, 3), kind, 1);
   require(whole.error == pieces.error);
   require(whole.rows.size() == pieces.rows.size() || !whole.error.empty());

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "firmware/boards/linux/config.hpp"
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
 #include "tests/fuzz/io/require.hpp"
 
 using host_sim::fuzz::require;
@@ -40,7 +40,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
     require_whole(board::parse_config(text, "fuzz", "/folder"));
-  } catch (const host_sim::InputError& error) {
+  } catch (const hal::files::InputError& error) {
     host_sim::fuzz::require_one_line(error.what());
   }
   return 0;

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
 #include "host_sim/monitor/bus/frame_log.hpp"
 #include "tests/fuzz/monitor/sound.hpp"
 
@@ -16,7 +16,7 @@ using host_sim::monitor::SeenFrame;
 
 void require_same_again(const SeenFrame& seen) {
   const std::string line = host_sim::monitor::log_line(seen, "can0");
-  CandumpLogReader reader(host_sim::memory_source(line), "again");
+  CandumpLogReader reader(hal::files::memory_source(line), "again");
   const auto again = reader.next();
   host_sim::fuzz::require(again && again->time_ns == seen.time_ns && again->frame == seen.frame &&
                           again->remote_request == seen.remote_request &&
@@ -30,12 +30,12 @@ void require_same_again(const SeenFrame& seen) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
-    CandumpLogReader reader(host_sim::memory_source(text), "fuzz");
+    CandumpLogReader reader(hal::files::memory_source(text), "fuzz");
     while (const auto seen = reader.next()) {
       host_sim::fuzz::require_sound(*seen);
       require_same_again(*seen);
     }
-  } catch (const host_sim::InputError& error) {
+  } catch (const hal::files::InputError& error) {
     host_sim::fuzz::require_one_line(error.what());
   }
   return 0;

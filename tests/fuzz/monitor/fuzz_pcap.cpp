@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <vector>
 
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
 #include "host_sim/monitor/bus/pcap_reader.hpp"
 #include "tests/fuzz/monitor/sound.hpp"
 
@@ -19,7 +19,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     while (const auto seen = reader.next()) {
       host_sim::fuzz::require_sound(*seen);
     }
-  } catch (const host_sim::InputError& error) {
+  } catch (const hal::files::InputError& error) {
     host_sim::fuzz::require_one_line(error.what());
   }
   return 0;

@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
 #include "host_sim/recording/import_columns.hpp"
 #include "tests/fuzz/io/require.hpp"
 
@@ -28,7 +28,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       return 0;
     }
     recording::RecordedCampaign campaign;
-    recording::import_columns(memory_source(table), "fuzz", "session", options, campaign);
+    recording::import_columns(hal::files::memory_source(table), "fuzz", "session", options,
+                              campaign);
     fuzz::require(campaign.recordings.size() == 1);
     for (const auto& channel : campaign.recordings.front().channels) {
       fuzz::require(channel.empty() || channel.size() == campaign.recordings.front().samples());
@@ -38,7 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     }
   } catch (const std::invalid_argument& error) {
     fuzz::require_one_line(error.what());
-  } catch (const InputError& error) {
+  } catch (const hal::files::InputError& error) {
     fuzz::require_one_line(error.what());
   }
   return 0;

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
 #include "host_sim/recording/covariates.hpp"
 #include "host_sim/recording/recording_files.hpp"
 #include "tests/fuzz/io/require.hpp"
@@ -34,7 +34,7 @@ void require_channels(const recording::Recording& one) {
   }
   require(one.samples() >= recording::kFewestSamples);
   for (std::size_t i = 1; i < one.samples(); ++i) {
-    require(one[host_sim::kTime][i] > one[host_sim::kTime][i - 1]);
+    require(one[hal::files::kTime][i] > one[hal::files::kTime][i - 1]);
   }
 }
 
@@ -69,8 +69,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   recording::Recording one;
   one.session = "fuzz";
   try {
-    one.channels = recording::parse_recording(host_sim::memory_source(text), "fuzz");
-  } catch (const host_sim::InputError& error) {
+    one.channels = recording::parse_recording(hal::files::memory_source(text), "fuzz");
+  } catch (const hal::files::InputError& error) {
     host_sim::fuzz::require_one_line(error.what());
     return 0;
   }

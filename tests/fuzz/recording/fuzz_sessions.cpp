@@ -7,7 +7,7 @@
 #include <set>
 #include <string_view>
 
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
 #include "host_sim/recording/recording_files.hpp"
 #include "tests/fuzz/io/require.hpp"
 
@@ -30,7 +30,7 @@ void require_within(const std::filesystem::path& file) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
-    const auto rows = host_sim::recording::parse_sessions(host_sim::memory_source(text), "fuzz");
+    const auto rows = host_sim::recording::parse_sessions(hal::files::memory_source(text), "fuzz");
     require(!rows.empty());
     std::set<std::string> sessions;
     for (const SessionRow& row : rows) {
@@ -39,7 +39,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       require(row.start_cycle >= 0 && std::isfinite(row.start_cycle));
       require_within(row.file);
     }
-  } catch (const host_sim::InputError& error) {
+  } catch (const hal::files::InputError& error) {
     host_sim::fuzz::require_one_line(error.what());
   }
   return 0;

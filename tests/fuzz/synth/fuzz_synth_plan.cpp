@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string_view>
 
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
 #include "host_sim/synth/campaign/lives.hpp"
 #include "host_sim/synth/campaign/sessions.hpp"
 #include "host_sim/synth/plan/plan.hpp"
@@ -25,12 +25,12 @@ void check_recordings(SynthPlan plan) {
   const Setting setting = settings_of(recordings, 1).back();
   const SessionScatter scatter = session_scatter(plan, 1, setting.number);
   const Channels channels = session_channels(plan, setting, scatter, 1);
-  require(channels[host_sim::kTime].size() == 10);
+  require(channels[hal::files::kTime].size() == 10);
   for (std::size_t i = 0; i < 10; ++i) {
-    require(std::isfinite(channels[host_sim::kTime][i]));
-    require(i == 0 || channels[host_sim::kTime][i] > channels[host_sim::kTime][i - 1]);
-    require(!std::isnan(channels[host_sim::kInputTensionColumn][i]));
-    require(channels[host_sim::kOutputTensionColumn][i] > -1e4);
+    require(std::isfinite(channels[hal::files::kTime][i]));
+    require(i == 0 || channels[hal::files::kTime][i] > channels[hal::files::kTime][i - 1]);
+    require(!std::isnan(channels[hal::files::kInputTensionColumn][i]));
+    require(channels[hal::files::kOutputTensionColumn][i] > -1e4);
   }
 }
 
@@ -59,7 +59,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     if (plan.lives) {
       check_lives(plan);
     }
-  } catch (const host_sim::InputError& error) {
+  } catch (const hal::files::InputError& error) {
     host_sim::fuzz::require_one_line(error.what());
   }
   return 0;

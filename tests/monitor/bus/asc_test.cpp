@@ -4,10 +4,14 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
 #include "host_sim/monitor/bus/asc_reader.hpp"
 
 namespace host_sim::monitor {
+
+using hal::files::InputError;
+using hal::files::memory_source;
+
 namespace {
 
 std::vector<SeenFrame> read_asc(std::string_view text) {

@@ -10,11 +10,15 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
 #include "host_sim/monitor/bus/frame_source.hpp"
 #include "tests/monitor/bus/capture.hpp"
 
 namespace host_sim::monitor {
+
+using hal::files::InputError;
+using hal::files::memory_source;
+
 namespace {
 
 using namespace std::chrono_literals;

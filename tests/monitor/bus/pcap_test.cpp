@@ -4,11 +4,14 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
 #include "host_sim/monitor/bus/pcap_reader.hpp"
 #include "tests/monitor/bus/capture.hpp"
 
 namespace host_sim::monitor {
+
+using hal::files::InputError;
+
 namespace {
 
 using test::pcap_head;

@@ -4,9 +4,12 @@
 
 #include <string>
 
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
 
 namespace host_sim::monitor {
+
+using hal::files::InputError;
+
 namespace {
 
 const std::string kToken = "0123456789abcdef";

@@ -29,13 +29,16 @@
 #include <thread>
 #include <vector>
 
-#include "host_sim/io/candump.hpp"
+#include "hal/files/candump.hpp"
 #include "host_sim/monitor/fleet/fleet.hpp"
 #include "host_sim/monitor/http/frame_archive.hpp"
 #include "host_sim/monitor/http/live_page.hpp"
 #include "tests/monitor/fleet/sender.hpp"
 
 namespace host_sim::monitor::test {
+
+using hal::files::candump_line;
+
 namespace {
 
 constexpr double kReplace = 0.4;

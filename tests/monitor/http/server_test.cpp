@@ -7,11 +7,14 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "host_sim/io/input_error.hpp"
+#include "hal/files/input_error.hpp"
 #include "host_sim/monitor/http/live_page.hpp"
 #include "tests/monitor/http/made_view.hpp"
 
 namespace host_sim::monitor {
+
+using hal::files::InputError;
+
 namespace {
 
 using nlohmann::json;

@@ -13,10 +13,13 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/io/candump.hpp"
+#include "hal/files/candump.hpp"
 #include "host_sim/monitor/record/recorder.hpp"
 
 namespace host_sim::monitor {
+
+using hal::files::CandumpReader;
+
 namespace {
 
 constexpr Rotation kRotation{.bytes = 20'000, .keep = 1'000};

@@ -9,11 +9,14 @@
 #include <iterator>
 #include <optional>
 
-#include "host_sim/io/output_file.hpp"
+#include "hal/files/output_file.hpp"
 #include "host_sim/monitor/bus/frame_log.hpp"
 #include "host_sim/monitor/record/recorder.hpp"
 
 namespace host_sim::monitor {
+
+using hal::files::OutputError;
+
 namespace {
 
 void add(LogFolder& logs, std::string_view lines) {

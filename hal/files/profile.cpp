@@ -1,0 +1,185 @@
+#include "hal/files/profile.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hal/files/profile_rows.hpp"
+
+namespace hal::files {
+namespace {
+
+constexpr std::string_view kAcceptedProfile =
+    "a CSV file with time_s and one of input_tension_N, motor_current_A, output_tension_N with "
+    "tendon_velocity_m_s, or - for standard input";
+constexpr std::array<std::string_view, 3> kKindNames{"input_tension", "motor_current",
+                                                     "output_tension"};
+
+/// What the header of a profile says.
+struct ProfileHeader {
+  InputKind kind;
+  bool has_bend_angle;  ///< in the file and needed by `kind`
+  std::vector<ProfileColumnId> columns;
+};
+
+constexpr std::array<InputKind, 3> kKinds{InputKind::kInputTension, InputKind::kMotorCurrent,
+                                          InputKind::kOutputTension};
+constexpr std::string_view kNeeded =
+    "time_s and one of input_tension_N, motor_current_A, output_tension_N with "
+    "tendon_velocity_m_s";
+
+ProfileColumnId value_column(InputKind kind) {
+  switch (kind) {
+    case InputKind::kInputTension:
+      return kInputTensionColumn;
+    case InputKind::kMotorCurrent:
+      return kMotorCurrentColumn;
+    case InputKind::kOutputTension:
+      return kOutputTensionColumn;
+  }
+  return kProfileColumnCount;
+}
+
+bool holds(const ProfileChannels& present, InputKind kind) {
+  return present[value_column(kind)] &&
+         (kind != InputKind::kOutputTension || present[kTendonVelocity]);
+}
+
+[[noreturn]] void fail_missing(const TextPlace& line, std::string_view column) {
+  line.fail(line.text.size(), fmt::format("no column {}", column), kNeeded);
+}
+
+InputKind chosen_kind(const ProfileChannels& present, const TextPlace& line,
+                      const ProfileOptions& options) {
+  for (const InputKind kind : kKinds) {
+    if (options.input.value_or(kind) == kind && holds(present, kind)) {
+      return kind;
+    }
+  }
+  if (options.input && !present[value_column(*options.input)]) {
+    fail_missing(line, profile_columns()[value_column(*options.input)].name);
+  }
+  if (present[kOutputTensionColumn]) {
+    fail_missing(line, profile_columns()[kTendonVelocity].name);
+  }
+  fail_missing(line, "of tension or current");
+}
+
+/// Reads a header line and chooses the kind of input. Throws InputError for columns that are
+/// unknown, of another unit, missing or there twice.
+ProfileHeader parse_profile_header(const TextPlace& line, const ProfileOptions& options) {
+  ProfileHeader header{};
+  header.columns = parse_profile_columns(line, kNeeded);
+  ProfileChannels present;
+  for (const ProfileColumnId id : header.columns) {
+    present.set(id);
+  }
+  header.kind = chosen_kind(present, line, options);
+  header.has_bend_angle = header.kind == InputKind::kOutputTension && present[kBendAngle];
+  return header;
+}
+
+}  // namespace
+
+std::string_view to_string(InputKind kind) {
+  return kKindNames.at(static_cast<std::size_t>(kind));
+}
+
+std::optional<InputKind> input_kind_from(std::string_view name) {
+  const auto* const found = std::find(kKindNames.begin(), kKindNames.end(), name);
+  if (found == kKindNames.end()) {
+    return std::nullopt;
+  }
+  return static_cast<InputKind>(found - kKindNames.begin());
+}
+
+class ProfileReader::Impl {
+ public:
+  Impl(std::unique_ptr<ByteSource> source, std::string_view name, const ProfileOptions& options)
+      : rows_(std::move(source), name, kAcceptedProfile, [&](const TextPlace& line) {
+          header_ = parse_profile_header(line, options);
+          return header_.columns;
+        }) {
+    choose_columns();
+  }
+
+  std::size_t read(std::span<ProfileRow> rows) {
+    std::size_t count = 0;
+    while (count < rows.size() && rows_.next()) {
+      const auto& values = rows_.values();
+      rows[count] = {values[kTime],
+                     values[value_column_],
+                     values[kTendonVelocity],
+                     values[bend_column_],
+                     values[kMotorAngle],
+                     values[kSheathTemperature],
+                     values[kWindingTemperature]};
+      ++count;
+    }
+    return count;
+  }
+
+  const ProfileHeader& header() const noexcept { return header_; }
+  const LineBuffer& lines() const noexcept { return rows_.lines(); }
+
+ private:
+  static constexpr unsigned kAbsent = kProfileColumnCount;
+
+  void choose_columns() {
+    value_column_ = value_column(header_.kind);
+    if (header_.has_bend_angle) {
+      bend_column_ = kBendAngle;
+    }
+  }
+
+  ProfileHeader header_{};
+  ProfileRows rows_;
+  unsigned value_column_ = kAbsent;
+  unsigned bend_column_ = kAbsent;
+};
+
+ProfileReader::ProfileReader(const std::filesystem::path& path, ProfileOptions options)
+    : ProfileReader(open_source(path, kAcceptedProfile),
+                    path == "-" ? std::string("standard input") : path.string(), options) {}
+
+ProfileReader::ProfileReader(std::unique_ptr<ByteSource> source, std::string_view name,
+                             ProfileOptions options)
+    : impl_(std::make_unique<Impl>(std::move(source), name, options)) {}
+
+ProfileReader::ProfileReader(ProfileReader&&) noexcept = default;
+ProfileReader& ProfileReader::operator=(ProfileReader&&) noexcept = default;
+ProfileReader::~ProfileReader() = default;
+
+InputKind ProfileReader::kind() const noexcept {
+  return impl_->header().kind;
+}
+
+bool ProfileReader::has_bend_angle() const noexcept {
+  return impl_->header().has_bend_angle;
+}
+
+ProfileChannels ProfileReader::channels() const noexcept {
+  ProfileChannels channels;
+  for (const ProfileColumnId id : impl_->header().columns) {
+    channels.set(id);
+  }
+  return channels;
+}
+
+std::size_t ProfileReader::read(std::span<ProfileRow> rows) {
+  return impl_->read(rows);
+}
+
+std::uint64_t ProfileReader::bytes_read() const noexcept {
+  return impl_->lines().bytes_read();
+}
+
+std::uint64_t ProfileReader::bytes_total() const noexcept {
+  return impl_->lines().bytes_total();
+}
+
+}  // namespace hal::files

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace host_sim {
+
+/// One effect of the catalogue added to a nominal model, the table [extension.<id>] of its file.
+struct Extension {
+  struct Value {
+    std::string name;            ///< as effects::Parameter::name, with its unit as suffix
+    std::vector<double> values;  ///< one; or of bend_angle one for each of `bend_angles_deg`
+  };
+  std::string id;  ///< of effects::TensionEffect or effects::LifeEffect
+  std::vector<Value> values;
+};
+
+/// The life model of one tendon, as `model.toml` gives it. Ranges: model_keys().
+struct Model {
+  struct Cable {
+    double diameter_mm;
+    double ultimate_tension_N;  ///< T_u of eq. (11)
+  };
+  struct Sheath {
+    double friction_coefficient;  ///< mu of eq. (14)
+    double bend_angle_deg;        ///< phi of eq. (14)
+  };
+  struct Drive {
+    double torque_constant_Nm_per_A;
+    double gear_ratio;
+    double gear_efficiency;
+    double spool_radius_mm;
+    double current_offset_A;
+  };
+  struct Counting {
+    double sample_rate_Hz;
+    double hysteresis_N;
+  };
+  enum class MeanStress { kGerber };
+  struct Life {
+    MeanStress mean_stress;
+    double ipl_scale;      ///< A of eq. (19)
+    double ipl_exponent;   ///< gamma of eq. (19)
+    double weibull_shape;  ///< beta of eq. (20)
+  };
+
+  Cable cable;
+  Sheath sheath;
+  std::optional<Drive> drive;
+  Counting counting;
+  Life life;
+  std::vector<Extension> extensions = {};  ///< by id, each once; see read_extended_model()
+};
+
+/// Reads and checks `model.toml`. Throws InputError with the position of the offending key for
+/// anything unknown, missing, of the wrong type or out of range. Refuses extensions: whoever
+/// evaluates them calls read_extended_model().
+Model read_model(const std::filesystem::path& path);
+
+/// The same for a text in memory; `name` stands for the file in errors.
+Model parse_model(std::string_view text, std::string_view name);
+
+/// Eight hexadecimal digits that identify the values of a model whatever the formatting of its
+/// file: the CRC-32 (ISO-HDLC) of the lines `schema=1`, `table.key=value` for each number in the
+/// order of model_keys() with 17 significant digits, `life.mean_stress=gerber`, and
+/// `extension.id.name=value` for each number of each extension.
+std::string model_digest(const Model& model);
+
+/// The extension of an effect; null where the model has none.
+const Extension* extension_of(std::span<const Extension> extensions, std::string_view id);
+
+/// The numbers of that name; empty where it has none.
+std::span<const double> values_of(const Extension& extension, std::string_view name);
+
+/// The number of that name; nothing where it has none.
+std::optional<double> value_if(const Extension& extension, std::string_view name);
+
+/// The number of that name. @pre it has one
+double value_of(const Extension& extension, std::string_view name);
+
+}  // namespace host_sim

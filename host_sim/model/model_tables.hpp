@@ -1,0 +1,53 @@
+#pragma once
+
+#include <span>
+#include <string_view>
+
+#include "hal/files/text.hpp"
+#include "hal/files/toml_table.hpp"
+#include "host_sim/model/model.hpp"
+
+namespace host_sim {
+
+/// A number in `model.toml`: where it stands, what it may be, and where it goes.
+struct ModelKey {
+  std::string_view table;
+  std::string_view key;
+  std::string_view unit;  ///< the suffix of `key`, empty if it has none
+  hal::files::NumberRange range;
+  double& (*value)(Model&);
+};
+
+/// All numbers of a model, grouped by table, in the order of the file format.
+std::span<const ModelKey> model_keys();
+
+/// The names of the tables of a model, in the order of the file format.
+std::span<const std::string_view> model_table_names();
+
+/// The tables of a model: those at the top of model.toml, or those in [model] of a campaign.
+class ModelTables {
+ public:
+  /// Throws InputError for unknown keys in a table of a model, and for one that is no table.
+  explicit ModelTables(hal::files::TomlTable above);
+
+  bool has(std::string_view table) const { return above_.has(table); }
+
+  /// Reads all keys of one table into their places in `model`.
+  /// @throws InputError for a table or key that is missing, of the wrong type or out of range
+  void read(std::string_view table, Model& model) const;
+
+  /// Throws InputError where the hysteresis is not below the ultimate tension.
+  /// @pre [cable] and [counting] have been read into `model`
+  void check_hysteresis(const Model& model) const;
+
+ private:
+  hal::files::TomlTable existing(std::string_view table) const;
+
+  hal::files::TomlTable above_;
+};
+
+/// The nominal model in the tables of a whole model.toml, in which the tables `others` may stand
+/// besides. @throws InputError as read_model()
+Model nominal_model_of(const hal::files::TomlTable& top, std::span<const std::string_view> others);
+
+}  // namespace host_sim
