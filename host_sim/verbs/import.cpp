@@ -132,9 +132,8 @@ void add_import(CLI::App& app, int&) {
       ->capture_default_str();
   davinci->callback([arguments] { import_davinci(*arguments); });
 
-  CLI::App* columns =
-      add_source(*verb, *arguments, "columns", "Tables of any log; each file is a session", 10000,
-                 kColumnsExample);
+  CLI::App* columns = add_source(*verb, *arguments, "columns",
+                                 "Tables of any log; each file is a session", kColumnsExample);
   columns->add_option("--map", arguments->maps, "What a channel is made of; once for each channel")
       ->required()
       ->expected(1)
