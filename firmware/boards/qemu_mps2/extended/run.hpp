@@ -65,45 +65,22 @@ class SwingingDrive {
 
 /// As Machine, with an extended model and a drive that gives what it is evaluated at.
 template <hal::ByteStream Stream, hal::Clock Clock, hal::qemu_mps2::Backing Backing>
-class ExtendedMachine {
+class ExtendedMachine : public MachineDevices<Stream, Backing, SwingingDrive<kTendons>> {
+  using Base = MachineDevices<Stream, Backing, SwingingDrive<kTendons>>;
+
  public:
-  using Flash = hal::qemu_mps2::MemoryFlash<kFlashPages, Backing>;
-  using Store = storage::FlashStore<Flash, kTendons>;
-  using Can = hal::slcan::Port<Stream>;
-  using Sensor = SwingingDrive<kTendons>;
-  using Extended = app::ExtendedSensor<Sensor, kTendons>;
+  using Extended = app::ExtendedSensor<typename Base::Sensor, kTendons>;
   using Layout = lifemodel::extension::ExtendedLife<lifemodel::DefaultLayout>;
-  using Line = hal::qemu_mps2::OutputLine;
-  using Devices =
-      app::Devices<Can, Extended, Clock, Store, Line, Line, Line, hal::qemu_mps2::InputLine,
-                   hal::qemu_mps2::CountingWatchdog, hal::qemu_mps2::SeededEntropy>;
-  using App = app::App<kTendons, Devices, Layout>;
+  using App =
+      app::App<kTendons, typename Base::template Devices<Extended, Clock, hal::NoHold>, Layout>;
 
   ExtendedMachine(Stream& stream, const Clock& clock, Backing& backing, const Settings& settings,
                   const lifemodel::ExtendedParameters& configured)
-      : flash(backing),
-        store(flash),
-        can(stream, settings.channel),
-        entropy(settings.seed),
-        parameters_(app::stored_parameters<kTendons>(store, settings.parameters)),
+      : Base(stream, backing, settings),
+        parameters_(app::stored_parameters<kTendons>(this->store, settings.parameters)),
         models_(app::extended_models<kTendons>(parameters_, configured)),
-        extended_(sensor, models_),
-        app(Devices{can, extended_, clock, store, drive_enable, brake, light, emergency_stop,
-                    watchdog, entropy, hold_},
-            settings.config, parameters_, lives(models_)) {}
-  ExtendedMachine(const ExtendedMachine&) = delete;
-  ExtendedMachine& operator=(const ExtendedMachine&) = delete;
-
-  Flash flash;
-  Store store;
-  Can can;
-  Sensor sensor;
-  Line drive_enable;
-  Line brake;
-  Line light;
-  hal::qemu_mps2::InputLine emergency_stop;
-  hal::qemu_mps2::CountingWatchdog watchdog;
-  hal::qemu_mps2::SeededEntropy entropy;
+        extended_(this->sensor, models_),
+        app(this->devices(extended_, clock, hold_), settings.config, parameters_, lives(models_)) {}
 
  private:
   using Models = typename Extended::Models;

@@ -34,33 +34,21 @@ struct Settings {
   hal::slcan::Channel channel = hal::slcan::Channel::closed;
 };
 
-/// The application and its devices. The same on the board and, with other lines and files below it,
-/// on the host.
-template <hal::ByteStream Stream, hal::Clock Clock, hal::qemu_mps2::Backing Backing,
-          hal::Hold Hold = hal::NoHold>
-class Machine {
+/// The devices of a machine around whatever sensor it has. The same on the board and, with other
+/// lines and files below it, on the host.
+template <hal::ByteStream Stream, hal::qemu_mps2::Backing Backing, class SensorT>
+class MachineDevices {
  public:
   using Flash = hal::qemu_mps2::MemoryFlash<kFlashPages, Backing>;
   using Store = storage::FlashStore<Flash, kTendons>;
   using Can = hal::slcan::Port<Stream>;
-  using Sensor = hal::qemu_mps2::PlayedSensor<kTendons>;
+  using Sensor = SensorT;
   using Line = hal::qemu_mps2::OutputLine;
-  using Devices =
-      app::Devices<Can, Sensor, Clock, Store, Line, Line, Line, hal::qemu_mps2::InputLine,
-                   hal::qemu_mps2::CountingWatchdog, hal::qemu_mps2::SeededEntropy, Hold>;
-  using App = app::App<kTendons, Devices>;
 
-  Machine(Stream& stream, const Clock& clock, Backing& backing, Hold& hold,
-          const Settings& settings)
-      : flash(backing),
-        store(flash),
-        can(stream, settings.channel),
-        entropy(settings.seed),
-        app(Devices{can, sensor, clock, store, drive_enable, brake, light, emergency_stop, watchdog,
-                    entropy, hold},
-            settings.config, app::stored_parameters<kTendons>(store, settings.parameters)) {}
-  Machine(const Machine&) = delete;
-  Machine& operator=(const Machine&) = delete;
+  MachineDevices(Stream& stream, Backing& backing, const Settings& settings)
+      : flash(backing), store(flash), can(stream, settings.channel), entropy(settings.seed) {}
+  MachineDevices(const MachineDevices&) = delete;
+  MachineDevices& operator=(const MachineDevices&) = delete;
 
   Flash flash;
   Store store;
@@ -72,6 +60,37 @@ class Machine {
   hal::qemu_mps2::InputLine emergency_stop;
   hal::qemu_mps2::CountingWatchdog watchdog;
   hal::qemu_mps2::SeededEntropy entropy;
+
+ protected:
+  /// What the application gets, with what it reads in place of the sensor.
+  template <class Read, class Clock, class Hold>
+  using Devices =
+      app::Devices<Can, Read, Clock, Store, Line, Line, Line, hal::qemu_mps2::InputLine,
+                   hal::qemu_mps2::CountingWatchdog, hal::qemu_mps2::SeededEntropy, Hold>;
+
+  template <class Read, class Clock, class Hold>
+  Devices<Read, Clock, Hold> devices(Read& read, const Clock& clock, Hold& hold) {
+    return {can,   read,           clock,    store,   drive_enable, brake,
+            light, emergency_stop, watchdog, entropy, hold};
+  }
+};
+
+/// The application on its devices.
+template <hal::ByteStream Stream, hal::Clock Clock, hal::qemu_mps2::Backing Backing,
+          hal::Hold Hold = hal::NoHold>
+class Machine : public MachineDevices<Stream, Backing, hal::qemu_mps2::PlayedSensor<kTendons>> {
+  using Base = MachineDevices<Stream, Backing, hal::qemu_mps2::PlayedSensor<kTendons>>;
+
+ public:
+  using App =
+      app::App<kTendons, typename Base::template Devices<typename Base::Sensor, Clock, Hold>>;
+
+  Machine(Stream& stream, const Clock& clock, Backing& backing, Hold& hold,
+          const Settings& settings)
+      : Base(stream, backing, settings),
+        app(this->devices(this->sensor, clock, hold), settings.config,
+            app::stored_parameters<kTendons>(this->store, settings.parameters)) {}
+
   App app;
 };
 
