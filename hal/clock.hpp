@@ -12,7 +12,7 @@ struct Time {
 
   friend constexpr auto operator<=>(Time, Time) = default;
   friend constexpr Time operator+(Time a, Time b) { return {a.us + b.us}; }
-  /// Precondition: b <= a.
+  /// @pre b <= a
   friend constexpr Time operator-(Time a, Time b) { return {a.us - b.us}; }
 };
 
@@ -26,7 +26,7 @@ constexpr Time seconds(std::uint64_t n) {
   return {n * 1'000'000};
 }
 
-/// Tells the time, which never runs back.
+/// Gives the time, which never runs back.
 template <class T>
 concept Clock = requires(const T& clock) {
   { clock.now() } -> std::same_as<Time>;

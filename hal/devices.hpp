@@ -50,7 +50,7 @@ Error set_motion(DriveT& drive_enable, bool drives, BrakeT& brake, bool holds) {
 }
 
 /// Holds back the context that settles, while the context below it reads. The interrupt that
-/// samples goes on. Does not nest.
+/// samples continues. Does not nest.
 template <class T>
 concept Hold = requires(T& hold) {
   { hold.hold() } -> std::same_as<void>;

@@ -13,7 +13,7 @@
 
 namespace hal::fake {
 
-/// A sensor that gives what it was told: one sample with give(), or a script of them with play(),
+/// A sensor that gives what it was given: one sample with give(), or a script of them with play(),
 /// one at each call. Then there is nothing new.
 ///
 /// A fault takes the place of a sample: the sample is gone, as with a real one.

@@ -26,15 +26,15 @@ class Faults {
 
   /// From this time on and before that one.
   constexpr Faults& during(Time from, Time before, What what) {
-    return add({Kind::time, from.us, before.us, what});
+    return add({RuleKind::time, from.us, before.us, what});
   }
   /// `count` calls, after `first` others.
   constexpr Faults& on_calls(std::uint64_t first, std::uint64_t count, What what) {
-    return add({Kind::calls, first, first + count, what});
+    return add({RuleKind::calls, first, first + count, what});
   }
   /// Each call with this probability in millionths.
   constexpr Faults& at_random(std::uint32_t probability_ppm, What what) {
-    return add({Kind::random, 0, probability_ppm, what});
+    return add({RuleKind::random, 0, probability_ppm, what});
   }
   /// From now on all is well. Calls are counted on.
   constexpr void clear() { rules_ = 0; }
@@ -55,9 +55,9 @@ class Faults {
   [[nodiscard]] constexpr std::uint64_t faults() const { return faults_; }
 
  private:
-  enum class Kind : std::uint8_t { time, calls, random };
+  enum class RuleKind : std::uint8_t { time, calls, random };
   struct Rule {
-    Kind kind;
+    RuleKind kind;
     std::uint64_t from;
     std::uint64_t before;
     What what;
@@ -73,11 +73,11 @@ class Faults {
 
   constexpr bool applies(const Rule& rule, Time now, std::uint64_t call) {
     switch (rule.kind) {
-      case Kind::time:
+      case RuleKind::time:
         return rule.from <= now.us && now.us < rule.before;
-      case Kind::calls:
+      case RuleKind::calls:
         return rule.from <= call && call < rule.before;
-      case Kind::random:
+      case RuleKind::random:
         return random_.below(1'000'000) < rule.before;
     }
     return false;

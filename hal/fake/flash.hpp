@@ -34,7 +34,7 @@ enum class BadPage : std::uint8_t {
   program_fails,
 };
 
-/// Flash in memory that fails as it is told. Operations, programs and erases alike, are counted
+/// Flash in memory that fails as it is asked to. Operations, programs and erases alike, are counted
 /// from 0 over the whole life of the object; a fault is tied to the number of an operation.
 ///
 /// A unit is programmed once after each erase, as on an STM32G4: a second time fails and changes

@@ -27,7 +27,7 @@ struct CanReceipt {
 
 /// What became of a request to restart a controller that is off the bus.
 enum class CanRestart : std::uint8_t {
-  asked,          ///< an error frame will tell when it is done
+  asked,          ///< an error frame will report that it is done
   not_off,        ///< the controller is not off the bus
   by_kernel,      ///< the kernel restarts it itself, after restart-ms
   no_controller,  ///< vcan, vxcan: there is nothing to restart

@@ -48,18 +48,18 @@ inline std::optional<CanFrame> from_kernel(const ::can_frame& in) {
   return frame;
 }
 
-/// What a raw socket asks to be told of. Bus errors are left out: they may flood.
+/// What a raw socket asks to have reported. Bus errors are left out: they may flood.
 inline constexpr can_err_mask_t kCanErrorClasses =
     CAN_ERR_TX_TIMEOUT | CAN_ERR_CRTL | CAN_ERR_BUSOFF | CAN_ERR_RESTARTED | CAN_ERR_CNT;
 
-/// Faults that a driver told of, beyond what CanStatus holds.
+/// Faults that a driver reported, beyond what CanStatus holds.
 struct CanFaults {
   std::uint32_t transmit_timeouts = 0;
   std::uint32_t overflows = 0;  ///< a queue of the controller was full
   std::uint32_t restarts = 0;   ///< after bus-off
 };
 
-/// The state that byte 1 of an error frame with CAN_ERR_CRTL tells of, or `before`.
+/// The state that byte 1 of an error frame with CAN_ERR_CRTL reports, or `before`.
 constexpr CanState state_of(std::uint8_t controller, CanState before) {
   if ((controller & (CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE)) != 0) {
     return CanState::passive;
@@ -79,7 +79,7 @@ constexpr CanState state_of_counters(std::uint8_t transmit, std::uint8_t receive
   return worst >= 96 ? CanState::warning : CanState::active;
 }
 
-/// Takes in an error frame (linux/can/error.h). Precondition: CAN_ERR_FLAG is set in its id.
+/// Takes in an error frame (linux/can/error.h). @pre CAN_ERR_FLAG is set in its id
 constexpr void take_error_frame(const ::can_frame& frame, CanStatus& status, CanFaults& faults) {
   if ((frame.can_id & CAN_ERR_TX_TIMEOUT) != 0) {
     ++faults.transmit_timeouts;

@@ -10,7 +10,7 @@
 
 namespace hal::linux_os {
 
-/// An edge of a line as the kernel tells it; both numbers count from 1 without holes.
+/// An edge of a line as the kernel reports it; both numbers count from 1 without holes.
 struct Edge {
   bool asserted = false;
   std::uint32_t request_number = 0;  ///< among the edges of all lines of the request

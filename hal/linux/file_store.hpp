@@ -164,7 +164,7 @@ class FileStore {
     if (!image.lost.front() && image.sequence == 0 && log_file.saved_once()) {
       image.lost.fill(true);
       notices.push_back({folder + "/life",
-                         "missing, though the log tells of saves; accepted: the file that belongs "
+                         "missing, though the log has saves; accepted: the file that belongs "
                          "to the log, or an empty folder"});
     }
     if (calls.fsync(directory.get()) != 0) {

@@ -39,7 +39,7 @@ class GpioOutputs {
   /// All lines begin as not asserted. Throws DeviceError.
   GpioOutputs(const std::string& chip, std::span<const LineSpec> lines);
 
-  /// Precondition: i < number of lines. Of one thread only.
+  /// Of one thread only. @pre i < number of lines
   Error set(std::size_t i, bool asserted);
 
  private:

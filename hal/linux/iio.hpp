@@ -32,7 +32,7 @@ struct IioType {
 /// (`X2`) is refused: such an element is no single value.
 std::optional<IioType> parse_iio_type(std::string_view text);
 
-/// The value of a scan element. Precondition: element.size() == type.storage_bytes.
+/// The value of a scan element. @pre element.size() == type.storage_bytes
 std::int64_t iio_value(const IioType& type, std::span<const std::byte> element);
 
 /// A channel that measures motor current.

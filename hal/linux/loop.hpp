@@ -22,7 +22,7 @@ struct Wake {
 /// left out: the next one is always a whole number of periods after the first, and ahead.
 class Schedule {
  public:
-  /// Precondition: period_ns > 0.
+  /// @pre period_ns > 0
   Schedule(std::int64_t start_ns, std::int64_t period_ns)
       : deadline_ns_(start_ns), period_ns_(period_ns) {}
 
@@ -55,7 +55,7 @@ class Jitter {
  public:
   static constexpr std::size_t kClasses = 1'024;
 
-  /// Precondition: late_ns >= 0.
+  /// @pre late_ns >= 0
   void note(std::int64_t late_ns, std::uint32_t missed) {
     const auto late_us = static_cast<std::uint64_t>(late_ns) / 1'000;
     add(classes_[late_us < kClasses ? static_cast<std::size_t>(late_us) : kClasses - 1], 1);
@@ -72,7 +72,7 @@ class Jitter {
   }
 
   /// The lateness that `per_mille` of all wake-ups did not exceed, rounded up to 1 us; the worst
-  /// where that lies in the open class, 0 without wake-ups. Precondition: per_mille <= 1000.
+  /// where that lies in the open class, 0 without wake-ups. @pre per_mille <= 1000
   [[nodiscard]] std::uint64_t quantile_us(std::uint32_t per_mille) const {
     std::uint64_t all = 0;
     for (const auto& one : classes_) {
@@ -137,7 +137,7 @@ void run_periodic(ClockT& clock, std::int64_t period_ns, Jitter& jitter,
 std::string lock_memory();
 
 /// Puts the calling thread under SCHED_FIFO (sched(7)). Gives an empty text, or what went wrong and
-/// what would help. Precondition: 1 <= priority <= 99.
+/// what would help. @pre 1 <= priority <= 99
 std::string schedule_fifo(int priority);
 
 /// Puts the calling thread under SCHED_OTHER; threads that it started keep theirs.

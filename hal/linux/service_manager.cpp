@@ -43,7 +43,7 @@ ServiceManager::ServiceManager(std::string_view socket_path, Time watchdog)
   }
 }
 
-void ServiceManager::tell(std::string_view message) const {
+void ServiceManager::notify(std::string_view message) const {
   ::sockaddr_un address{};
   if (!socket_ || path_.size() >= sizeof address.sun_path) {
     return;
@@ -61,17 +61,17 @@ void ServiceManager::tell(std::string_view message) const {
 }
 
 void ServiceManager::ready(std::string_view status) {
-  tell(std::string("READY=1\nSTATUS=").append(status));
+  notify(std::string("READY=1\nSTATUS=").append(status));
 }
 
 void ServiceManager::stopping() {
-  tell("STOPPING=1");
+  notify("STOPPING=1");
 }
 
 void ServiceManager::alive(Time now) {
   if (watchdog_.us != 0 && now >= next_) {
     next_ = now + microseconds(watchdog_.us / 4);
-    tell("WATCHDOG=1");
+    notify("WATCHDOG=1");
   }
 }
 

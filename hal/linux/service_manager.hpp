@@ -8,8 +8,8 @@
 
 namespace hal::linux_os {
 
-/// Tells systemd how the service is, by the protocol of sd_notify(3): a datagram to the socket that
-/// NOTIFY_SOCKET names. Does nothing where there is none.
+/// Reports to systemd how the service is, by the protocol of sd_notify(3): a datagram to the socket
+/// that NOTIFY_SOCKET names. Does nothing where there is none.
 class ServiceManager {
  public:
   /// Reads NOTIFY_SOCKET, WATCHDOG_USEC and WATCHDOG_PID of the environment.
@@ -22,7 +22,7 @@ class ServiceManager {
   void alive(Time now);
 
  private:
-  void tell(std::string_view message) const;
+  void notify(std::string_view message) const;
 
   std::string path_;
   Descriptor socket_;

@@ -13,7 +13,7 @@
 /// What a run in virtual time has in place of devices.
 namespace hal::qemu_mps2 {
 
-/// Time that goes on only when it is told to.
+/// Time that only advance() moves.
 class VirtualClock {
  public:
   void advance(Time by) { now_ = now_ + by; }

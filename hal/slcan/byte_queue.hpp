@@ -17,7 +17,7 @@ class ByteQueue {
   [[nodiscard]] constexpr std::size_t free() const { return kBytes - size_; }
   [[nodiscard]] constexpr bool empty() const { return size_ == 0; }
 
-  /// Precondition: there is room.
+  /// @pre there is room
   constexpr void push(std::span<const std::byte> bytes) {
     for (const std::byte byte : bytes) {
       bytes_[(first_ + size_++) % kBytes] = byte;
@@ -27,7 +27,7 @@ class ByteQueue {
   [[nodiscard]] constexpr std::span<const std::byte> front() const {
     return std::span(bytes_).subspan(first_, std::min(size_, kBytes - first_));
   }
-  /// Precondition: count <= front().size().
+  /// @pre count <= front().size()
   constexpr void pop(std::size_t count) {
     first_ = (first_ + count) % kBytes;
     size_ -= count;

@@ -11,7 +11,7 @@
 
 namespace hal::slcan {
 
-/// The digit that Linux' slcan writes: upper case. Precondition: value < 16.
+/// The digit that Linux' slcan writes: upper case. @pre value < 16
 constexpr char hex_digit(std::uint32_t value) {
   return static_cast<char>(value < 10 ? '0' + value : 'A' + value - 10);
 }
@@ -51,7 +51,7 @@ inline constexpr char kEnd = '\r';
 /// As an answer: no.
 inline constexpr char kBell = '\a';
 
-/// A line of bounded length with its end. Precondition of put(): it fits.
+/// A line of bounded length with its end. @pre put() has room for it
 class Text {
  public:
   constexpr void put(char c) { characters_[size_++] = c; }
@@ -70,7 +70,7 @@ class Text {
   std::size_t size_ = 0;
 };
 
-/// A frame as a line tells it. A remote frame asks for `frame.length` bytes and carries none.
+/// A frame as a line writes it. A remote frame asks for `frame.length` bytes and carries none.
 struct FrameLine {
   CanFrame frame;
   bool remote = false;
@@ -82,7 +82,7 @@ inline constexpr std::uint32_t kHighestStandardId = 0x7ff;
 inline constexpr std::uint32_t kHighestExtendedId = 0x1fff'ffff;
 
 /// tiiil, Tiiiiiiiil, riiil or Riiiiiiiil, the data in hexadecimal digits, and the end of the line.
-/// Precondition: id and length are in their range.
+/// @pre id and length are in their range
 constexpr Text format(const FrameLine& line) {
   const CanFrame& frame = line.frame;
   Text text;
@@ -100,14 +100,14 @@ constexpr Text format(const FrameLine& line) {
 }
 
 /// Whether this is a line of a frame, right or wrong.
-constexpr bool tells_frame(std::string_view line) {
+constexpr bool is_frame_line(std::string_view line) {
   return !line.empty() && std::string_view("tTrR").find(line.front()) != std::string_view::npos;
 }
 
 /// Reads a line without its end. Nothing where a digit is missing, wrong or too many, or where id
 /// or length are out of range.
 constexpr std::optional<FrameLine> parse_frame(std::string_view line) {
-  if (!tells_frame(line)) {
+  if (!is_frame_line(line)) {
     return std::nullopt;
   }
   FrameLine result;
@@ -141,7 +141,7 @@ constexpr std::optional<FrameLine> parse_frame(std::string_view line) {
 class LineReader {
  public:
   enum class Event : unsigned char {
-    none,     ///< the line goes on
+    none,     ///< the line continues
     line,     ///< line() is whole
     too_long  ///< a line has ended that was longer than any can be; it is dropped
   };

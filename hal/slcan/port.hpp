@@ -30,7 +30,7 @@ struct StatusFlags {
 };
 
 /// The commands that are no frames. `V`: hardware and software version. `N`: serial number; all
-/// nodes of this kind are told apart by their CAN node id instead.
+/// nodes of this kind differ by their CAN node id instead.
 ///
 ///   Sn  bit rate 0 .. 8; the line has none, so it is only taken   closed
 ///   O   open                                                      closed
@@ -71,7 +71,7 @@ class Commands {
       return closed ? Outcome::obeyed : Outcome::not_now;
     }
     if (line == "F") {
-      return tell_flags(!closed, answer);
+      return report_flags(!closed, answer);
     }
     if (line == "V" || line == "N") {
       answer.put(line[0]);
@@ -89,7 +89,7 @@ class Commands {
     return Outcome::obeyed;
   }
 
-  constexpr Outcome tell_flags(bool allowed, Text& answer) {
+  constexpr Outcome report_flags(bool allowed, Text& answer) {
     if (!allowed) {
       return Outcome::not_now;
     }
@@ -203,7 +203,7 @@ class Port {
     if (line.empty()) {
       return std::nullopt;
     }
-    if (!tells_frame(line)) {
+    if (!is_frame_line(line)) {
       Text answer;
       if (commands_.obey(line, answer) == Commands::Outcome::unknown) {
         count(refused_.malformed);
@@ -211,8 +211,8 @@ class Port {
       out_.push(answer.bytes());
       return std::nullopt;
     }
-    const auto told = parse_frame(line);
-    if (!told) {
+    const auto received = parse_frame(line);
+    if (!received) {
       refuse(refused_.malformed);
       return std::nullopt;
     }
@@ -221,14 +221,14 @@ class Port {
       return std::nullopt;
     }
     Text sent;
-    sent.put(told->frame.extended ? 'Z' : 'z');
+    sent.put(received->frame.extended ? 'Z' : 'z');
     sent.put(kEnd);
     out_.push(sent.bytes());
-    if (told->remote) {
+    if (received->remote) {
       count(refused_.remote);
       return std::nullopt;
     }
-    return told->frame;
+    return received->frame;
   }
 
   void refuse(std::uint32_t& counter) {

@@ -66,7 +66,7 @@ concept FlashArray = requires(T& array, std::uint32_t offset, DoubleWord value) 
 };
 
 /// Erases and programs by the flash interface (RM0440 5.3.5 to 5.3.8). With one bank every fetch
-/// from flash stalls meanwhile: what has to go on, and this code itself, must run from RAM.
+/// from flash stalls meanwhile: what has to continue, and this code itself, must run from RAM.
 template <Word W, FlashArray ArrayT>
 class FlashOperations {
  public:

@@ -38,7 +38,7 @@ void clear_bits(W& word, std::uint32_t mask) {
   word.write(word.read() & ~mask);
 }
 
-/// Precondition: `value` has no bit outside `mask`.
+/// @pre `value` has no bit outside `mask`
 template <Word W>
 void replace_bits(W& word, std::uint32_t mask, std::uint32_t value) {
   word.write((word.read() & ~mask) | value);

@@ -48,7 +48,7 @@ class KernelCan {
   linux_os::CanRestart restart() { return linux_os::CanRestart::asked; }
   [[nodiscard]] hal::Time now() const { return hal::seconds(1); }
 
-  void tell(std::uint32_t error_class) {
+  void report(std::uint32_t error_class) {
     ::can_frame frame{};
     frame.can_id = CAN_ERR_FLAG | error_class;
     frame.can_dlc = CAN_ERR_DLC;
@@ -79,11 +79,11 @@ class SocketCan {
     return true;
   }
   bool go_off() {
-    kernel_.tell(CAN_ERR_BUSOFF);
+    kernel_.report(CAN_ERR_BUSOFF);
     return port_.receive() == std::nullopt;
   }
   bool come_back() {
-    kernel_.tell(CAN_ERR_RESTARTED);
+    kernel_.report(CAN_ERR_RESTARTED);
     return port_.receive() == std::nullopt;
   }
 
@@ -104,7 +104,7 @@ class Monotonic {
   linux_os::MonotonicClock clock_;
 };
 
-/// A line as libgpiod tells of it.
+/// A line as libgpiod reports it.
 class Edges {
  public:
   hal::Result<std::size_t> read(std::span<linux_os::Edge> out) {

@@ -20,7 +20,7 @@
 
 namespace kernel_test {
 
-/// What the tests were told in the environment; throws where it is missing.
+/// What the environment says to the tests; throws where it is missing.
 inline std::string setting(const char* name) {
   const char* const value = std::getenv(name);
   if (value == nullptr) {

@@ -23,11 +23,11 @@ struct ScriptedLine {
     ++levels_read;
     return level_broken ? Result<bool>(Error::failed) : Result<bool>(now);
   }
-  // An edge that the kernel saw; `told` where it is not lost.
-  void edge(bool asserted, bool told = true) {
+  // An edge that the kernel saw; `reported` where it is not lost.
+  void edge(bool asserted, bool reported = true) {
     ++number;
     now = asserted;
-    if (told) {
+    if (reported) {
       edges.push_back({asserted, number, number, number * 1'000ULL});
     }
   }
@@ -83,7 +83,7 @@ TEST_F(FollowedLine, AfterLostEdgesTheLevelIsReadAgain) {
   line_.edge(false, false);
   line_.edge(true, false);
   line_.edge(false);
-  line_.now = true;  // and what came next is not told yet
+  line_.now = true;  // and what came next is not reported yet
   EXPECT_TRUE(asserted());
   EXPECT_EQ(line_.levels_read, 2);
   EXPECT_EQ(follower_.lost_edges(), 3U);
@@ -132,8 +132,8 @@ TEST_F(FollowedLine, AFloodOfEdgesEndsTheCall) {
   EXPECT_EQ(line_.edges.size(), 436U);
 }
 
-// Whatever is lost: an assertion that the kernel saw is never missed, and once all that was told is
-// read the answer is the level.
+// Whatever is lost: an assertion that the kernel saw is never missed, and once all that was
+// reported is read the answer is the level.
 RC_GTEST_PROP(FollowedLineProperty, NoAssertionIsMissed, ()) {
   ScriptedLine line;
   EdgeFollower<ScriptedLine> follower(line);
@@ -141,10 +141,10 @@ RC_GTEST_PROP(FollowedLineProperty, NoAssertionIsMissed, ()) {
   const auto steps = *rc::gen::container<std::vector<std::pair<bool, bool>>>(
       rc::gen::pair(rc::gen::arbitrary<bool>(), rc::gen::arbitrary<bool>()));
   bool seen_by_kernel = false;
-  for (const auto& [told, look] : steps) {
-    line.edge(!line.now, told);
+  for (const auto& [reported, look] : steps) {
+    line.edge(!line.now, reported);
     seen_by_kernel = seen_by_kernel || line.now;
-    if (told && look) {
+    if (reported && look) {
       const Result<bool> result = follower.asserted();
       RC_ASSERT(*result || !seen_by_kernel);
       RC_ASSERT(*follower.asserted() == line.now);

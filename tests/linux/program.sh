@@ -42,7 +42,7 @@ expect_config() {
 }
 
 expect 0 "" --help
-grep -q -- --virtual-clock "$files/out" || fail "--help does not tell of --virtual-clock"
+grep -q -- --virtual-clock "$files/out" || fail "--help does not name --virtual-clock"
 expect 0 "" --version
 status=0
 "${controller[@]}" --no-such-option > "$files/out" 2> "$files/err" || status=$?
@@ -78,10 +78,10 @@ heartbeats="$(grep -c ' 707#05$' "$files/frames1.log")"
 [ "$heartbeats" -ge 59 ] && [ "$heartbeats" -le 62 ] || fail "$heartbeats heartbeats in 60 s"
 grep -q ' 707#00$' "$files/frames1.log" || fail "no boot-up message"
 
-# A second run goes on where the first one ended.
+# A second run continues where the first one ended.
 life() { sed -n 's/.*"damage_ppb": \([0-9]*\).*/\1/p' "$1"; }
 expect_config 0 "" "" --virtual-clock --report "$files/report3.json"
-[ "$(life "$files/report3.json")" -gt "$(life "$files/report1.json")" ] || fail "the life did not go on"
+[ "$(life "$files/report3.json")" -gt "$(life "$files/report1.json")" ] || fail "the life did not continue"
 
 # SIGTERM in real time: drive off, lives saved, status 0.
 write_config "$config" 200 "$files" "$block:$upper_arm"

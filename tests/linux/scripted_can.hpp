@@ -10,7 +10,7 @@
 
 namespace hal::linux_os::test {
 
-/// Calls of the kernel that do as they are told.
+/// Calls of the kernel with scripted answers.
 struct ScriptedCan {
   void open(const std::string& name, std::span<const CanFilter> wanted) {
     if (open_error != 0) {

@@ -177,7 +177,7 @@ INSTANTIATE_TEST_SUITE_P(Each, FlashErrors,
 
 TEST_F(Flash, GivesUpOnAnOperationThatNeverEnds) {
   chip.flash.stuck = true;
-  // CR cannot be written then, which the model tells.
+  // CR cannot be written then, which the model reports.
   testing::TestPartResultArray failures;
   {
     const testing::ScopedFakeTestPartResultReporter reporter(&failures);

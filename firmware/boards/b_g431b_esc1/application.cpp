@@ -6,7 +6,7 @@
 
 namespace board {
 
-Place<Application> application_place;
+Room<Application> application_room;
 
 namespace {
 
@@ -22,7 +22,7 @@ app::ParameterSet<kTendons> configured() {
 }  // namespace
 
 App& make_application(Hardware& hardware, const app::Config& config) {
-  return application_place.make(hardware, config, configured()).app();
+  return application_room.make(hardware, config, configured()).app();
 }
 
 }  // namespace board

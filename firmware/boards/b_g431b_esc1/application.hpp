@@ -49,27 +49,27 @@ App& make_application(Hardware& hardware, const app::Config& config);
 /// Room for an object that interrupts reach and main() makes, so that nothing is made before main()
 /// and nothing is ever destroyed.
 template <class T>
-class Place {
+class Room {
  public:
   template <class... Arguments>
   T& make(Arguments&&... arguments) {
     return *new (room_.data()) T(std::forward<Arguments>(arguments)...);
   }
-  /// Precondition: make() was called.
+  /// @pre make() was called
   [[nodiscard]] T& get() { return *std::launder(reinterpret_cast<T*>(room_.data())); }
 
  private:
   alignas(T) std::array<std::byte, sizeof(T)> room_;
 };
 
-extern Place<Hardware> hardware_place;
-extern Place<Application> application_place;
+extern Room<Hardware> hardware_room;
+extern Room<Application> application_room;
 
 inline Hardware& hardware() {
-  return hardware_place.get();
+  return hardware_room.get();
 }
 inline Application& application() {
-  return application_place.get();
+  return application_room.get();
 }
 
 }  // namespace board

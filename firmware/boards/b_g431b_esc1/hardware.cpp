@@ -39,7 +39,7 @@ hal::Error Hardware::start_sensor() {
   if (converters.start(clock) != hal::Error::none) {
     return hal::Error::failed;
   }
-  // Broken amplifiers leave a sensor that fails, which the application tells.
+  // Broken amplifiers leave a sensor that fails, which the application reports.
   (void)sensor.calibrate_at_rest();
   return hal::Error::none;
 }

@@ -14,7 +14,7 @@ extern "C" void isr_settle() {
   }
 }
 
-Place<Hardware> hardware_place;
+Room<Hardware> hardware_room;
 
 namespace {
 
@@ -61,7 +61,7 @@ protocol::detail::Timing timing_of(const hal::stm32g4::SampleTiming& timing) {
 }
 
 [[noreturn]] void run() {
-  Hardware& devices = hardware_place.make();
+  Hardware& devices = hardware_room.make();
   if (devices.start() != hal::Error::none || devices.start_sensor() != hal::Error::none) {
     fail_safe();
   }

@@ -67,7 +67,7 @@ class Arguments {
   [[nodiscard]] std::span<const char* const> words() const {
     return std::span(words_).first(count_);
   }
-  /// Precondition: index < count().
+  /// @pre index < count()
   [[nodiscard]] const char* operator[](std::size_t index) const { return words_[index]; }
 
  private:

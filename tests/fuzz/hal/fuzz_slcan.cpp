@@ -1,5 +1,5 @@
 // Any bytes from the host, in any pieces, to a node that sends now and then over a line that
-// stalls. Invariants: only frames that can be on a bus come out, each was told by a line that reads
+// stalls. Invariants: only frames that can be on a bus come out, each came from a line that reads
 // the same; what the node says is whole lines; the same bytes in other pieces lead to the same
 // frames.
 

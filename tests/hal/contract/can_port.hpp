@@ -119,7 +119,7 @@ TYPED_TEST_P(CanPortContract, IsOffUntilItRecovers) {
   EXPECT_EQ(port.status().bus_offs, 1u);
   EXPECT_EQ(port.send(frame(0x123, 2, 1)), hal::Error::off);
   EXPECT_TRUE(this->rig_.on_bus().empty());
-  EXPECT_EQ(port.status().bus_offs, 1u) << "told once";
+  EXPECT_EQ(port.status().bus_offs, 1u) << "counted once";
 
   EXPECT_EQ(port.recover(), hal::Error::none);
   ASSERT_TRUE(this->rig_.come_back());

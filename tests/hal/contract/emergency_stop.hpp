@@ -23,7 +23,7 @@ namespace hal_test {
 ///   after()
 ///                                       is called after each period of the control loop
 ///   bool drive(), bool brake()          what the world sees
-///   void break_brake(bool broken)       the brake stays closed, whatever its line is told
+///   void break_brake(bool broken)       the brake stays closed, whatever its line is set to
 ///   bool break_stop()                   the stop cannot be read; false where that cannot be
 template <class Rig>
 class EmergencyStopBench {
@@ -106,7 +106,7 @@ TYPED_TEST_P(EmergencyStopContract, NothingIsLetGoBeforeTheLoopRanInTime) {
   EXPECT_TRUE(this->bench_.rig.drive());
   EXPECT_FALSE(this->bench_.rig.brake());
   this->bench_.run_ms(10, false);
-  EXPECT_TRUE(this->bench_.rig.drive()) << "a late period later is told, not stopped for";
+  EXPECT_TRUE(this->bench_.rig.drive()) << "a late period later is reported, not stopped for";
 }
 
 TYPED_TEST_P(EmergencyStopContract, AStopWhileTheApplicationWaitsIsNeverMissed) {

@@ -123,7 +123,7 @@ class AdcModel : public RegisterModel<hal::stm32g4::AdcRegisters<Word>> {
   /// right (ES0431 2.5.7, 2.5.8).
   std::uint32_t first = 0;
 
-  /// TIM1 triggers; `channel` tells what is on a channel.
+  /// TIM1 triggers; `channel` gives what is on a channel.
   template <class Channel>
   void trigger(Channel&& channel) {
     const std::uint32_t jsqr = registers.jsqr.held();

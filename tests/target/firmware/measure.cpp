@@ -82,7 +82,7 @@ struct CountedMachine {
 int run(const board::Options& options) {
   board::HostFile profile_file(options.profile, board::HostFile::Mode::read);
   board::HostFile events(options.events, board::HostFile::Mode::read);
-  auto& profile = board::place<board::Profile<board::HostFile>>(profile_file);
+  auto& profile = board::make_once<board::Profile<board::HostFile>>(profile_file);
   board::Settings settings;
   settings.channel = hal::slcan::Channel::open;
   settings.config = options.config;
@@ -96,7 +96,7 @@ int run(const board::Options& options) {
   hal::qemu_mps2::VirtualClock clock;
   hal::qemu_mps2::NoBacking backing;
   hal::NoHold hold;
-  auto& machine = board::place<Machine>(host, clock, backing, hold, settings);
+  auto& machine = board::make_once<Machine>(host, clock, backing, hold, settings);
   CountedMachine counted{machine};
   board::Script script(&events);
   board::Player player(counted, clock, host, profile, script);

@@ -130,7 +130,7 @@ Failure run_extended(const Options& options, Line& line) {
   using Host = ScriptedLine<Line>;
 
   File file(options.profile, File::Mode::read);
-  auto& profile = place<Profile<File>>(file);
+  auto& profile = make_once<Profile<File>>(file);
   if (const char* wrong = file.is_open() ? profile.open() : "cannot be opened") {
     return {"profile", wrong};
   }
@@ -151,8 +151,8 @@ Failure run_extended(const Options& options, Line& line) {
   }
   Clock clock;
   Host host(line);
-  auto& machine =
-      place<ExtendedMachine<Host, Clock, FileBacking<File>>>(host, clock, backing, settings, model);
+  auto& machine = make_once<ExtendedMachine<Host, Clock, FileBacking<File>>>(host, clock, backing,
+                                                                             settings, model);
   Script<File> nothing(nullptr);
   if (const char* wrong = Player(machine, clock, host, profile, nothing).play()) {
     return {nullptr, wrong};

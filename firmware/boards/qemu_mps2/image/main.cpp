@@ -1,4 +1,4 @@
-// The firmware on the board of QEMU. options.hpp tells what it takes on the command line.
+// The firmware on the board of QEMU. options.hpp has what it takes on the command line.
 
 #include "firmware/boards/qemu_mps2/image/options.hpp"
 #include "firmware/boards/qemu_mps2/image/real_time_run.hpp"

@@ -42,7 +42,7 @@ class SampleLoop {
     return size_ == 0 ? "the profile has no samples" : nullptr;
   }
 
-  /// Precondition: filled.
+  /// @pre filled
   const Row& isr_next() {
     const Row& row = rows_[at_];
     at_ = at_ + 1 == size_ ? 0 : at_ + 1;
@@ -128,7 +128,7 @@ Failure run_in_real_time(const Options& options) {
   if (!file.is_open()) {
     return {"profile", "cannot be opened"};
   }
-  auto& profile = place<Profile<HostFile>>(file);
+  auto& profile = make_once<Profile<HostFile>>(file);
   if (const char* wrong = profile.open()) {
     return {"profile", wrong};
   }
@@ -137,7 +137,7 @@ Failure run_in_real_time(const Options& options) {
   if (const Failure failure = set_up<HostFile>(options, settings, backing)) {
     return failure;
   }
-  auto& board = place<Board>(backing, settings);
+  auto& board = make_once<Board>(backing, settings);
   if (const char* wrong = board.samples.fill(profile)) {
     return {"profile", wrong};
   }

@@ -18,7 +18,7 @@
 
 namespace firmware::qemu_mps2 {
 
-/// A serial line with a scripted host at the other end: what the node writes goes on to `Line`,
+/// A serial line with a scripted host at the other end: what the node writes is passed to `Line`,
 /// what it reads is what the script types.
 template <hal::ByteStream Line>
 class ScriptedLine {
@@ -146,7 +146,7 @@ Failure play_profile(const Options& options, Line& line, ScriptT& script) {
   if (!file.is_open()) {
     return {"profile", "cannot be opened"};
   }
-  auto& profile = place<Profile<File>>(file);
+  auto& profile = make_once<Profile<File>>(file);
   if (const char* wrong = profile.open()) {
     return {"profile", wrong};
   }
@@ -161,7 +161,7 @@ Failure play_profile(const Options& options, Line& line, ScriptT& script) {
   Host host(line);
   hal::NoHold hold;
   auto& machine =
-      place<Machine<Host, Clock, FileBacking<File>>>(host, clock, backing, hold, settings);
+      make_once<Machine<Host, Clock, FileBacking<File>>>(host, clock, backing, hold, settings);
   if (const char* wrong = Player(machine, clock, host, profile, script).play()) {
     return {nullptr, wrong};
   }
