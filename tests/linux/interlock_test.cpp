@@ -4,7 +4,7 @@
 
 #include <thread>
 
-#include "firmware/boards/linux/settle_turn.hpp"
+#include "firmware/boards/linux/devices.hpp"
 
 namespace board {
 namespace {

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "firmware/boards/linux/config.hpp"
+#include "firmware/boards/linux/controller.hpp"
 #include "firmware/boards/linux/setup.hpp"
 #include "hal/error.hpp"
 #include "hal/files/output_file.hpp"

@@ -37,7 +37,7 @@ std::string_view name_of(hal::linux_os::TimestampSource source) {
 }
 
 // All bits, so that two runs can be compared exactly.
-std::string words_of(const lifemodel::Damage& damage) {
+std::string hex_of(const lifemodel::Damage& damage) {
   std::string text;
   for (std::size_t i = damage.words().size(); i-- > 0;) {
     text += fmt::format("{:08x}", damage.words()[i]);
@@ -49,7 +49,7 @@ Json life_of(const storage::LifeRecord& life) {
   return {{"tendon", life.tendon},
           {"epoch", life.epoch},
           {"damage_ppb", life.epoch_damage.parts_per_billion()},
-          {"damage", words_of(life.epoch_damage)},
+          {"damage", hex_of(life.epoch_damage)},
           {"lifetime_damage_ppb", life.lifetime_damage.parts_per_billion()},
           {"cycles", life.epoch_cycles},
           {"flags", life.flags}};

@@ -1,13 +1,166 @@
 #include "firmware/boards/linux/sensors.hpp"
 
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
 #include <filesystem>
+#include <numbers>
+#include <optional>
+#include <type_traits>
 #include <vector>
+
+#include "hal/files/input_error.hpp"
+#include "lifemodel/pack/pack.hpp"
 
 namespace board {
 namespace {
 
-std::vector<std::filesystem::path> profiles_of(const Config& config) {
-  std::vector<std::filesystem::path> profiles;
+namespace fs = std::filesystem;
+using hal::files::InputError;
+using hal::files::InputKind;
+using hal::files::ProfileReader;
+using hal::files::ProfileRow;
+using lifemodel::Direction;
+using lifemodel::MotorCurrent;
+using lifemodel::Tension;
+
+template <class SampleT>
+constexpr InputKind kKind = std::is_same_v<SampleT, MotorCurrent> ? InputKind::kMotorCurrent
+                            : std::is_same_v<SampleT, Tension>    ? InputKind::kInputTension
+                                                                  : InputKind::kOutputTension;
+
+template <class Q>
+std::optional<Q> within_range(double value) {
+  if (!(std::fabs(value) <= lifemodel::pack::to_double(Q::highest()))) {
+    return std::nullopt;
+  }
+  return lifemodel::pack::from_double<Q>(value);
+}
+
+/// Turns rows into samples.
+template <class SampleT>
+class Conversion {
+ public:
+  Conversion(const lifemodel::Parameters& parameters, bool has_bend_angle)
+      : parameters_(parameters),
+        ultimate_N_(parameters.ultimate_mN * 1e-3),
+        has_bend_angle_(has_bend_angle) {}
+
+  std::optional<SampleT> operator()(const ProfileRow& row) {
+    if constexpr (std::is_same_v<SampleT, MotorCurrent>) {
+      return within_range<MotorCurrent>(row.value);
+    } else if constexpr (std::is_same_v<SampleT, Tension>) {
+      return within_range<Tension>(row.value / ultimate_N_);
+    } else {
+      return output(row);
+    }
+  }
+
+ private:
+  // Zero velocity keeps the direction, which is pulling at the start.
+  std::optional<app::OutputTension> output(const ProfileRow& row) {
+    if (row.tendon_velocity_m_s != 0) {
+      direction_ = row.tendon_velocity_m_s > 0 ? Direction::pulling : Direction::releasing;
+    }
+    const auto tension = within_range<Tension>(row.value / ultimate_N_);
+    const lifemodel::Angle bend = has_bend_angle_ ? lifemodel::pack::from_double<lifemodel::Angle>(
+                                                        row.bend_angle_deg * std::numbers::pi / 180)
+                                                  : parameters_.bend;
+    return tension ? std::optional(app::OutputTension{*tension, direction_, bend}) : std::nullopt;
+  }
+
+  const lifemodel::Parameters& parameters_;
+  double ultimate_N_;
+  bool has_bend_angle_;
+  Direction direction_ = Direction::pulling;
+};
+
+/// Counts the periods from one row to the next.
+class RowClock {
+ public:
+  RowClock(const fs::path& path, std::uint32_t period_us)
+      : path_(path), period_s_(period_us * 1e-6) {}
+
+  /// Periods since the last row, at least 1; 1 for the first row.
+  std::size_t periods_to(double time_s) {
+    const double periods = started_ ? (time_s - time_s_) / period_s_ : 1;
+    const double whole = std::round(periods);
+    if (whole < 1 || std::fabs(periods - whole) > 0.1 || whole > double{kMostSamples}) {
+      throw InputError(path_.string(), 0, 0,
+                       fmt::format("rows at {} s and {} s, which are {:.6g} periods of {} us apart",
+                                   time_s_, time_s, periods, std::lround(period_s_ * 1e6)),
+                       "a profile at rate_Hz of the loop; rows may be missing");
+    }
+    started_ = true;
+    time_s_ = time_s;
+    return static_cast<std::size_t>(whole);
+  }
+
+ private:
+  const fs::path& path_;
+  double period_s_;
+  double time_s_ = 0;
+  bool started_ = false;
+};
+
+template <class SampleT>
+void append(RecordedSamples<SampleT>& recorded, std::size_t periods,
+            const std::optional<SampleT>& sample, const fs::path& path) {
+  const std::size_t size = recorded.samples.size() + periods;
+  if (size > kMostSamples) {
+    throw InputError(path.string(), 0, 0, "too long to be played from memory",
+                     fmt::format("a profile of at most {} periods", kMostSamples));
+  }
+  recorded.samples.resize(size);
+  recorded.holes.resize(size, true);
+  if (sample) {
+    recorded.samples.back() = *sample;
+    recorded.holes.back() = false;
+  }
+}
+
+}  // namespace
+
+InputKind kind_of(std::span<const fs::path> profiles) {
+  const InputKind kind = ProfileReader(profiles.front()).kind();
+  for (const fs::path& path : profiles) {
+    const InputKind other = ProfileReader(path).kind();
+    if (other != kind) {
+      throw InputError(path.string(), 0, 0,
+                       fmt::format("holds {}, and {} holds {}", hal::files::to_string(other),
+                                   profiles.front().string(), hal::files::to_string(kind)),
+                       "profiles of one kind for all tendons");
+    }
+  }
+  return kind;
+}
+
+template <class SampleT>
+RecordedSamples<SampleT> read_samples(const fs::path& path,
+                                      const lifemodel::Parameters& parameters) {
+  ProfileReader reader(path, {kKind<SampleT>});
+  Conversion<SampleT> convert(parameters, reader.has_bend_angle());
+  RowClock clock(path, parameters.sample_period_us);
+  RecordedSamples<SampleT> recorded;
+  std::array<ProfileRow, 256> rows{};
+  while (const std::size_t count = reader.read(rows)) {
+    for (const ProfileRow& row : std::span(rows).first(count)) {
+      append(recorded, clock.periods_to(row.time_s), convert(row), path);
+    }
+  }
+  return recorded;
+}
+
+template RecordedSamples<MotorCurrent> read_samples(const fs::path&, const lifemodel::Parameters&);
+template RecordedSamples<Tension> read_samples(const fs::path&, const lifemodel::Parameters&);
+template RecordedSamples<app::OutputTension> read_samples(const fs::path&,
+                                                          const lifemodel::Parameters&);
+
+namespace {
+
+std::vector<fs::path> profiles_of(const Config& config) {
+  std::vector<fs::path> profiles;
   for (const TendonConfig& tendon : config.tendons) {
     profiles.push_back(tendon.profile);
   }

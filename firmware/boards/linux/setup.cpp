@@ -1,16 +1,85 @@
 #include "firmware/boards/linux/setup.hpp"
 
+#include <fmt/format.h>
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <charconv>
+#include <span>
 #include <string>
 
-#include "firmware/boards/linux/node_files.hpp"
 #include "firmware/boards/linux/sensors.hpp"
 #include "hal/files/input_error.hpp"
+#include "hal/files/input_file.hpp"
+#include "lifemodel/block/parameter_block.hpp"
 
 namespace board {
 namespace {
 
+namespace fs = std::filesystem;
 using hal::files::InputError;
+
+constexpr std::string_view kKey =
+    "32 hexadecimal digits in a file with mode 0600 (head -c 16 /dev/urandom | xxd -p)";
+
+void check_mode(const fs::path& path) {
+  struct ::stat status {};
+  if (::stat(path.c_str(), &status) != 0) {
+    return;  // Reading it says why.
+  }
+  if (!S_ISREG(status.st_mode)) {
+    throw InputError(path.string(), 0, 0, "not a regular file", kKey);
+  }
+  if ((status.st_mode & (S_IRWXG | S_IRWXO)) != 0) {
+    throw InputError(path.string(), 0, 0,
+                     fmt::format("its mode is {:04o}: others may use it", status.st_mode & 07777U),
+                     kKey);
+  }
+}
+
+}  // namespace
+
+app::Key read_authority_key(const fs::path& path) {
+  check_mode(path);
+  std::string text = hal::files::read_text_file(path, kKey, 64);
+  text.erase(text.find_last_not_of(" \t\r\n") + 1);
+  app::Key key{};
+  bool right = text.size() == 2 * key.size();
+  for (std::size_t i = 0; right && i < key.size(); ++i) {
+    unsigned byte = 0;
+    const char* const at = text.data() + 2 * i;
+    const auto [end, error] = std::from_chars(at, at + 2, byte, 16);
+    right = error == std::errc() && end == at + 2;
+    key[i] = static_cast<std::byte>(byte);
+  }
+  if (!right) {
+    // Not even a wrong key is shown.
+    throw InputError(path.string(), 1, 0, "not 32 hexadecimal digits", kKey);
+  }
+  if (key == app::Key{}) {
+    throw InputError(path.string(), 1, 0, "a key of zeros",
+                     "a random key; leave out authority_key to refuse all that needs one");
+  }
+  return key;
+}
+
+lifemodel::Parameters read_parameters(const fs::path& path, std::uint32_t period_us) {
+  constexpr std::string_view kBlock = "a parameter block, made by `host_sim pack`";
+  const std::string bytes = hal::files::read_text_file(path, kBlock, lifemodel::kBlockBytes);
+  const auto parameters = lifemodel::decode(std::as_bytes(std::span(bytes)));
+  if (!parameters) {
+    throw InputError(path.string(), 0, 0, lifemodel::to_string(parameters.error()), kBlock);
+  }
+  if (parameters->sample_period_us != period_us) {
+    throw InputError(path.string(), 0, 0,
+                     fmt::format("made for a sample every {} us, and the loop has {} us",
+                                 parameters->sample_period_us, period_us),
+                     "sample_rate_Hz of the model and rate_Hz of the loop that are the same");
+  }
+  return *parameters;
+}
+
+namespace {
 
 app::Config node_of(const Config& config) {
   app::Config node;
@@ -60,19 +129,6 @@ Setup read_setup(const Config& config, bool virtual_clock) {
   }
   check_drive(setup);
   return setup;
-}
-
-Report run(const Setup& setup, const std::atomic<bool>& stop) {
-  switch (setup.config.tendons.size()) {
-    case 1:
-      return run_tendons<1>(setup, stop);
-    case 2:
-      return run_tendons<2>(setup, stop);
-    case 3:
-      return run_tendons<3>(setup, stop);
-    default:
-      return run_tendons<4>(setup, stop);
-  }
 }
 
 }  // namespace board

@@ -1,15 +1,22 @@
 #pragma once
 
-#include <atomic>
-#include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <vector>
 
 #include "firmware/app/config.hpp"
 #include "firmware/boards/linux/config.hpp"
-#include "firmware/boards/linux/report.hpp"
 #include "lifemodel/block/parameters.hpp"
 
 namespace board {
+
+/// Reads the key of a node: 32 hexadecimal digits in a regular file that only its owner may read or
+/// write, as OpenSSH asks of private keys. Throws hal::files::InputError.
+app::Key read_authority_key(const std::filesystem::path& path);
+
+/// Reads a parameter block that `host_sim pack` made, for a loop of this period. Throws
+/// hal::files::InputError.
+lifemodel::Parameters read_parameters(const std::filesystem::path& path, std::uint32_t period_us);
 
 /// All that a run needs, checked.
 struct Setup {
@@ -22,17 +29,5 @@ struct Setup {
 /// Reads what a configuration names. Throws hal::files::InputError, also where the sensor needs a
 /// drive that the parameters do not have.
 Setup read_setup(const Config& config, bool virtual_clock);
-
-/// Runs until `stop` is set or the profile is at its end. Throws what Controller throws.
-Report run(const Setup& setup, const std::atomic<bool>& stop);
-
-/// The same for a number of tendons.
-template <std::size_t kTendons>
-Report run_tendons(const Setup& setup, const std::atomic<bool>& stop);
-
-extern template Report run_tendons<1>(const Setup&, const std::atomic<bool>&);
-extern template Report run_tendons<2>(const Setup&, const std::atomic<bool>&);
-extern template Report run_tendons<3>(const Setup&, const std::atomic<bool>&);
-extern template Report run_tendons<4>(const Setup&, const std::atomic<bool>&);
 
 }  // namespace board

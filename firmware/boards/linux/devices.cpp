@@ -1,4 +1,4 @@
-#include "firmware/boards/linux/board_can.hpp"
+#include "firmware/boards/linux/devices.hpp"
 
 #include <array>
 

@@ -1,11 +1,10 @@
-#include "firmware/boards/linux/node_files.hpp"
-
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <string>
 
-#include "firmware/boards/linux/profile_sensor.hpp"
+#include "firmware/boards/linux/sensors.hpp"
+#include "firmware/boards/linux/setup.hpp"
 #include "lifemodel/pack/pack.hpp"
 #include "tests/io/support.hpp"
 

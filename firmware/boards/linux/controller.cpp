@@ -1,0 +1,328 @@
+#include "firmware/boards/linux/controller.hpp"
+
+#include <array>
+#include <atomic>
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
+#include <iostream>
+#include <latch>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "firmware/app/app.hpp"
+#include "firmware/boards/interlock.hpp"
+#include "firmware/boards/linux/config.hpp"
+#include "firmware/boards/linux/devices.hpp"
+#include "firmware/boards/linux/sensors.hpp"
+#include "hal/linux/device_error.hpp"
+#include "hal/linux/entropy.hpp"
+#include "hal/linux/file_store.hpp"
+#include "hal/linux/loop.hpp"
+#include "hal/linux/service_manager.hpp"
+
+namespace board {
+namespace {
+
+/// Opens the store of a configuration, and warns of files that were found damaged. Throws
+/// std::runtime_error with one line: path, what is wrong, what is accepted.
+template <std::size_t kTendons>
+hal::linux_os::FileStore<kTendons> open_store(const std::filesystem::path& folder) {
+  auto store = hal::linux_os::FileStore<kTendons>::open(folder.string());
+  if (const auto* const error = std::get_if<hal::linux_os::FileError>(&store)) {
+    throw std::runtime_error(to_string(*error));
+  }
+  auto& opened = std::get<hal::linux_os::FileStore<kTendons>>(store);
+  for (const hal::linux_os::FileError& notice : opened.notices()) {
+    std::cerr << "tendonlife_controller: WARNING: " << to_string(notice) << '\n';
+  }
+  return std::move(opened);
+}
+
+/// Prepares the process for a control loop in real time: a thread that is started while this is
+/// incomplete runs under SCHED_FIFO.
+class RealTimeSetup {
+ public:
+  /// Puts the calling thread under SCHED_FIFO, for the thread that it will start.
+  explicit RealTimeSetup(const LoopConfig& loop) : wanted_(loop.real_time) {
+    if (wanted_ != RealTime::off) {
+      refused_ = hal::linux_os::schedule_fifo(loop.priority);
+    }
+  }
+
+  /// Puts the calling thread back and locks the memory. Warns of what was refused; false where
+  /// the configuration requires it.
+  [[nodiscard]] bool complete() {
+    if (wanted_ == RealTime::off) {
+      return true;
+    }
+    hal::linux_os::schedule_normally();
+    const std::string unlocked = hal::linux_os::lock_memory();
+    refused_.append(refused_.empty() || unlocked.empty() ? "" : "; ").append(unlocked);
+    if (!refused_.empty() && wanted_ == RealTime::prefer) {
+      std::cerr << "tendonlife_controller: WARNING: no real time: " << refused_
+                << "; deadlines may be missed, and are counted\n";
+    }
+    return refused_.empty() || wanted_ == RealTime::prefer;
+  }
+  /// Throws hal::linux_os::DeviceError where the configuration requires what was refused.
+  void check() const {
+    if (!refused_.empty() && wanted_ == RealTime::require) {
+      throw hal::linux_os::DeviceError("real time", refused_,
+                                       "these rights, or real_time \"prefer\" in [loop]");
+    }
+  }
+
+ private:
+  RealTime wanted_;
+  std::string refused_;
+};
+
+/// The application on this machine.
+///
+/// Two threads. The control loop, at real-time priority, reads the sensors and the emergency stop
+/// and settles; it never waits for the other. The rest, at ordinary priority, may wait for a disk.
+template <std::size_t kTendons, class SensorT>
+class Controller {
+ public:
+  /// Throws std::runtime_error, its what() one line: hal::linux_os::DeviceError where a device
+  /// cannot be used, hal::files::InputError or OutputError where a file cannot.
+  Controller(const Setup& setup, SensorT& sensor)
+      : setup_(setup),
+        sensor_(sensor),
+        clock_(setup.virtual_clock),
+        can_(setup.config.can, setup.config.node, clock_),
+        store_(open_store<kTendons>(setup.config.store)),
+        lines_(setup.config.gpio),
+        light_(setup.config.gpio, &GpioConfig::status_light),
+        watchdog_(setup.config.gpio, manager_),
+        app_(devices(), setup.node,
+             app::stored_parameters<kTendons>(store_, configured(setup.parameters))) {}
+
+  /// Runs until `stop` is set or the profile is at its end.
+  Report run(const std::atomic<bool>& stop) {
+    interlock_.isr_apply(false);
+    app_.start();
+    if (setup_.virtual_clock) {
+      run_virtually(stop);
+    } else {
+      run_in_real_time(stop);
+    }
+    const hal::Error locked = interlock_.lock();
+    report_the_end();
+    Report report = report_of(app_.stop());
+    if (report.saved == hal::Error::none) {
+      report.saved = locked;
+    }
+    can_.finish();
+    return report;
+  }
+
+ private:
+  /// So many periods in time, one after the other, let the drive go.
+  static constexpr std::uint32_t kPeriodsInTime = 10;
+  using Lock = Interlock<SafetyLines, kPeriodsInTime>;
+  using Store = hal::linux_os::FileStore<kTendons>;
+  using Devices =
+      app::Devices<BoardCan, SensorT, BoardClock, Store, Lock::Drive, Lock::Brake, OptionalOutput,
+                   Lock::Stop, Watchdog, hal::linux_os::KernelEntropy, SettleTurn>;
+
+  static constexpr hal::Time kPollPeriod = hal::milliseconds(1);
+  static constexpr hal::Time kTimingPeriod = hal::milliseconds(100);
+  /// So long every frame of the last state needs to leave.
+  static constexpr hal::Time kReporting = hal::milliseconds(250);
+  static constexpr int kMostSettles = 64;
+
+  Devices devices() {
+    return {can_,   sensor_, clock_,    store_,   drive_, brake_,
+            light_, stop_,   watchdog_, entropy_, turn_};
+  }
+
+  static app::ParameterSet<kTendons> configured(
+      const std::vector<lifemodel::Parameters>& parameters) {
+    app::ParameterSet<kTendons> set;
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      set[tendon] = parameters[tendon];
+    }
+    return set;
+  }
+
+  [[nodiscard]] bool at_end() const {
+    if constexpr (requires { sensor_.at_end(); }) {
+      return sensor_.at_end();
+    }
+    return false;
+  }
+
+  // One period of the control loop. False at the end of a profile.
+  bool isr_period(std::uint32_t missed) {
+    interlock_.isr_apply(missed == 0);
+    if (missed != 0) {
+      app_.isr_missed(missed);
+    }
+    app_.isr_sample();
+    turn_.isr_settle(kMostSettles, [this] { return app_.settle(); });
+    periods_.store(periods_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+    return !at_end();
+  }
+
+  void run_virtually(const std::atomic<bool>& stop) {
+    const hal::Time period = hal::microseconds(setup_.config.loop.period_us);
+    hal::Time sample{};
+    for (bool more = true; more && !stop;) {
+      sample = sample + period;
+      poll_until(sample, false);
+      clock_.advance_to(sample);
+      more = isr_period(0);
+      poll_until(sample, true);
+    }
+  }
+
+  // Polls that are due before `time`, and the one at it where `included`.
+  void poll_until(hal::Time time, bool included) {
+    while (next_poll_ < time || (included && next_poll_ == time)) {
+      clock_.advance_to(next_poll_);
+      app_.poll();
+      next_poll_ = next_poll_ + kPollPeriod;
+    }
+    clock_.advance_to(time);
+  }
+
+  void run_in_real_time(const std::atomic<bool>& stop) {
+    std::atomic<bool> end{false};
+    std::latch go{1};
+    RealTimeSetup real_time(setup_.config.loop);
+    std::thread loop([&] {
+      go.wait();
+      hal::linux_os::WaitingClock clock;
+      hal::linux_os::run_periodic(clock, std::int64_t{setup_.config.loop.period_us} * 1'000,
+                                  jitter_, end,
+                                  [this](std::uint32_t missed) { return isr_period(missed); });
+      end = true;
+    });
+    const bool ready = real_time.complete();
+    end = !ready;
+    go.count_down();
+    if (ready) {
+      manager_.ready("controlling");
+    }
+    while (!end && !stop) {
+      poll_once();
+    }
+    end = true;
+    loop.join();
+    manager_.stopping();
+    real_time.check();
+  }
+
+  void poll_once() {
+    const hal::Time now = clock_.now();
+    if (now >= next_timing_) {
+      next_timing_ = now + kTimingPeriod;
+      app_.timing(timing());
+    }
+    app_.poll();
+    std::this_thread::sleep_for(std::chrono::microseconds(kPollPeriod.us));
+  }
+
+  [[nodiscard]] protocol::detail::Timing timing() const {
+    const auto stopped = [](std::uint64_t value) {
+      return static_cast<std::uint16_t>(value < 0xffff ? value : 0xffff);
+    };
+    return {stopped(jitter_.worst_us()), stopped(jitter_.quantile_us(990)),
+            stopped(jitter_.missed())};
+  }
+
+  // At the end of a profile the bus still hears of its last life.
+  void report_the_end() {
+    if (!at_end()) {
+      return;
+    }
+    const hal::Time last = clock_.now() + kReporting;
+    if (setup_.virtual_clock) {
+      poll_until(last, true);
+      return;
+    }
+    while (clock_.now() < last) {
+      poll_once();
+    }
+  }
+
+  Report report_of(hal::Error saved) const {
+    const auto& records = app_.lives().records();
+    Report report;
+    report.node = setup_.config.node;
+    report.periods = periods_;
+    report.missed_deadlines = jitter_.missed();
+    report.p99_jitter_us = jitter_.quantile_us(990);
+    report.worst_jitter_us = jitter_.worst_us();
+    report.lives.assign(records.begin(), records.end());
+    report.saved = saved;
+    report.sequence = store_.sequence();
+    if (store_.problem()) {
+      report.store_problem = to_string(*store_.problem());
+    }
+    report.worst_unsaved_ppb = app_.conditions().worst_unsaved_ppb;
+    report.bus = can_.status();
+    if (const auto* const counts = can_.counts()) {
+      report.counts = *counts;
+    }
+    return report;
+  }
+
+  const Setup& setup_;
+  SensorT& sensor_;
+  BoardClock clock_;
+  BoardCan can_;
+  Store store_;
+  SafetyLines lines_;
+  Lock interlock_{lines_};
+  Lock::Drive drive_{interlock_};
+  Lock::Brake brake_{interlock_};
+  Lock::Stop stop_{interlock_};
+  OptionalOutput light_;
+  hal::linux_os::ServiceManager manager_;
+  Watchdog watchdog_;
+  hal::linux_os::KernelEntropy entropy_;
+  SettleTurn turn_;
+  hal::linux_os::Jitter jitter_;
+  app::App<kTendons, Devices> app_;
+  std::atomic<std::uint64_t> periods_{0};
+  hal::Time next_poll_ = kPollPeriod;
+  hal::Time next_timing_{};
+};
+
+template <std::size_t kTendons>
+Report run_tendons(const Setup& setup, const std::atomic<bool>& stop) {
+  const auto with = [&](auto sensor) {
+    return Controller<kTendons, decltype(sensor)>(setup, sensor).run(stop);
+  };
+  if (measures_current(setup.config)) {
+    return with(CurrentSensor(setup));
+  }
+  if (profile_kind(setup.config) == hal::files::InputKind::kInputTension) {
+    return with(profile_sensor<lifemodel::Tension>(setup));
+  }
+  return with(profile_sensor<app::OutputTension>(setup));
+}
+
+}  // namespace
+
+Report run(const Setup& setup, const std::atomic<bool>& stop) {
+  switch (setup.config.tendons.size()) {
+    case 1:
+      return run_tendons<1>(setup, stop);
+    case 2:
+      return run_tendons<2>(setup, stop);
+    case 3:
+      return run_tendons<3>(setup, stop);
+    default:
+      return run_tendons<4>(setup, stop);
+  }
+}
+
+}  // namespace board
