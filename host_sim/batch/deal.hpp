@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host_sim/batch/ranks.hpp"
@@ -19,5 +21,11 @@ unsigned threads_of(const Ranks& ranks, unsigned threads);
 /// of a rank threw anything else
 std::vector<std::string> deal(Ranks& ranks, std::size_t count, unsigned threads,
                               const std::function<std::string(std::size_t)>& work);
+
+/// Texts of any bytes as one text, for ranks of the same machine type.
+std::string packed(std::span<const std::string> texts);
+
+/// What packed() has made into one.
+std::vector<std::string> unpacked(std::string_view bytes);
 
 }  // namespace host_sim::batch

@@ -2,16 +2,18 @@
 
 #include <algorithm>
 #include <iostream>
+#include <mutex>
 #include <new>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <string_view>
 
 #include "hal/files/input_error.hpp"
 #include "hal/files/interruption.hpp"
 #include "hal/files/output_file.hpp"
 #include "hal/files/text.hpp"
 #include "host_sim/batch/deal.hpp"
-#include "host_sim/batch/shared_progress.hpp"
-#include "host_sim/batch/wire.hpp"
+#include "host_sim/io/progress.hpp"
 
 namespace host_sim::batch {
 
@@ -24,6 +26,37 @@ using hal::files::stop_if_interrupted;
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Answer, row, json, error, found)
 
 namespace {
+
+/// One progress bar for pieces of work that several threads do.
+class SharedProgress {
+ public:
+  /// @param pieces of all ranks
+  /// @param own of this rank, one at least, which are the whole of its bar
+  /// @param shown whether there is a bar
+  SharedProgress(std::string_view label, std::size_t pieces, std::size_t own, bool shown)
+      : shares_(pieces), own_(static_cast<double>(own)) {
+    if (shown) {
+      bar_.emplace(label);
+    }
+  }
+
+  /// Says that `share`, 0 .. 1, of a piece is done. For any thread.
+  void set(std::size_t piece, double share) {
+    const std::lock_guard lock(mutex_);
+    done_ += share - shares_[piece];
+    shares_[piece] = share;
+    if (bar_) {
+      bar_->update_share(done_ / own_);
+    }
+  }
+
+ private:
+  std::mutex mutex_;
+  std::vector<double> shares_;
+  double own_;
+  double done_ = 0;
+  std::optional<Progress> bar_;
+};
 
 /// What to do, found out by rank 0, on every rank. Nothing where rank 0 cannot go on; the error is
 /// thrown there.

@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cctype>
+#include <sstream>
+#include <string_view>
 
-#include "host_sim/command_line/examples.hpp"
 #include "host_sim/command_line/quote.hpp"
-#include "host_sim/command_line/roff.hpp"
 
 namespace host_sim::command_line {
 namespace {
@@ -151,6 +151,16 @@ std::string head(const Command& program, const Release& release) {
       bold("--help"), bold("--version"), release.date);
 }
 
+/// A line that begins with one of these is a request.
+std::string guarded(const std::string& text) {
+  const bool request = !text.empty() && (text.front() == '.' || text.front() == '\'');
+  return request ? "\\&" + text : text;
+}
+
+bool in_a_word(char before) {
+  return std::isalnum(static_cast<unsigned char>(before)) != 0;
+}
+
 }  // namespace
 
 std::string manual_page(const Command& program, const Release& release, const ManualProse& prose,
@@ -166,6 +176,37 @@ std::string manual_page(const Command& program, const Release& release, const Ma
   text += prose.after_verbs;
   text += examples_section(program, examples_in_tree, examples_installed);
   return text + ".SH SEE ALSO\n" + prose.see_also;
+}
+
+std::string roff_text(const std::string& text) {
+  std::string out;
+  char before = ' ';
+  for (const char letter : replace_all(text, "\\", "\\e")) {
+    if (letter == '-' && !in_a_word(before)) {
+      out += '\\';
+    }
+    out += letter;
+    before = letter;
+  }
+  return guarded(out);
+}
+
+std::string roff_literal(const std::string& text) {
+  return guarded(replace_all(replace_all(text, "\\", "\\e"), "-", "\\-"));
+}
+
+std::vector<std::string> examples_of(const std::string& footer) {
+  constexpr std::string_view kMark = "Example: ";
+  const std::string indent(kMark.size(), ' ');
+  std::vector<std::string> examples;
+  std::istringstream lines(footer);
+  for (std::string line; std::getline(lines, line);) {
+    const bool first = line.rfind(kMark, 0) == 0;
+    if (first || (!examples.empty() && line.rfind(indent, 0) == 0)) {
+      examples.push_back(line.substr(kMark.size()));
+    }
+  }
+  return examples;
 }
 
 }  // namespace host_sim::command_line

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "host_sim/command_line/command.hpp"
 
@@ -22,5 +23,14 @@ struct Release {
 /// out of the footers, in which `examples_in_tree` is written as `examples_installed`.
 std::string manual_page(const Command& program, const Release& release, const ManualProse& prose,
                         const std::string& examples_in_tree, const std::string& examples_installed);
+
+/// Running text for roff: nothing in it is taken for a request or an escape.
+std::string roff_text(const std::string& text);
+
+/// What is typed as it stands: dashes are those of a command line.
+std::string roff_literal(const std::string& text);
+
+/// The commands of a help text: what follows `Example:`, and the indented lines after it.
+std::vector<std::string> examples_of(const std::string& footer);
 
 }  // namespace host_sim::command_line

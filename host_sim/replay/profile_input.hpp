@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "hal/files/profile.hpp"
-#include "host_sim/extension/apply.hpp"
+#include "host_sim/extension/tension.hpp"
 #include "host_sim/model/model.hpp"
 #include "host_sim/reference/equations.hpp"
 #include "host_sim/replay/virtual_board.hpp"

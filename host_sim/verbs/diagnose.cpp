@@ -7,8 +7,7 @@
 #include <stdexcept>
 
 #include "hal/files/interruption.hpp"
-#include "host_sim/command_line/numbers.hpp"
-#include "host_sim/command_line/type_names.hpp"
+#include "host_sim/command_line/options.hpp"
 #include "host_sim/diagnose/diagnosis.hpp"
 #include "host_sim/diagnose/output/extended_model.hpp"
 #include "host_sim/diagnose/output/results.hpp"
@@ -16,7 +15,7 @@
 #include "host_sim/effects/counting_effect.hpp"
 #include "host_sim/effects/life_effect.hpp"
 #include "host_sim/effects/tension_effect.hpp"
-#include "host_sim/extension/read.hpp"
+#include "host_sim/extension/model_file.hpp"
 #include "host_sim/io/progress.hpp"
 #include "host_sim/recording/recording.hpp"
 #include "host_sim/replay/constants.hpp"

@@ -9,8 +9,7 @@
 #include <vector>
 
 #include "hal/files/input_file.hpp"
-#include "host_sim/command_line/numbers.hpp"
-#include "host_sim/command_line/type_names.hpp"
+#include "host_sim/command_line/options.hpp"
 #include "host_sim/recording/import_columns.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"

@@ -9,8 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "host_sim/command_line/numbers.hpp"
-#include "host_sim/command_line/type_names.hpp"
+#include "host_sim/command_line/options.hpp"
 #include "host_sim/monitor/bus/frame_source.hpp"
 #include "host_sim/monitor/bus/socketcan_source.hpp"
 #include "host_sim/monitor/fleet/fleet.hpp"

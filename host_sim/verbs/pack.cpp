@@ -10,8 +10,7 @@
 
 #include "hal/files/output_file.hpp"
 #include "host_sim/extension/acting.hpp"
-#include "host_sim/extension/keys.hpp"
-#include "host_sim/extension/read.hpp"
+#include "host_sim/extension/model_file.hpp"
 #include "host_sim/model/model.hpp"
 #include "host_sim/replay/constants.hpp"
 #include "host_sim/verbs/outputs.hpp"

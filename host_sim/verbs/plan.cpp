@@ -7,13 +7,14 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <mutex>
 #include <utility>
 
-#include "host_sim/command_line/numbers.hpp"
+#include "host_sim/command_line/options.hpp"
+#include "host_sim/diagnose/plan/foresee.hpp"
 #include "host_sim/io/progress.hpp"
 #include "host_sim/model/model.hpp"
 #include "host_sim/verbs/outputs.hpp"
-#include "host_sim/verbs/plan_diagnosis.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
 namespace host_sim {
@@ -95,6 +96,34 @@ void take_law_of_model(const std::string& path, PlanRequest& request) {
   }
   request.conditions.law = {model.life.ipl_scale, model.life.ipl_exponent,
                             model.life.weibull_shape};
+}
+
+struct PlanDiagnosisArguments {
+  std::string plan;
+  std::string json;
+  std::uint64_t seed = 1;
+  unsigned threads = 0;
+};
+
+/// What a campaign of recordings could show and tell apart, before anyone runs it: the exit status.
+int plan_for_diagnosis(const PlanDiagnosisArguments& arguments) {
+  const synth::SynthPlan plan = synth::read_synth_plan(arguments.plan);
+  auto json = open_if_asked(arguments.json);
+  Progress progress("plan");
+  std::mutex mutex;
+  const auto show = [&](double share) {
+    const std::lock_guard lock(mutex);
+    progress.update_share(share);
+  };
+  const diagnose::Foresight foresight =
+      diagnose::foresee(plan, {arguments.seed, arguments.threads, show});
+  progress.finish();
+  if (json) {
+    json->write(diagnose::foresight_json(foresight));
+  }
+  commit_all({&json});
+  diagnose::write_foresight(summary_stream({&arguments.json, 1}), foresight);
+  return 0;
 }
 
 int run(PlanArguments& arguments) {

@@ -42,10 +42,8 @@ struct ReplayArguments {
   }
 };
 
-/// The only profile. @return the exit status @throws InputError, OutputError, Interruption
-int replay_one(const ReplayArguments& arguments);
-
-/// All profiles, by all ranks. The same.
+/// All profiles, by all ranks. @return the exit status @throws InputError, OutputError,
+/// Interruption
 int replay_many(const ReplayArguments& arguments);
 
 }  // namespace host_sim

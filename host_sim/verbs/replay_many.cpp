@@ -1,17 +1,24 @@
+#include <fmt/ostream.h>
+
+#include <algorithm>
 #include <array>
+#include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
 #include "hal/files/input_error.hpp"
 #include "hal/files/text.hpp"
-#include "host_sim/batch/wire.hpp"
-#include "host_sim/extension/read.hpp"
+#include "host_sim/batch/deal.hpp"
+#include "host_sim/extension/model_file.hpp"
+#include "host_sim/replay/constants.hpp"
+#include "host_sim/replay/flag_names.hpp"
+#include "host_sim/replay/list_profiles.hpp"
 #include "host_sim/replay/replay.hpp"
 #include "host_sim/replay/results.hpp"
-#include "host_sim/verbs/batch_outputs.hpp"
+#include "host_sim/verbs/outcome.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/replay_arguments.hpp"
-#include "host_sim/verbs/replay_list.hpp"
-#include "host_sim/verbs/replay_totals.hpp"
 
 namespace host_sim {
 
@@ -21,6 +28,105 @@ using hal::files::printable;
 using hal::files::ProfileReader;
 
 namespace {
+
+namespace fs = std::filesystem;
+
+/// Whether an earlier run wrote `path`.
+bool is_table(const fs::path& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) {
+    return false;
+  }
+  const std::string head = replay_table_head();
+  std::string front(head.size(), '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(front.data(), static_cast<std::streamsize>(front.size()));
+  return front == head;
+}
+
+void leave_out_tables(std::vector<ListedProfile>& profiles, const std::string& place) {
+  std::erase_if(profiles, [](const ListedProfile& profile) { return is_table(profile.path); });
+  if (profiles.empty()) {
+    throw InputError(place, 0, 0, "no profile but tables of earlier runs",
+                     "files or a folder with profiles");
+  }
+}
+
+/// Profiles, and models beside them.
+void refuse_overwriting(const std::vector<ListedProfile>& profiles,
+                        const ReplayArguments& arguments) {
+  VerbFiles files = arguments.files();
+  for (const ListedProfile& profile : profiles) {
+    files.reads.push_back({"PROFILE", profile.path});
+    files.reads.push_back({"PROFILE", profile.model});
+  }
+  check_files("replay", files);
+}
+
+/// One model for all of them, that everybody can use.
+void take_given_model(std::vector<ListedProfile>& profiles, const std::string& path) {
+  parameters_of(read_extended_model(path), path);
+  for (ListedProfile& profile : profiles) {
+    profile.model = path;
+    profile.model_name = path;
+  }
+}
+
+/// Says so once where `--model` was forgotten.
+void require_some_model(const std::vector<ListedProfile>& profiles, const std::string& place) {
+  const auto is_alone = [](const ListedProfile& profile) {
+    std::error_code ignored;
+    return profile.model.empty() && fs::exists(profile.path, ignored);
+  };
+  const auto has_model = [](const ListedProfile& profile) { return !profile.model.empty(); };
+  if (std::any_of(profiles.begin(), profiles.end(), is_alone) &&
+      std::none_of(profiles.begin(), profiles.end(), has_model)) {
+    throw InputError(place, 0, 0, "no model goes with the profiles",
+                     "--model FILE, or a model.toml in the folder of a profile or above it");
+  }
+}
+
+/// The profiles of a table, each with its model where there is one. Tables that earlier runs left
+/// beside them are not among them.
+/// @throws InputError where no profile has a model, where that of `--model` cannot be used, where
+/// an output would overwrite a profile, and as list_profiles() does
+std::vector<ListedProfile> profiles_with_models(const ReplayArguments& arguments) {
+  const std::string& place = arguments.profiles.front();
+  std::vector<ListedProfile> profiles = list_profiles(arguments.profiles);
+  leave_out_tables(profiles, place);
+  refuse_overwriting(profiles, arguments);
+  if (!arguments.model.empty()) {
+    take_given_model(profiles, arguments.model);
+  } else {
+    require_some_model(profiles, place);
+  }
+  return profiles;
+}
+
+double life_used(const nlohmann::json& profile) {
+  return profile["result"]["damage"]["total"].get<double>();
+}
+
+/// The first of those that use the most life; null where all were refused.
+nlohmann::json most_life_used(const std::vector<batch::Answer>& answers) {
+  nlohmann::json most;
+  for (const batch::Answer& answer : answers) {
+    if (!answer.error.empty()) {
+      continue;
+    }
+    nlohmann::json profile = nlohmann::json::parse(answer.json);
+    if (most.is_null() || life_used(profile) > life_used(most)) {
+      most = std::move(profile);
+    }
+  }
+  return most;
+}
+
+std::ptrdiff_t profiles_with(const std::string& flag, const std::vector<batch::Answer>& answers) {
+  return std::count_if(answers.begin(), answers.end(), [&](const batch::Answer& answer) {
+    return std::find(answer.found.begin(), answer.found.end(), flag) != answer.found.end();
+  });
+}
 
 using nlohmann::ordered_json;
 
@@ -81,6 +187,24 @@ std::vector<std::string> pieces_of(const std::vector<ListedProfile>& profiles) {
     pieces.push_back(to_piece(profile));
   }
   return pieces;
+}
+
+/// What a table of profiles shows, in a few lines for people. Lives of different cables are not
+/// added up.
+void write_totals(std::ostream& out, const std::vector<batch::Answer>& answers) {
+  const auto refused =
+      std::count_if(answers.begin(), answers.end(),
+                    [](const batch::Answer& answer) { return !answer.error.empty(); });
+  fmt::print(out, "{} profiles replayed, {} refused\n", std::ssize(answers) - refused, refused);
+  if (const nlohmann::json most = most_life_used(answers); !most.is_null()) {
+    fmt::print(out, "  most life     {:.6g} in {}\n", life_used(most),
+               most["profile"].get<std::string>());
+  }
+  for (const std::string& flag : all_flag_names()) {
+    if (const auto count = profiles_with(flag, answers); count > 0) {
+      fmt::print(out, "  flag          {} in {} of them\n", flag, count);
+    }
+  }
 }
 
 }  // namespace

@@ -9,8 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "host_sim/command_line/numbers.hpp"
-#include "host_sim/command_line/type_names.hpp"
+#include "host_sim/command_line/options.hpp"
 #include "host_sim/io/progress.hpp"
 #include "host_sim/synth/campaign/folder.hpp"
 #include "host_sim/synth/campaign/make.hpp"

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "host_sim/command_line/examples.hpp"
+#include "host_sim/command_line/manual_page.hpp"
 #include "tests/command_line/small_program.hpp"
 
 namespace {

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "host_sim/command_line/roff.hpp"
 #include "tests/command_line/small_program.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "host_sim/extension/keys.hpp"
+#include "host_sim/extension/model_file.hpp"
 #include "tests/extension/models.hpp"
 
 namespace host_sim {

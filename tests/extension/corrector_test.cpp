@@ -8,8 +8,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "host_sim/extension/apply.hpp"
 #include "host_sim/extension/fixed.hpp"
+#include "host_sim/extension/tension.hpp"
 #include "lifemodel/pack/pack.hpp"
 #include "tests/extension/models.hpp"
 #include "tests/lifemodel/support.hpp"

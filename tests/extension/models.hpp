@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "host_sim/extension/read.hpp"
+#include "host_sim/extension/model_file.hpp"
 
 namespace extension_test {
 

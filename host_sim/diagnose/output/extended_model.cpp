@@ -8,7 +8,7 @@
 #include "hal/files/text.hpp"
 #include "host_sim/campaign/nominal_model.hpp"
 #include "host_sim/diagnose/diagnosis.hpp"
-#include "host_sim/extension/write.hpp"
+#include "host_sim/extension/model_file.hpp"
 #include "host_sim/recording/recording.hpp"
 
 namespace host_sim::diagnose {

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "hal/files/input_error.hpp"
-#include "host_sim/extension/read.hpp"
+#include "host_sim/extension/model_file.hpp"
 #include "tests/diagnose/output/hand_made_diagnosis.hpp"
 
 namespace host_sim::diagnose {

@@ -10,8 +10,7 @@
 #include "hal/files/input_error.hpp"
 #include "host_sim/extension/acting.hpp"
 #include "host_sim/extension/fixed.hpp"
-#include "host_sim/extension/read.hpp"
-#include "host_sim/extension/write.hpp"
+#include "host_sim/extension/model_file.hpp"
 #include "tests/fuzz/io/require.hpp"
 
 using host_sim::Extension;

@@ -1,4 +1,4 @@
-#include "host_sim/extension/apply.hpp"
+#include "host_sim/extension/tension.hpp"
 
 #include <gtest/gtest.h>
 

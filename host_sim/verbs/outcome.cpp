@@ -1,12 +1,12 @@
-#include "host_sim/verbs/batch_outputs.hpp"
+#include "host_sim/verbs/outcome.hpp"
 
 #include <fmt/ostream.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <iostream>
 #include <set>
 
-#include "host_sim/verbs/fail_on.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
@@ -15,6 +15,8 @@ namespace host_sim {
 using hal::files::OutputFile;
 
 namespace {
+
+constexpr const char* kAny = "any";
 
 constexpr int kSomeRefused = 1;
 
@@ -42,6 +44,23 @@ bool is_error(const batch::Answer& answer) {
 }
 
 }  // namespace
+
+CLI::Option* add_fail_on(CLI::App& verb, std::vector<std::string>& fail_on,
+                         std::vector<std::string> names, const std::string& description) {
+  names.emplace_back(kAny);
+  // Without extra arguments: the next one may be a profile.
+  return verb.add_option("--fail-on", fail_on, description)
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->check(CLI::IsMember(names));
+}
+
+bool fails_on(const std::vector<std::string>& fail_on, const std::vector<std::string>& found) {
+  return std::any_of(found.begin(), found.end(), [&](const std::string& name) {
+    return std::find(fail_on.begin(), fail_on.end(), name) != fail_on.end() ||
+           std::find(fail_on.begin(), fail_on.end(), kAny) != fail_on.end();
+  });
+}
 
 void BatchOutputs::open(const std::string& table_path, const std::string& json_path) {
   table = open_if_asked(table_path);

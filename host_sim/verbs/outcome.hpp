@@ -8,7 +8,19 @@
 #include "hal/files/output_file.hpp"
 #include "host_sim/batch/run_batch.hpp"
 
+namespace CLI {
+class App;
+class Option;
+}  // namespace CLI
+
 namespace host_sim {
+
+/// The option `--fail-on` with `names`, several of them behind commas, or `any`.
+CLI::Option* add_fail_on(CLI::App& verb, std::vector<std::string>& fail_on,
+                         std::vector<std::string> names, const std::string& description);
+
+/// Whether one of `found` is one to fail on.
+bool fails_on(const std::vector<std::string>& fail_on, const std::vector<std::string>& found);
 
 /// The outputs of a batch: a table with a row and a JSON file with an object for each piece.
 struct BatchOutputs {

@@ -8,6 +8,11 @@
 
 namespace host_sim::command_line {
 
+// Names of types that say what a value is, in the help and to a shell.
+inline constexpr const char* kFile = "FILE";
+inline constexpr const char* kFolder = "FOLDER";
+inline constexpr const char* kInterface = "INTERFACE";
+
 /// Checks of the numbers of all verbs. CLI::Range lets NaN pass, which is neither below nor above
 /// anything.
 

@@ -1,5 +1,3 @@
-#include "host_sim/batch/run_batch.hpp"
-
 #include <gtest/gtest.h>
 
 #include <new>
@@ -7,6 +5,8 @@
 
 #include "hal/files/input_error.hpp"
 #include "hal/files/interruption.hpp"
+#include "host_sim/batch/deal.hpp"
+#include "host_sim/batch/run_batch.hpp"
 
 namespace {
 
@@ -14,8 +14,10 @@ using hal::files::InputError;
 using hal::files::Interruption;
 using host_sim::batch::Answer;
 using host_sim::batch::Batch;
+using host_sim::batch::deal;
 using host_sim::batch::error_line;
 using host_sim::batch::Means;
+using host_sim::batch::Ranks;
 using host_sim::batch::run_batch;
 
 constexpr int kStatus = 7;
@@ -96,6 +98,46 @@ TEST_F(RunBatch, SharesItsThreadsAmongFewPieces) {
     return Answer{};
   };
   EXPECT_EQ(run_batch(ranks_, batch_), kStatus);
+}
+
+// Where the tests are built with MPI, it starts once in a process: run them by ctest.
+
+TEST(Deal, GivesAnswersInOrderWithAnyBytes) {
+  Ranks ranks;
+  ASSERT_EQ(ranks.count(), 1U);
+  EXPECT_EQ(ranks.broadcast("text"), "text");
+  const std::vector<std::string> answers =
+      deal(ranks, 100, 3, [](std::size_t i) { return std::string(i, '\0') + std::to_string(i); });
+  ASSERT_EQ(answers.size(), 100U);
+  for (std::size_t i = 0; i < answers.size(); ++i) {
+    EXPECT_EQ(answers[i], std::string(i, '\0') + std::to_string(i));
+  }
+  EXPECT_TRUE(ranks.has_left());
+}
+
+TEST(Deal, TellsWhyTheWorkFailed) {
+  Ranks ranks;
+  try {
+    deal(ranks, 5, 2, [](std::size_t i) -> std::string {
+      return i == 3 ? throw std::runtime_error("three") : "";
+    });
+    FAIL() << "no exception";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "three");
+  }
+  EXPECT_TRUE(ranks.has_left());
+}
+
+TEST(Deal, AnInterruptionStaysOne) {
+  Ranks ranks;
+  EXPECT_THROW(
+      deal(ranks, 2, 1, [](std::size_t) -> std::string { throw hal::files::Interruption(); }),
+      hal::files::Interruption);
+}
+
+TEST(Deal, NothingToDoIsNoError) {
+  Ranks ranks;
+  EXPECT_TRUE(deal(ranks, 0, 0, [](std::size_t) { return std::string(); }).empty());
 }
 
 }  // namespace
