@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -11,10 +13,40 @@
 #include "hal/byte_stream.hpp"
 #include "hal/can_port.hpp"
 #include "hal/error.hpp"
-#include "hal/slcan/byte_queue.hpp"
 #include "hal/slcan/line.hpp"
 
 namespace hal::slcan {
+
+/// Bytes on their way out, oldest first.
+template <std::size_t kBytes>
+class ByteQueue {
+  static_assert(std::has_single_bit(kBytes));
+
+ public:
+  [[nodiscard]] constexpr std::size_t free() const { return kBytes - size_; }
+  [[nodiscard]] constexpr bool empty() const { return size_ == 0; }
+
+  /// @pre there is room
+  constexpr void push(std::span<const std::byte> bytes) {
+    for (const std::byte byte : bytes) {
+      bytes_[(first_ + size_++) % kBytes] = byte;
+    }
+  }
+  /// The oldest bytes, as many as lie side by side.
+  [[nodiscard]] constexpr std::span<const std::byte> front() const {
+    return std::span(bytes_).subspan(first_, std::min(size_, kBytes - first_));
+  }
+  /// @pre count <= front().size()
+  constexpr void pop(std::size_t count) {
+    first_ = (first_ + count) % kBytes;
+    size_ -= count;
+  }
+
+ private:
+  std::array<std::byte, kBytes> bytes_{};
+  std::size_t first_ = 0;
+  std::size_t size_ = 0;
+};
 
 /// What the host has made of the channel.
 enum class Channel : std::uint8_t {

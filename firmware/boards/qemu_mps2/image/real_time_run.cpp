@@ -4,12 +4,12 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "firmware/boards/qemu_mps2/fault.hpp"
 #include "firmware/boards/qemu_mps2/image/machine.hpp"
 #include "firmware/boards/qemu_mps2/image/recording.hpp"
 #include "firmware/boards/qemu_mps2/image/run_files.hpp"
 #include "firmware/boards/qemu_mps2/registers.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
+#include "firmware/boards/qemu_mps2/startup.hpp"
 #include "hal/qemu_mps2/system_timer.hpp"
 
 namespace firmware::qemu_mps2 {

@@ -13,7 +13,7 @@
 #include "hal/clock.hpp"
 #include "hal/error.hpp"
 #include "hal/qemu_mps2/virtual_devices.hpp"
-#include "hal/slcan/byte_queue.hpp"
+#include "hal/slcan/port.hpp"
 #include "lifemodel/support/bytes.hpp"
 
 namespace firmware::qemu_mps2 {
