@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "lifemodel/block/parameters.hpp"
+#include "lifemodel/block/parameter_block.hpp"
 #include "lifemodel/state/snapshot.hpp"
 #include "lifemodel/support/shared_word.hpp"
 #include "lifemodel/tendon.hpp"

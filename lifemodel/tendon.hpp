@@ -6,13 +6,11 @@
 #include <cstdint>
 #include <span>
 
-#include "lifemodel/block/parameters.hpp"
-#include "lifemodel/counting/overrun.hpp"
+#include "lifemodel/block/parameter_block.hpp"
 #include "lifemodel/counting/queue.hpp"
 #include "lifemodel/counting/rainflow.hpp"
 #include "lifemodel/counting/turning_points.hpp"
 #include "lifemodel/quantity/units.hpp"
-#include "lifemodel/state/alternation.hpp"
 #include "lifemodel/state/ledger.hpp"
 #include "lifemodel/support/bytes.hpp"
 #include "lifemodel/support/inlining.hpp"

@@ -6,24 +6,20 @@
 #include <limits>
 #include <optional>
 
-#include "firmware/app/bus_watch.hpp"
-#include "firmware/app/conditions.hpp"
+#include "firmware/app/bus.hpp"
 #include "firmware/app/config.hpp"
 #include "firmware/app/devices.hpp"
 #include "firmware/app/emergencies.hpp"
 #include "firmware/app/intake.hpp"
 #include "firmware/app/keeper.hpp"
 #include "firmware/app/life_book.hpp"
-#include "firmware/app/listener.hpp"
-#include "firmware/app/liveness.hpp"
 #include "firmware/app/node.hpp"
 #include "firmware/app/rainflow_bins.hpp"
 #include "firmware/app/reporter.hpp"
 #include "firmware/app/safety.hpp"
 #include "firmware/app/speaker.hpp"
 #include "firmware/app/status_light.hpp"
-#include "firmware/app/stored_parameters.hpp"
-#include "firmware/protocol/uds/endpoint.hpp"
+#include "firmware/protocol/uds/server.hpp"
 #include "lifemodel/estimator.hpp"
 
 namespace app {

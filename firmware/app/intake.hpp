@@ -1,16 +1,26 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
 
-#include "firmware/app/extending_sensor.hpp"
+#include "firmware/app/intake.hpp"
 #include "hal/devices.hpp"
 #include "lifemodel/estimator.hpp"
 #include "lifemodel/input/capstan.hpp"
+#include "lifemodel/quantity/flags.hpp"
 #include "lifemodel/support/shared_word.hpp"
 
 namespace app {
+
+/// What the application tells a sensor that extends the model, and asks of it.
+template <class T>
+concept ExtendingSensor = requires(T& sensor, std::size_t tendon) {
+  sensor.isr_missed();
+  sensor.start_at(tendon, std::uint64_t{});
+  { sensor.isr_flags(tendon) } -> std::same_as<lifemodel::Flags>;
+};
 
 /// A sample of output tension, which the estimator carries to the motor end.
 struct OutputTension {

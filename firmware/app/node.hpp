@@ -8,12 +8,11 @@
 #include <span>
 
 #include "firmware/app/config.hpp"
-#include "firmware/app/extending_sensor.hpp"
 #include "firmware/app/intake.hpp"
 #include "firmware/app/keeper.hpp"
 #include "firmware/app/life_book.hpp"
 #include "firmware/protocol/schema/plan.hpp"
-#include "firmware/protocol/uds/identity.hpp"
+#include "firmware/protocol/uds/device.hpp"
 #include "lifemodel/block/parameter_block.hpp"
 #include "lifemodel/estimator.hpp"
 

@@ -6,15 +6,31 @@
 #include <cstdint>
 #include <limits>
 
-#include "firmware/app/conditions.hpp"
 #include "firmware/app/config.hpp"
 #include "firmware/app/life_book.hpp"
 #include "firmware/app/rainflow_bins.hpp"
 #include "firmware/protocol/messages.hpp"
 #include "firmware/protocol/schema/plan.hpp"
 #include "firmware/storage/save_policy.hpp"
+#include "hal/can_port.hpp"
 
 namespace app {
+
+/// How the node is, apart from the lives.
+struct Conditions {
+  std::uint32_t configuration = 0;  ///< CRC-32 over the configurations of all tendons
+  bool trusted = false;             ///< no record of the past was lost
+  bool sensor_ok = false;
+  bool storage_ok = false;
+  bool locked = false;                  ///< the drive is held off
+  std::uint32_t sequence = 0;           ///< of the last save
+  std::uint32_t unsaved_ppb = 0;        ///< rounded up, as are all that follow
+  std::uint32_t worst_unsaved_ppb = 0;  ///< since the start
+  protocol::detail::Timing timing;
+  hal::CanStatus bus;
+  std::uint8_t dropped = 0;   ///< detail pages
+  std::uint16_t refused = 0;  ///< frames and commands
+};
 
 /// Turns what the node knows into messages.
 template <std::size_t kTendons>

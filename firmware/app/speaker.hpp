@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "firmware/app/bus_budget.hpp"
+#include "firmware/app/bus.hpp"
 #include "firmware/app/emergencies.hpp"
 #include "firmware/protocol/codec.hpp"
 #include "firmware/protocol/e2e.hpp"

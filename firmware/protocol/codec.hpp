@@ -1,15 +1,15 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <tuple>
+#include <type_traits>
 #include <utility>
 
-#include "firmware/protocol/codec/address.hpp"
-#include "firmware/protocol/codec/decode_error.hpp"
-#include "firmware/protocol/codec/field_codec.hpp"
-#include "firmware/protocol/codec/payload.hpp"
 #include "firmware/protocol/messages.hpp"
-#include "firmware/protocol/schema/checks.hpp"
+#include "firmware/protocol/schema/frame.hpp"
 #include "firmware/protocol/schema/plan.hpp"
 #include "hal/can_frame.hpp"
 #include "lifemodel/support/result.hpp"
@@ -17,6 +17,105 @@
 /// Messages to frames and back, after the plan in schema/plan.hpp: Heartbeat, LifeStatus, each of
 /// detail::*, Emergency and Command.
 namespace protocol {
+
+/// Why a frame is not the message that was asked for.
+enum class [[nodiscard]] DecodeError : std::uint8_t{
+    other_frame,     ///< another identifier, or that of no node
+    wrong_length,    ///< not the number of bytes that the frame has
+    other_page,      ///< another page of the frame
+    reserved_bit,    ///< a bit is set that has no meaning
+    reserved_value,  ///< a value that has no meaning
+};
+
+/// The payload as one little-endian number, byte 0 lowest.
+constexpr std::uint64_t word_of(const hal::CanFrame& frame) {
+  std::uint64_t word = 0;
+  for (std::size_t i = frame.data.size(); i > 0; --i) {
+    word = (word << 8) | static_cast<std::uint64_t>(frame.data[i - 1]);
+  }
+  return word;
+}
+
+/// A frame with an 11-bit identifier and such a payload. Precondition: length <= 8, and `word` has
+/// no bits past it.
+constexpr hal::CanFrame frame_of(std::uint32_t id, std::uint8_t length, std::uint64_t word) {
+  hal::CanFrame frame{.id = id, .length = length};
+  for (std::byte& byte : frame.data) {
+    byte = static_cast<std::byte>(word & 0xff);
+    word >>= 8;
+  }
+  return frame;
+}
+
+inline constexpr std::uint32_t kNodeMask = 0x7f;
+
+/// The identifier of a frame of this node, 11 bits.
+constexpr std::uint32_t id_of(const schema::Frame& frame, Node node) {
+  return frame.base_id | (node & kNodeMask);
+}
+template <class Message>
+constexpr std::uint32_t id_of(Node node) {
+  return id_of(schema::Layout<Message>::kFrame, node);
+}
+
+/// The node whose frame it is, or nothing where it is another frame or that of no node.
+constexpr std::optional<Node> node_of(const schema::Frame& frame, const hal::CanFrame& received) {
+  const auto node = static_cast<Node>(received.id & kNodeMask);
+  if (received.extended || node == 0 || received.id != id_of(frame, node)) {
+    return std::nullopt;
+  }
+  return node;
+}
+template <class Message>
+constexpr std::optional<Node> node_of(const hal::CanFrame& received) {
+  return node_of(schema::Layout<Message>::kFrame, received);
+}
+
+/// Takes one member of a message to its bits and back. All about it but the value is known when it
+/// is compiled, so that no text of the schema reaches the target.
+template <class Message, std::size_t kIndex>
+class FieldCodec {
+ public:
+  static constexpr const schema::Signal& kSignal =
+      std::get<kIndex>(schema::Layout<Message>::kFields).signal;
+
+  /// The bits in their place. A value that is too wide stops at the largest.
+  static constexpr std::uint64_t put(const Message& message) {
+    const auto raw = static_cast<std::uint32_t>(message.*kMember);
+    constexpr std::uint32_t kLargest = schema::largest(kSignal.bits);
+    return std::uint64_t{raw < kLargest ? raw : kLargest} << kSignal.start_bit;
+  }
+
+  /// False, and nothing has happened, where the value has no meaning.
+  static constexpr bool get(std::uint64_t word, Message& message) {
+    const auto raw =
+        static_cast<std::uint32_t>(word >> kSignal.start_bit) & schema::largest(kSignal.bits);
+    if (!has_meaning(raw)) {
+      return false;
+    }
+    message.*kMember = static_cast<Member>(raw);
+    return true;
+  }
+
+ private:
+  static constexpr auto kMember = std::get<kIndex>(schema::Layout<Message>::kFields).member;
+  using Member = std::remove_cvref_t<decltype(std::declval<Message&>().*kMember)>;
+  static_assert(std::is_unsigned_v<Member> || std::is_enum_v<Member>);
+  static_assert(sizeof(Member) * 8 >= kSignal.bits, "the member does not hold the signal");
+  static_assert(!kSignal.is_closed || !kSignal.values.empty(), "its values have no names");
+
+  static constexpr bool has_meaning(std::uint32_t raw) {
+    if constexpr (kSignal.is_closed) {
+      return [raw]<std::size_t... kValues>(std::index_sequence<kValues...>) {
+        return ((raw == std::integral_constant<std::uint32_t, kSignal.values[kValues].value>{}) ||
+                ...);
+      }
+      (std::make_index_sequence<kSignal.values.size()>{});
+    } else {
+      return true;
+    }
+  }
+};
 
 template <class Message>
 using Decoded = lifemodel::Result<Message, DecodeError>;

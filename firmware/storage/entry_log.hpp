@@ -5,8 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "firmware/storage/entry_codec.hpp"
-#include "firmware/storage/page_range.hpp"
+#include "firmware/storage/log_entry.hpp"
 #include "firmware/storage/slot.hpp"
 #include "firmware/storage/store.hpp"
 #include "hal/non_volatile.hpp"

@@ -1,8 +1,15 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <span>
 
 #include "lifemodel/damage/damage.hpp"
+#include "lifemodel/quantity/flags.hpp"
+#include "lifemodel/support/bytes.hpp"
+#include "lifemodel/support/result.hpp"
 
 namespace storage {
 
@@ -22,5 +29,157 @@ struct LifeRecord {
 
   friend constexpr bool operator==(const LifeRecord&, const LifeRecord&) = default;
 };
+
+inline constexpr std::uint32_t kRecordMagic = 0x524c4c54;  ///< "TLLR"
+inline constexpr std::uint8_t kRecordSchema = 1;
+inline constexpr std::size_t kRecordBytes = 64;
+
+/// A record as it is stored, in little-endian words: magic; schema, tendon, flags and notes in a
+/// byte each; sequence; epoch; epoch damage (4); lifetime damage (4); cycles (2); configuration;
+/// CRC-32 of all before it. Notes have bit 0 for past_lost, the rest is zero.
+using RecordBytes = std::array<std::byte, kRecordBytes>;
+
+/// Why a record is refused.
+enum class RecordError : std::uint8_t {
+  none,
+  wrong_size,      ///< not kRecordBytes long
+  not_a_record,    ///< other magic
+  unknown_schema,  ///< made by another version of this firmware
+  damaged,         ///< the CRC does not fit
+  implausible,     ///< unknown flags or notes, or more damage of the wire than of all wires
+};
+
+/// The reason in words.
+constexpr const char* to_string(RecordError error) {
+  switch (error) {
+    case RecordError::none:
+      return "accepted";
+    case RecordError::wrong_size:
+      return "wrong size: a life record has 64 bytes";
+    case RecordError::not_a_record:
+      return "not a life record";
+    case RecordError::unknown_schema:
+      return "unknown schema: this firmware reads schema 1";
+    case RecordError::damaged:
+      return "damaged: the CRC-32 does not fit";
+    case RecordError::implausible:
+      return "implausible: unknown flags, or more damage of the wire than of all wires";
+  }
+  return "unknown";
+}
+
+namespace detail {
+
+constexpr void put(lifemodel::ByteWriter& out, const lifemodel::Damage& damage) {
+  for (const std::uint32_t word : damage.words()) {
+    out.u32(word);
+  }
+}
+
+constexpr lifemodel::Damage get_damage(lifemodel::ByteReader& in) {
+  lifemodel::Damage::Words words{};
+  for (std::uint32_t& word : words) {
+    word = in.u32();
+  }
+  return lifemodel::Damage::from_words(words);
+}
+
+}  // namespace detail
+
+constexpr RecordBytes encode(const LifeRecord& record) {
+  RecordBytes bytes{};
+  lifemodel::ByteWriter out(bytes);
+  out.u32(kRecordMagic);
+  out.u32(std::uint32_t{kRecordSchema} | (std::uint32_t{record.tendon} << 8) |
+          (std::uint32_t{record.flags} << 16) | (record.past_lost ? 1u << 24 : 0u));
+  out.u32(record.sequence);
+  out.u32(record.epoch);
+  detail::put(out, record.epoch_damage);
+  detail::put(out, record.lifetime_damage);
+  out.u64(record.epoch_cycles);
+  out.u32(record.configuration);
+  out.u32(lifemodel::crc32(std::span(bytes).first(out.size())));
+  return bytes;
+}
+
+/// Whether the values of a record can be of one wire.
+constexpr bool plausible(const LifeRecord& record) {
+  return (record.flags & ~lifemodel::kAllFlags) == 0 &&
+         record.epoch_damage <= record.lifetime_damage;
+}
+
+/// Checks the bytes of a record and reads it, or tells why it cannot be trusted.
+constexpr lifemodel::Result<LifeRecord, RecordError> decode(std::span<const std::byte> bytes) {
+  if (bytes.size() != kRecordBytes) {
+    return RecordError::wrong_size;
+  }
+  lifemodel::ByteReader in(bytes);
+  if (in.u32() != kRecordMagic) {
+    return RecordError::not_a_record;
+  }
+  const std::uint32_t what = in.u32();
+  if ((what & 0xff) != kRecordSchema) {
+    return RecordError::unknown_schema;
+  }
+  if (lifemodel::crc32(bytes.first(kRecordBytes - 4)) !=
+      lifemodel::ByteReader(bytes.last(4)).u32()) {
+    return RecordError::damaged;
+  }
+  LifeRecord record;
+  record.tendon = static_cast<std::uint8_t>(what >> 8);
+  record.flags = static_cast<std::uint8_t>(what >> 16);
+  const std::uint32_t notes = what >> 24;
+  record.past_lost = notes == 1;
+  record.sequence = in.u32();
+  const std::uint32_t epoch = in.u32();
+  record.epoch = static_cast<std::uint16_t>(epoch);
+  record.epoch_damage = detail::get_damage(in);
+  record.lifetime_damage = detail::get_damage(in);
+  record.epoch_cycles = in.u64();
+  record.configuration = in.u32();
+  if (notes > 1 || epoch != record.epoch || !plausible(record)) {
+    return RecordError::implausible;
+  }
+  return record;
+}
+
+/// Whether `next` may be stored after `last`: wires are counted up, the damage of all wires never
+/// falls, and neither do damage and cycles of the same wire.
+constexpr bool may_follow(const LifeRecord& next, const LifeRecord& last) {
+  if (!plausible(next) || next.epoch < last.epoch || next.lifetime_damage < last.lifetime_damage) {
+    return false;
+  }
+  return next.epoch > last.epoch ||
+         (next.epoch_damage >= last.epoch_damage && next.epoch_cycles >= last.epoch_cycles);
+}
+
+/// What is stored of each tendon.
+template <std::size_t kTendons>
+using Lives = std::array<std::optional<LifeRecord>, kTendons>;
+
+/// Whether there is one record a tendon, in their order, and each may follow what is stored.
+template <std::size_t kTendons>
+constexpr bool may_follow(std::span<const LifeRecord> records, const Lives<kTendons>& last) {
+  if (records.size() != kTendons) {
+    return false;
+  }
+  for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+    const LifeRecord& record = records[tendon];
+    const bool follows = last[tendon] ? may_follow(record, *last[tendon]) : plausible(record);
+    if (record.tendon != tendon || !follows) {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// `record` with what the store sets. `lost`: the past of the wire before this save was lost.
+constexpr LifeRecord successor(LifeRecord record, const std::optional<LifeRecord>& last, bool lost,
+                               std::uint32_t sequence) {
+  const bool next_wire = last && record.epoch > last->epoch;
+  record.sequence = sequence;
+  record.past_lost = lost && !next_wire;
+  return record;
+}
 
 }  // namespace storage

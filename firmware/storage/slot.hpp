@@ -2,14 +2,47 @@
 
 #include <algorithm>
 #include <array>
+#include <concepts>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "hal/error.hpp"
 #include "hal/non_volatile.hpp"
 
 namespace storage {
+
+/// Pages of a memory that follow one another.
+struct PageRange {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+
+  [[nodiscard]] constexpr std::uint32_t end() const { return first + count; }
+};
+
+/// What is kept where. The defaults are 20 pages of an STM32G431.
+struct FlashLayout {
+  PageRange life{0, 16};
+  PageRange parameters{16, 2};
+  PageRange log{18, 2};
+};
+
+/// What tells slots of a log apart: the newest of a key is the one with the highest sequence.
+struct SlotName {
+  std::uint32_t key = 0;
+  std::uint32_t sequence = 0;
+
+  friend constexpr bool operator==(const SlotName&, const SlotName&) = default;
+};
+
+/// How things are laid out in slots of kBytes, their CRC last. name(): nothing where the slot
+/// cannot be trusted.
+template <class T>
+concept SlotFormat = requires(std::span<const std::byte, T::kBytes> bytes) {
+  { T::kBytes } -> std::convertible_to<std::size_t>;
+  { T::name(bytes) } -> std::same_as<std::optional<SlotName>>;
+};
 
 /// Bytes that `bytes` take up in units of the memory.
 template <hal::NonVolatile Memory>

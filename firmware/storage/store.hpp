@@ -7,37 +7,11 @@
 #include <span>
 
 #include "firmware/storage/life_record.hpp"
+#include "firmware/storage/log_entry.hpp"
 #include "hal/error.hpp"
 #include "lifemodel/block/parameter_block.hpp"
 
 namespace storage {
-
-/// What was done under authority, or refused.
-enum class Event : std::uint8_t {
-  epoch_opened = 1,
-  parameters_loaded,
-  wrong_mac,
-  nonce_reused,
-  nonce_expired,
-  counter_rolled_back,
-  locked_out,
-  rejected,  ///< wrong length, unknown routine or tendon, content that does not hold, a transfer
-             ///< too long
-  disabled,  ///< the node has no key
-  not_done,  ///< what the line before tells of could not be done
-};
-
-/// One line of the append-only log.
-struct LogEntry {
-  std::uint32_t number = 0;    ///< counts the entries from 0, set by the store
-  std::uint32_t sequence = 0;  ///< storage sequence at that moment
-  Event event = Event::epoch_opened;
-  std::uint8_t tendon = 0;
-  std::uint16_t epoch = 0;
-  std::uint32_t detail = 0;  ///< configuration CRC, or the routine that was refused
-
-  friend constexpr bool operator==(const LogEntry&, const LogEntry&) = default;
-};
 
 /// Keeps the life record through power cuts.
 ///

@@ -15,12 +15,10 @@
 #include <variant>
 #include <vector>
 
-#include "firmware/storage/record_codec.hpp"
-#include "firmware/storage/succession.hpp"
+#include "firmware/storage/life_record.hpp"
 #include "hal/linux/file_io.hpp"
 #include "lifemodel/block/parameter_block.hpp"
 #include "lifemodel/support/bytes.hpp"
-#include "lifemodel/support/crc32.hpp"
 #include "lifemodel/support/saturating.hpp"
 
 namespace hal::linux_os {

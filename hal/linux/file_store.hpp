@@ -15,9 +15,9 @@
 #include <variant>
 #include <vector>
 
-#include "firmware/storage/entry_codec.hpp"
+#include "firmware/storage/life_record.hpp"
+#include "firmware/storage/log_entry.hpp"
 #include "firmware/storage/store.hpp"
-#include "firmware/storage/succession.hpp"
 #include "hal/error.hpp"
 #include "hal/linux/file_generations.hpp"
 #include "hal/linux/file_io.hpp"

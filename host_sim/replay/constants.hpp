@@ -5,7 +5,7 @@
 #include "host_sim/model/model.hpp"
 #include "host_sim/reference/constants.hpp"
 #include "host_sim/reference/equations.hpp"
-#include "lifemodel/block/extended_block.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 
 namespace host_sim {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "lifemodel/state/flags.hpp"
+#include "lifemodel/quantity/flags.hpp"
 
 namespace host_sim {
 

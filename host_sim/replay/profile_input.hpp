@@ -10,8 +10,8 @@
 #include "host_sim/model/model.hpp"
 #include "host_sim/reference/equations.hpp"
 #include "host_sim/replay/virtual_board.hpp"
-#include "lifemodel/block/extended_block.hpp"
 #include "lifemodel/extension/corrector.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 
 namespace host_sim {
 

@@ -19,7 +19,7 @@
 #include "host_sim/replay/profile_input.hpp"
 #include "host_sim/report/replay/plot_builders.hpp"
 #include "host_sim/report/replay/report_data.hpp"
-#include "lifemodel/block/parameters.hpp"
+#include "lifemodel/block/parameter_block.hpp"
 #include "lifemodel/counting/turning_points.hpp"
 #include "lifemodel/estimator.hpp"
 #include "lifemodel/extension/life.hpp"

@@ -10,11 +10,11 @@
 #include "hal/can_frame.hpp"
 #include "hal/clock.hpp"
 #include "hal/files/profile.hpp"
-#include "lifemodel/block/extended_block.hpp"
 #include "lifemodel/damage/damage.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 #include "lifemodel/extension/sample.hpp"
+#include "lifemodel/quantity/flags.hpp"
 #include "lifemodel/quantity/units.hpp"
-#include "lifemodel/state/flags.hpp"
 
 namespace host_sim {
 

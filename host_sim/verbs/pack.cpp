@@ -15,7 +15,7 @@
 #include "host_sim/replay/constants.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
-#include "lifemodel/block/extended_block.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 
 namespace host_sim {
 

@@ -6,12 +6,32 @@
 #include <cstdint>
 #include <span>
 
-#include "lifemodel/block/parameters.hpp"
+#include "lifemodel/damage/cycle_law.hpp"
+#include "lifemodel/input/capstan.hpp"
+#include "lifemodel/input/motor_drive.hpp"
+#include "lifemodel/life/weibull.hpp"
+#include "lifemodel/quantity/units.hpp"
 #include "lifemodel/support/bytes.hpp"
-#include "lifemodel/support/crc32.hpp"
 #include "lifemodel/support/result.hpp"
 
 namespace lifemodel {
+
+/// What the estimator has to know about one tendon. Comes out of a parameter block that has been
+/// checked; see ParameterBlock.
+struct Parameters {
+  std::uint32_t model_digest;  ///< CRC-32 of the model that the block was computed from
+  TensionRange hysteresis;     ///< smallest range that is counted, at least one step
+  std::uint32_t ultimate_mN;   ///< the ultimate tension, for conversions
+  TensionScale scale;
+  CycleLaw law;
+  LifeDistribution life;
+  Capstan capstan;
+  Angle bend;        ///< where the bend angle is not measured
+  MotorDrive drive;  ///< its gain is 0 where the model has no drive
+  std::uint32_t sample_period_us;
+
+  [[nodiscard]] constexpr bool has_drive() const { return drive.gain.mantissa != 0; }
+};
 
 inline constexpr std::uint32_t kBlockMagic = 0x42504c54;  ///< "TLPB"
 inline constexpr std::uint32_t kBlockVersion = 1;

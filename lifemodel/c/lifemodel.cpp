@@ -4,8 +4,8 @@
 #include <new>
 #include <span>
 
-#include "lifemodel/block/extended_block.hpp"
 #include "lifemodel/estimator.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 
 namespace {
 

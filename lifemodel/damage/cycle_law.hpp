@@ -3,8 +3,7 @@
 #include <cstdint>
 
 #include "lifemodel/damage/damage.hpp"
-#include "lifemodel/numeric/exp2.hpp"
-#include "lifemodel/numeric/log2.hpp"
+#include "lifemodel/numeric/logarithm.hpp"
 #include "lifemodel/numeric/quotient.hpp"
 #include "lifemodel/quantity/units.hpp"
 #include "lifemodel/support/inlining.hpp"

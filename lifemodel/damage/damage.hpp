@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <limits>
 
-#include "lifemodel/state/flags.hpp"
+#include "lifemodel/quantity/flags.hpp"
 #include "lifemodel/support/inlining.hpp"
 
 namespace lifemodel {

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "lifemodel/block/parameters.hpp"
+#include "lifemodel/block/parameter_block.hpp"
 #include "lifemodel/extension/extension.hpp"
 #include "lifemodel/extension/sample.hpp"
-#include "lifemodel/input/exponential.hpp"
+#include "lifemodel/input/capstan.hpp"
 
 namespace lifemodel::extension {
 

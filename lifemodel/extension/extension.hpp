@@ -2,21 +2,10 @@
 
 #include <cstdint>
 
-#include "lifemodel/extension/bend_angle.hpp"
-#include "lifemodel/extension/bending_fatigue.hpp"
-#include "lifemodel/extension/current_offset.hpp"
-#include "lifemodel/extension/endurance_limit.hpp"
-#include "lifemodel/extension/filter_lag.hpp"
-#include "lifemodel/extension/friction_load.hpp"
-#include "lifemodel/extension/friction_position.hpp"
-#include "lifemodel/extension/friction_preload.hpp"
-#include "lifemodel/extension/friction_temperature.hpp"
-#include "lifemodel/extension/friction_velocity.hpp"
-#include "lifemodel/extension/friction_wear.hpp"
-#include "lifemodel/extension/gear_asymmetry.hpp"
-#include "lifemodel/extension/mean_stress.hpp"
-#include "lifemodel/extension/torque_gain.hpp"
-#include "lifemodel/extension/torque_ripple.hpp"
+#include "lifemodel/extension/drive.hpp"
+#include "lifemodel/extension/effective_tension.hpp"
+#include "lifemodel/extension/sample.hpp"
+#include "lifemodel/extension/sheath.hpp"
 
 namespace lifemodel::extension {
 

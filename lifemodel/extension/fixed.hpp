@@ -4,8 +4,7 @@
 #include <bit>
 #include <cstdint>
 
-#include "lifemodel/numeric/exp2.hpp"
-#include "lifemodel/numeric/log2.hpp"
+#include "lifemodel/numeric/logarithm.hpp"
 
 /// Arithmetic that the effects share.
 namespace lifemodel::extension {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "lifemodel/block/parameters.hpp"
+#include "lifemodel/block/parameter_block.hpp"
 #include "lifemodel/damage/cycle_law.hpp"
 #include "lifemodel/extension/extension.hpp"
 

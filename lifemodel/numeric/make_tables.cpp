@@ -44,9 +44,19 @@ int main() {
   std::puts(
       "// Made by make_tables.cpp.\n"
       "#pragma once\n\n"
-      "#include <array>\n\n"
-      "#include \"lifemodel/numeric/cubic.hpp\"\n\n"
+      "#include <array>\n"
+      "#include <cstdint>\n\n"
       "namespace lifemodel::numeric {\n\n"
+      "/// One of 16 cubic segments c0 + t*(c1 + t*(c2 + t*c3)), 0 <= t < 1. Coefficients in Q31, "
+      "c1, c2\n"
+      "/// and c3 scaled by 2, 4 and 8 because a product of Q31 numbers keeps only its upper "
+      "word.\n"
+      "struct Segment {\n"
+      "  std::uint32_t c0;\n"
+      "  std::int32_t c1;\n"
+      "  std::int32_t c2;\n"
+      "  std::int32_t c3;\n"
+      "};\n\n"
       "// clang-format off");
   print_table("kLog2Segments", [](long double f) { return std::log2(1 + f); });
   print_table("kExp2Segments", [](long double f) { return std::exp2(f); });

@@ -3,9 +3,16 @@
 #include <bit>
 #include <cstdint>
 
-#include "lifemodel/numeric/normal.hpp"
-
 namespace lifemodel::numeric {
+
+/// A positive number rounded down to 27 significant bits: mantissa / 2^26 * 2^exponent, with
+/// 2^26 <= mantissa < 2^27. Rounding down to a grid that depends on the value alone keeps order.
+struct Normal {
+  std::uint32_t mantissa;
+  std::int32_t exponent;
+};
+
+inline constexpr int kMantissaBits = 26;
 
 /// floor(numerator / denominator) to 27 significant bits, exact in every case. Because it is exact,
 /// a larger quotient never gives a smaller result, which the damage of a cycle relies on.

@@ -2,10 +2,18 @@
 #pragma once
 
 #include <array>
-
-#include "lifemodel/numeric/cubic.hpp"
+#include <cstdint>
 
 namespace lifemodel::numeric {
+
+/// One of 16 cubic segments c0 + t*(c1 + t*(c2 + t*c3)), 0 <= t < 1. Coefficients in Q31, c1, c2
+/// and c3 scaled by 2, 4 and 8 because a product of Q31 numbers keeps only its upper word.
+struct Segment {
+  std::uint32_t c0;
+  std::int32_t c1;
+  std::int32_t c2;
+  std::int32_t c3;
+};
 
 // clang-format off
 inline constexpr std::array<Segment, 16> kLog2Segments = {{

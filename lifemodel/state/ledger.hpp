@@ -1,8 +1,8 @@
 #pragma once
 
 #include "lifemodel/damage/damage.hpp"
-#include "lifemodel/quantity/count.hpp"
-#include "lifemodel/state/flags.hpp"
+#include "lifemodel/quantity/flags.hpp"
+#include "lifemodel/quantity/units.hpp"
 #include "lifemodel/support/bytes.hpp"
 #include "lifemodel/support/shared_word.hpp"
 

@@ -5,7 +5,6 @@
 #include <span>
 
 #include "lifemodel/support/bytes.hpp"
-#include "lifemodel/support/crc32.hpp"
 
 namespace lifemodel {
 

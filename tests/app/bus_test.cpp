@@ -1,9 +1,147 @@
+#include "firmware/app/bus.hpp"
+
 #include <gtest/gtest.h>
 
+#include <random>
+#include <vector>
+
+#include "hal/error.hpp"
 #include "rig.hpp"
 
 namespace app {
 namespace {
+
+hal::CanFrame frame_of(std::uint8_t length, bool extended) {
+  hal::CanFrame frame;
+  frame.length = length;
+  frame.extended = extended;
+  return frame;
+}
+
+// Davis et al., Controller Area Network schedulability analysis, 2007: 55 + 10 n bits for 11-bit
+// identifiers and 80 + 10 n for 29-bit ones.
+TEST(BusBudget, AFrameTakesAsManyBitsAsPublished) {
+  for (std::uint8_t n = 0; n <= 8; ++n) {
+    EXPECT_EQ(worst_bits(frame_of(n, false)), 55u + 10u * n) << +n;
+    EXPECT_EQ(worst_bits(frame_of(n, true)), 80u + 10u * n) << +n;
+  }
+}
+
+TEST(BusBudget, TheRegularPlanFits) {
+  // Ten status, ten detail frames and a heartbeat a second.
+  EXPECT_LE(20 * worst_bits(frame_of(8, false)) + worst_bits(frame_of(1, false)),
+            BusBudget::kBitsPerSecond);
+}
+
+TEST(BusBudget, AnUrgentFrameFindsRoomWhereOthersDoNot) {
+  BusBudget budget;
+  budget.start({});
+  while (budget.allows(135)) {
+    budget.spend(135);
+  }
+  EXPECT_TRUE(budget.allows_urgent(135));
+  budget.spend(135);
+  EXPECT_FALSE(budget.allows_urgent(135));
+}
+
+TEST(BusBudget, InEverySpanOfTimeTheLoadIsBounded) {
+  std::mt19937 random(11);
+  BusBudget budget;
+  hal::Time now = hal::seconds(5);
+  budget.start(now);
+  struct Sent {
+    std::uint64_t at_us;
+    std::uint64_t bits;
+  };
+  std::vector<Sent> sent;
+  for (int step = 0; step < 3000; ++step) {
+    // Pauses at first, then a node that always has something to say.
+    const bool eager = step > 1'000;
+    now = now +
+          hal::microseconds(!eager && random() % 5 == 0 ? random() % 2'000'000 : random() % 40'000);
+    budget.advance(now);
+    const auto bits = static_cast<std::uint32_t>(55 + 10 * (random() % 9));
+    if (eager || random() % 2 == 0 ? budget.allows_urgent(bits) : budget.allows(bits)) {
+      budget.spend(bits);
+      sent.push_back({now.us, bits});
+    }
+  }
+  ASSERT_GT(sent.size(), 500u);
+  for (std::size_t first = 0; first < sent.size(); ++first) {
+    std::uint64_t bits = 0;
+    for (std::size_t last = first; last < sent.size(); ++last) {
+      bits += sent[last].bits;
+      const std::uint64_t span_us = sent[last].at_us - sent[first].at_us;
+      ASSERT_LE(bits * 1'000'000,
+                BusBudget::kBurstBits * 1'000'000ull + BusBudget::kBitsPerSecond * span_us);
+    }
+  }
+}
+
+/// A controller that is off from go_off() until `stubborn` recoveries have been asked for.
+class Controller {
+ public:
+  explicit Controller(const hal::Time& now) : now_(now) {}
+  hal::Error send(const hal::CanFrame&) { return off ? hal::Error::off : hal::Error::none; }
+  std::optional<hal::CanFrame> receive() { return std::nullopt; }
+  hal::CanStatus status() {
+    hal::CanStatus status;
+    status.state = off ? hal::CanState::off : hal::CanState::active;
+    return status;
+  }
+  hal::Error recover() {
+    asked_ms.push_back(now_.us / 1000);
+    off = asked_ms.size() < stubborn;
+    return hal::Error::none;
+  }
+
+  bool off = false;
+  std::size_t stubborn = 1;
+  std::vector<std::uint64_t> asked_ms;
+
+ private:
+  const hal::Time& now_;
+};
+
+TEST(BusWatch, AsksAgainWithPausesThatDouble) {
+  hal::Time now{};
+  Controller controller(now);
+  BusWatch watch(controller);
+  using Turn = BusWatch<Controller>::Turn;
+  controller.off = true;
+  controller.stubborn = 10;
+  EXPECT_EQ(watch.look(now), Turn::went_off);
+  Turn last = Turn::none;
+  for (std::uint32_t ms = 1; ms < 60'000 && last != Turn::came_back; ++ms) {
+    now = hal::milliseconds(ms);
+    last = watch.look(now);
+  }
+  EXPECT_EQ(last, Turn::came_back);
+  EXPECT_EQ(controller.asked_ms, (std::vector<std::uint64_t>{100, 300, 700, 1'500, 3'100, 6'300,
+                                                             12'700, 22'700, 32'700, 42'700}));
+}
+
+TEST(BusWatch, ABusThatGoesOffAgainSoonWaitsLonger) {
+  hal::Time now{};
+  Controller controller(now);
+  BusWatch watch(controller);
+  const auto run_to = [&](std::uint32_t ms) {
+    while (now < hal::milliseconds(ms)) {
+      now = now + hal::milliseconds(1);
+      (void)watch.look(now);
+    }
+  };
+  controller.off = true;
+  run_to(500);  // off at 1, asked at 101
+  controller.off = true;
+  controller.stubborn = 2;
+  run_to(2'000);  // off at 501, asked 400 ms later
+  controller.off = true;
+  controller.stubborn = 3;
+  now = hal::seconds(60);
+  run_to(61'000);  // long after: 100 ms
+  EXPECT_EQ(controller.asked_ms, (std::vector<std::uint64_t>{101, 901, 60'101}));
+}
 
 using protocol::Command;
 using protocol::CommandCode;

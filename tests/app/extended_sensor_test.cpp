@@ -5,13 +5,12 @@
 #include <memory>
 
 #include "firmware/app/app.hpp"
-#include "firmware/app/extended_models.hpp"
 #include "hal/fake/can_port.hpp"
 #include "hal/fake/clock.hpp"
 #include "hal/fake/devices.hpp"
 #include "lifemodel/pack/pack.hpp"
-#include "paper_parameters.hpp"
 #include "ram_store.hpp"
+#include "wire.hpp"
 
 namespace app {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <array>
 
-#include "parts_support.hpp"
 #include "ram_store.hpp"
+#include "wire.hpp"
 
 namespace app {
 namespace {

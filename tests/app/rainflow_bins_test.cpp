@@ -4,7 +4,7 @@
 
 #include "hal/fake/random.hpp"
 #include "lifemodel/estimator.hpp"
-#include "paper_parameters.hpp"
+#include "wire.hpp"
 
 namespace app {
 namespace {

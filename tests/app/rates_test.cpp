@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "parts_support.hpp"
+#include "wire.hpp"
 
 namespace app {
 namespace {

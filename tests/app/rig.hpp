@@ -12,8 +12,8 @@
 #include "hal/fake/clock.hpp"
 #include "hal/fake/devices.hpp"
 #include "lifemodel/pack/pack.hpp"
-#include "paper_parameters.hpp"
 #include "ram_store.hpp"
+#include "wire.hpp"
 
 namespace app {
 

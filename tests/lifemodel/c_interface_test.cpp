@@ -5,7 +5,7 @@
 #include <cstring>
 
 #include "c_interface_in_c.h"
-#include "lifemodel/block/extended_block.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 #include "support.hpp"
 
 namespace lifemodel {

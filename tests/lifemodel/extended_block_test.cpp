@@ -1,4 +1,4 @@
-#include "lifemodel/block/extended_block.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,7 @@
 #include <numbers>
 #include <random>
 
-#include "lifemodel/numeric/exp2.hpp"
-#include "lifemodel/numeric/log2.hpp"
+#include "lifemodel/numeric/logarithm.hpp"
 #include "lifemodel/numeric/quotient.hpp"
 #include "lifemodel/numeric/sine.hpp"
 

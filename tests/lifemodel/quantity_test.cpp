@@ -1,11 +1,8 @@
-#include "lifemodel/quantity/quantity.hpp"
-
 #include <gtest/gtest.h>
 
 #include <concepts>
 #include <limits>
 
-#include "lifemodel/quantity/count.hpp"
 #include "lifemodel/quantity/units.hpp"
 
 namespace lifemodel {

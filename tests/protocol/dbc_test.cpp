@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "firmware/protocol/generate/decimal.hpp"
-#include "firmware/protocol/generate/generate.hpp"
+#include "firmware/generate/decimal.hpp"
+#include "firmware/generate/generate.hpp"
 
 // The rules that third-party readers of DBC files lay down, one test each.
 namespace protocol::generate {

@@ -4,7 +4,7 @@
 #include <sstream>
 #include <string>
 
-#include "firmware/protocol/generate/generate.hpp"
+#include "firmware/generate/generate.hpp"
 
 namespace protocol::generate {
 namespace {

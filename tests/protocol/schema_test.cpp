@@ -3,7 +3,7 @@
 #include <array>
 
 #include "firmware/protocol/codec.hpp"
-#include "firmware/protocol/schema/checks.hpp"
+#include "firmware/protocol/schema/plan.hpp"
 #include "tests/protocol/random_messages.hpp"
 
 namespace protocol::schema {

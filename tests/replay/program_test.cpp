@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "lifemodel/block/extended_block.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 
 namespace {
 

@@ -6,10 +6,9 @@
 #include <span>
 #include <string>
 
-#include "firmware/storage/entry_codec.hpp"
-#include "firmware/storage/parameter_slot.hpp"
-#include "firmware/storage/record_codec.hpp"
-#include "firmware/storage/succession.hpp"
+#include "firmware/storage/flash_store.hpp"
+#include "firmware/storage/life_record.hpp"
+#include "firmware/storage/log_entry.hpp"
 #include "tests/storage/lives.hpp"
 
 namespace storage_test {

@@ -13,10 +13,10 @@ namespace {
 using hal::Error;
 using hal::fake::BadPage;
 using hal::fake::FlashFault;
-using Flash = hal::fake::Flash<2, 32, 8>;
+using TwoPages = hal::fake::Flash<2, 32, 8>;
 using Unit = std::array<std::byte, 8>;
-using Kind = FlashFault::Kind;
-static_assert(hal::NonVolatile<Flash>);
+using FaultKind = FlashFault::Kind;
+static_assert(hal::NonVolatile<TwoPages>);
 
 constexpr Unit all(unsigned value) {
   Unit unit{};
@@ -27,14 +27,14 @@ const Unit kErased = all(0xff);
 const Unit kZeros = all(0);
 const Unit kData = all(0x5a);
 
-Unit read(const Flash& flash, std::uint32_t address, Error expected = Error::none) {
+Unit read(const TwoPages& flash, std::uint32_t address, Error expected = Error::none) {
   Unit unit{};
   EXPECT_EQ(flash.read(address, unit), expected);
   return unit;
 }
 
 TEST(FakeFlash, ProgramsErasedUnitsOnce) {
-  Flash flash;
+  TwoPages flash;
   EXPECT_EQ(read(flash, 8), kErased);
   EXPECT_EQ(flash.program(8, kData), Error::none);
   EXPECT_EQ(flash.program(8, kData), Error::failed);
@@ -51,7 +51,7 @@ TEST(FakeFlash, ProgramsErasedUnitsOnce) {
 }
 
 TEST(FakeFlash, RefusesWhatItDoesNotHave) {
-  Flash flash;
+  TwoPages flash;
   EXPECT_EQ(flash.program(4, kData), Error::out_of_range);
   EXPECT_EQ(flash.program(64, kData), Error::out_of_range);
   EXPECT_EQ(flash.program(0, std::span(kData).first(4)), Error::out_of_range);
@@ -61,8 +61,8 @@ TEST(FakeFlash, RefusesWhatItDoesNotHave) {
 }
 
 TEST(FakeFlash, ACutProgramIsOldTornOrNew) {
-  const auto cut = [](Kind kind) {
-    Flash flash;
+  const auto cut = [](FaultKind kind) {
+    TwoPages flash;
     flash.fault(1, {kind, 7});
     EXPECT_EQ(flash.program(0, kData), Error::none);
     EXPECT_EQ(flash.program(8, kZeros), Error::failed);
@@ -75,16 +75,16 @@ TEST(FakeFlash, ACutProgramIsOldTornOrNew) {
     EXPECT_EQ(read(flash, 16), kErased);
     return flash;
   };
-  EXPECT_EQ(read(cut(Kind::cut_before), 8), kErased);
-  EXPECT_EQ(read(cut(Kind::cut_after), 8), kZeros);
-  EXPECT_EQ(read(cut(Kind::cut_torn), 8, Error::damaged), kZeros);
-  const Unit half = read(cut(Kind::cut_half), 8);
+  EXPECT_EQ(read(cut(FaultKind::cut_before), 8), kErased);
+  EXPECT_EQ(read(cut(FaultKind::cut_after), 8), kZeros);
+  EXPECT_EQ(read(cut(FaultKind::cut_torn), 8, Error::damaged), kZeros);
+  const Unit half = read(cut(FaultKind::cut_half), 8);
   EXPECT_NE(half, kErased);
   EXPECT_NE(half, kZeros);
 }
 
 TEST(FakeFlash, ATornUnitHidesItsPartOfAReadAlone) {
-  Flash flash;
+  TwoPages flash;
   for (std::uint32_t address = 0; address < 24; address += 8) {
     EXPECT_EQ(flash.program(address, kData), Error::none);
   }
@@ -101,11 +101,11 @@ TEST(FakeFlash, ACutEraseLeavesAMixture) {
   bool erased = false;
   bool torn = false;
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
-    Flash flash;
+    TwoPages flash;
     for (std::uint32_t address = 0; address < 32; address += 8) {
       EXPECT_EQ(flash.program(address, kData), Error::none);
     }
-    flash.fault(flash.operations(), {Kind::cut_torn, seed});
+    flash.fault(flash.operations(), {FaultKind::cut_torn, seed});
     EXPECT_EQ(flash.erase(0), Error::failed);
     flash.power_on();
     for (std::uint32_t address = 0; address < 32; address += 8) {
@@ -119,24 +119,24 @@ TEST(FakeFlash, ACutEraseLeavesAMixture) {
 }
 
 TEST(FakeFlash, RefusedAndLostOperationsChangeNothing) {
-  Flash flash;
-  flash.fault(0, {Kind::refuse});
+  TwoPages flash;
+  flash.fault(0, {FaultKind::refuse});
   EXPECT_EQ(flash.program(0, kData), Error::failed);
   EXPECT_EQ(read(flash, 0), kErased);
-  flash.fault(1, {Kind::lose});
+  flash.fault(1, {FaultKind::lose});
   EXPECT_EQ(flash.program(0, kData), Error::none);
   EXPECT_EQ(read(flash, 0), kErased);
   EXPECT_EQ(flash.program(0, kData), Error::none);
-  flash.fault(3, {Kind::lose});
+  flash.fault(3, {FaultKind::lose});
   EXPECT_EQ(flash.erase(0), Error::none);
   EXPECT_EQ(read(flash, 0), kData);
-  flash.fault(4, {Kind::refuse});
+  flash.fault(4, {FaultKind::refuse});
   EXPECT_EQ(flash.erase(0), Error::failed);
   EXPECT_EQ(read(flash, 0), kData);
 }
 
 TEST(FakeFlash, BadPages) {
-  Flash flash;
+  TwoPages flash;
   EXPECT_EQ(flash.program(0, kData), Error::none);
   EXPECT_EQ(flash.program(8, kData), Error::none);
   flash.make_bad(0, BadPage::erase_fails);
@@ -152,15 +152,15 @@ TEST(FakeFlash, BadPages) {
 }
 
 TEST(FakeFlash, BitRot) {
-  Flash flash;
+  TwoPages flash;
   EXPECT_EQ(flash.program(0, kData), Error::none);
   flash.flip(3, 1);
   EXPECT_EQ(read(flash, 0)[3], std::byte{0x58});
 }
 
 TEST(FakeFlash, TakesAnImage) {
-  Flash flash;
-  std::array<std::byte, Flash::kBytes> image{};
+  TwoPages flash;
+  std::array<std::byte, TwoPages::kBytes> image{};
   image.fill(std::byte{0xff});
   std::ranges::copy(kData, image.begin() + 8);
   flash.load(image);

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kTendons = 2;
 constexpr std::uint32_t kSteps = 40;
-using Store = hal::linux_os::FileStore<kTendons, MemoryCalls>;
+using MemoryStore = hal::linux_os::FileStore<kTendons, MemoryCalls>;
 using Expected = Model<kTendons>;
 using Fault = MemoryFiles::Fault;
 
@@ -27,8 +27,8 @@ constexpr std::uint64_t kSeeds = 16;
 /// A store that has made some steps, and what it must hold.
 struct Life {
   explicit Life(std::uint32_t steps) {
-    auto opened = Store::open("/store", MemoryCalls(files));
-    Store& store = std::get<Store>(opened);
+    auto opened = MemoryStore::open("/store", MemoryCalls(files));
+    MemoryStore& store = std::get<MemoryStore>(opened);
     for (std::uint32_t i = 0; i < steps; ++i) {
       EXPECT_EQ(expected.call(store, i), hal::Error::none);
     }
@@ -36,8 +36,8 @@ struct Life {
 
   /// Opens it anew, makes a step and gives how many calls were made up to then.
   hal::Error step(std::uint32_t i) {
-    auto opened = Store::open("/store", MemoryCalls(files));
-    if (Store* store = std::get_if<Store>(&opened)) {
+    auto opened = MemoryStore::open("/store", MemoryCalls(files));
+    if (MemoryStore* store = std::get_if<MemoryStore>(&opened)) {
       return expected.call(*store, i);
     }
     return hal::Error::failed;
@@ -45,19 +45,19 @@ struct Life {
 
   void check_and_go_on(std::uint32_t from) {
     {
-      auto opened = Store::open("/store", MemoryCalls(files));
-      ASSERT_TRUE(std::holds_alternative<Store>(opened))
+      auto opened = MemoryStore::open("/store", MemoryCalls(files));
+      ASSERT_TRUE(std::holds_alternative<MemoryStore>(opened))
           << to_string(std::get<hal::linux_os::FileError>(opened));
-      Store& store = std::get<Store>(opened);
+      MemoryStore& store = std::get<MemoryStore>(opened);
       expected.check(store);
       for (std::uint32_t i = from; i < from + 10; ++i) {
         ASSERT_EQ(expected.call(store, i), hal::Error::none);
       }
     }
-    auto again = Store::open("/store", MemoryCalls(files));
-    expected.check(std::get<Store>(again));
-    ASSERT_FALSE(std::get<Store>(again).past_lost());
-    ASSERT_TRUE(std::get<Store>(again).notices().empty());
+    auto again = MemoryStore::open("/store", MemoryCalls(files));
+    expected.check(std::get<MemoryStore>(again));
+    ASSERT_FALSE(std::get<MemoryStore>(again).past_lost());
+    ASSERT_TRUE(std::get<MemoryStore>(again).notices().empty());
   }
 
   MemoryFiles files{"/store"};
@@ -132,20 +132,20 @@ TEST(FileFaults, TheFirstEntryOfANewLogIsThere) {
   for (std::uint64_t seed = 0; seed < 64; ++seed) {
     MemoryFiles files("/store");
     {
-      auto opened = Store::open("/store", MemoryCalls(files));
-      ASSERT_EQ(std::get<Store>(opened).append(entry_of(1)), hal::Error::none);
+      auto opened = MemoryStore::open("/store", MemoryCalls(files));
+      ASSERT_EQ(std::get<MemoryStore>(opened).append(entry_of(1)), hal::Error::none);
     }
     files.restart(seed);
-    auto opened = Store::open("/store", MemoryCalls(files));
-    ASSERT_TRUE(std::get<Store>(opened).log(0)) << seed;
+    auto opened = MemoryStore::open("/store", MemoryCalls(files));
+    ASSERT_TRUE(std::get<MemoryStore>(opened).log(0)) << seed;
   }
 }
 
 // A store that stays open over errors, as a controller does on a disk that is full for a while.
 TEST(FileFaults, AFullDiskForAWhile) {
   Life life(6);
-  auto opened = Store::open("/store", MemoryCalls(life.files));
-  Store& store = std::get<Store>(opened);
+  auto opened = MemoryStore::open("/store", MemoryCalls(life.files));
+  MemoryStore& store = std::get<MemoryStore>(opened);
   const auto committed = store.load(1);
   for (std::uint32_t i = 0; i < 5; ++i) {
     life.files.fault({life.files.calls() + 1, Fault::Kind::error, ENOSPC});

@@ -15,20 +15,21 @@ namespace {
 using hal::Error;
 using hal::fake::FlashFault;
 
+enum class ActionKind : std::uint8_t { save, load, append, prepare, restart, fault };
+
 struct Action {
-  enum class Kind : std::uint8_t { save, load, append, prepare, restart, fault } kind;
+  ActionKind kind;
   FlashFault fault;
   std::uint32_t after;  ///< operations until the fault
 };
 
 rc::Gen<Action> action() {
-  using Kind = Action::Kind;
-  const auto kind = rc::gen::weightedElement<Kind>({{12, Kind::save},
-                                                    {4, Kind::load},
-                                                    {2, Kind::append},
-                                                    {4, Kind::prepare},
-                                                    {2, Kind::restart},
-                                                    {6, Kind::fault}});
+  const auto kind = rc::gen::weightedElement<ActionKind>({{12, ActionKind::save},
+                                                          {4, ActionKind::load},
+                                                          {2, ActionKind::append},
+                                                          {4, ActionKind::prepare},
+                                                          {2, ActionKind::restart},
+                                                          {6, ActionKind::fault}});
   const auto fault = rc::gen::build<FlashFault>(
       rc::gen::set(&FlashFault::kind,
                    rc::gen::element(FlashFault::Kind::cut_before, FlashFault::Kind::cut_torn,
@@ -42,47 +43,47 @@ rc::Gen<Action> action() {
 
 template <std::size_t kTendons>
 void lives_through(const std::vector<Action>& actions) {
-  using Store = StoreOn<Small, kTendons>;
+  using Tested = StoreOn<Small, kTendons>;
   Small::Flash flash;
   Socket<Small::Flash> socket(flash);
-  Store store(socket);
+  Tested store(socket);
   Model<kTendons> model;
   std::uint32_t step = 0;
   RC_ASSERT(model.save(store, step) == Error::none);
   for (const Action& action : actions) {
     ++step;
     switch (action.kind) {
-      case Action::Kind::save:
+      case ActionKind::save:
         (void)model.save(store, step);
         break;
-      case Action::Kind::load:
+      case ActionKind::load:
         (void)model.load(store, step);
         break;
-      case Action::Kind::append:
+      case ActionKind::append:
         (void)model.append(store, step);
         break;
-      case Action::Kind::prepare:
+      case ActionKind::prepare:
         (void)store.prepare();
         break;
-      case Action::Kind::fault:
+      case ActionKind::fault:
         flash.fault(flash.operations() + action.after, action.fault);
         break;
-      case Action::Kind::restart:
+      case ActionKind::restart:
         flash.power_on();
         break;
     }
     // A call that did not end is known to the model only until the next of its kind.
     if (!flash.powered() || model.saving || model.loading || model.appending ||
-        action.kind == Action::Kind::restart) {
+        action.kind == ActionKind::restart) {
       flash.power_on();
-      store = Store(socket);
+      store = Tested(socket);
       model.check(store);
       RC_ASSERT(!testing::Test::HasFatalFailure());
     }
   }
   flash.power_on();
   RC_ASSERT(model.save(store, step + 1) == Error::none);
-  Store last(socket);
+  Tested last(socket);
   model.check(last);
   RC_ASSERT(!testing::Test::HasFatalFailure());
 }

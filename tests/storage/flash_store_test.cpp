@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "firmware/storage/wear.hpp"
+#include "firmware/storage/save_policy.hpp"
 #include "hal/fake/random.hpp"
 #include "tests/storage/lives.hpp"
 #include "tests/storage/rig.hpp"

@@ -13,7 +13,7 @@ namespace storage_test {
 namespace {
 
 using hal::fake::FlashFault;
-using Kind = FlashFault::Kind;
+using FaultKind = FlashFault::Kind;
 
 #if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
 constexpr std::uint32_t kFewer = 8;
@@ -21,8 +21,9 @@ constexpr std::uint32_t kFewer = 8;
 constexpr std::uint32_t kFewer = 1;
 #endif
 
-const std::vector<Kind> kCuts{Kind::cut_before, Kind::cut_torn, Kind::cut_half, Kind::cut_after};
-const std::vector<Kind> kFailures{Kind::refuse, Kind::lose};
+const std::vector<FaultKind> kCuts{FaultKind::cut_before, FaultKind::cut_torn, FaultKind::cut_half,
+                                   FaultKind::cut_after};
+const std::vector<FaultKind> kFailures{FaultKind::refuse, FaultKind::lose};
 
 template <class GeometryT, std::size_t kTendonsV>
 struct Case {
@@ -63,7 +64,7 @@ class PowerCut : public testing::Test {
 
   /// The step with one fault in it. Leaves image and model as they are found after a start.
   void cut(Flash& image, Store store, Expected& model, std::uint32_t i, std::uint64_t operation,
-           Kind kind) {
+           FaultKind kind) {
     socket_.plug(image);
     image.fault(image.operations() + operation, {kind, i * 1'000 + operation});
     (void)step(store, model, i);
@@ -94,10 +95,10 @@ class CaseName {
  public:
   template <class CaseT>
   static std::string GetName(int) {
-    using Flash = typename CaseT::Geometry::Flash;
-    return (Flash::pages() > 10   ? "Large"
-            : Flash::pages() == 8 ? "Small"
-                                  : "Tiny") +
+    constexpr std::uint32_t kPages = CaseT::Geometry::Flash::pages();
+    return (kPages > 10   ? "Large"
+            : kPages == 8 ? "Small"
+                          : "Tiny") +
            std::to_string(CaseT::kTendons);
   }
 };
@@ -108,12 +109,12 @@ constexpr bool kSmall = CaseT::Geometry::Flash::kPageBytes < 1'000;
 /// Steps before the first cut, so that the pages have been round once.
 template <class CaseT>
 constexpr std::uint32_t kBefore = kSmall<CaseT> ? 0 : 760 / CaseT::kTendons;
-constexpr std::uint32_t kSteps = 320;  ///< of which 208 or more are saves
+constexpr std::uint32_t kCutSteps = 320;  ///< of which 208 or more are saves
 
 /// All ways to cut on the small flash; in turn on the large one, whose start takes longer.
 template <class CaseT>
-std::vector<Kind> kinds_at(std::uint64_t turn) {
-  return kSmall<CaseT> ? kCuts : std::vector<Kind>{kCuts[turn % kCuts.size()]};
+std::vector<FaultKind> kinds_at(std::uint64_t turn) {
+  return kSmall<CaseT> ? kCuts : std::vector<FaultKind>{kCuts[turn % kCuts.size()]};
 }
 
 TYPED_TEST(PowerCut, AtEveryOperation) {
@@ -121,12 +122,12 @@ TYPED_TEST(PowerCut, AtEveryOperation) {
   typename TestFixture::Expected model;
   std::uint32_t saves = 0;
   std::uint64_t cuts = 0;
-  for (std::uint32_t i = 0; i < kBefore<TypeParam> + kSteps; ++i) {
+  for (std::uint32_t i = 0; i < kBefore<TypeParam> + kCutSteps; ++i) {
     const auto before = this->flash_;
     const bool tested = i >= kBefore<TypeParam> && i % kFewer == 0;
     const auto operations = tested ? this->operations(before, store, model, i) : 0;
     for (std::uint64_t operation = 0; operation < operations; ++operation) {
-      for (const Kind kind : kinds_at<TypeParam>(i + operation)) {
+      for (const FaultKind kind : kinds_at<TypeParam>(i + operation)) {
         auto image = before;
         auto expected = model;
         this->cut(image, store, expected, i, operation, kind);
@@ -156,12 +157,12 @@ TYPED_TEST_SUITE(SmallFlash, SmallCases, CaseName);
 TYPED_TEST(SmallFlash, FailuresAreSteppedOver) {
   typename TestFixture::Store store(this->socket_);
   typename TestFixture::Expected model;
-  for (std::uint32_t i = 0; i < kSteps; ++i) {
+  for (std::uint32_t i = 0; i < kCutSteps; ++i) {
     const auto before = this->flash_;
     const bool tested = i % kFewer == 0;
     const auto operations = tested ? this->operations(before, store, model, i) : 0;
     for (std::uint64_t operation = 0; operation < operations; ++operation) {
-      for (const Kind kind : kFailures) {
+      for (const FaultKind kind : kFailures) {
         auto image = before;
         auto expected = model;
         auto copy = store;
@@ -187,19 +188,19 @@ TYPED_TEST(SmallFlash, FailuresAreSteppedOver) {
 // Every pair of operations: of a step, and of the one after the start that follows. From the second
 // step on: a first save that was cut twice cannot be told from one that was lost.
 TYPED_TEST(SmallFlash, AtEveryPairOfOperations) {
-  const std::vector<Kind> kinds = TypeParam::kTendons == 1
-                                      ? std::vector<Kind>{Kind::cut_torn, Kind::cut_half}
-                                      : std::vector<Kind>{Kind::cut_torn};
+  const std::vector<FaultKind> kinds =
+      TypeParam::kTendons == 1 ? std::vector<FaultKind>{FaultKind::cut_torn, FaultKind::cut_half}
+                               : std::vector<FaultKind>{FaultKind::cut_torn};
   const std::uint32_t stride = kFewer * (TypeParam::kTendons == 4 ? 8 : TypeParam::kTendons);
   typename TestFixture::Store store(this->socket_);
   typename TestFixture::Expected model;
   std::uint64_t cuts = 0;
-  for (std::uint32_t i = 0; i < kSteps; ++i) {
+  for (std::uint32_t i = 0; i < kCutSteps; ++i) {
     const auto before = this->flash_;
     const auto operations =
         i % stride == 1 % stride && i != 0 ? this->operations(before, store, model, i) : 0;
     for (std::uint64_t first = 0; first < operations; ++first) {
-      for (const Kind kind : kinds) {
+      for (const FaultKind kind : kinds) {
         auto once = before;
         auto expected_once = model;
         this->cut(once, store, expected_once, i, first, kind);
@@ -207,7 +208,7 @@ TYPED_TEST(SmallFlash, AtEveryPairOfOperations) {
         const typename TestFixture::Store restarted(this->socket_);
         const auto more = this->operations(once, restarted, expected_once, i + 1);
         for (std::uint64_t second = 0; second < more; ++second) {
-          for (const Kind again : kinds) {
+          for (const FaultKind again : kinds) {
             auto twice = once;
             auto expected = expected_once;
             this->cut(twice, restarted, expected, i + 1, second, again);

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "firmware/storage/flash_store.hpp"
-#include "firmware/storage/page_range.hpp"
+#include "firmware/storage/slot.hpp"
 #include "hal/fake/flash.hpp"
 
 namespace storage_test {

@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <vector>
 
-#include "firmware/storage/wear.hpp"
-
 namespace storage_test {
 namespace {
 

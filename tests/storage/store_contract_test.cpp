@@ -18,11 +18,11 @@ namespace storage_test {
 namespace {
 
 using hal::Error;
-constexpr std::size_t kTendons = 2;
+constexpr std::size_t kContractTendons = 2;
 
 template <class GeometryT>
 struct InFlash {
-  using Store = StoreOn<GeometryT, kTendons>;
+  using Store = StoreOn<GeometryT, kContractTendons>;
   Store open() { return Store(socket); }
 
   typename GeometryT::Flash flash;
@@ -30,14 +30,14 @@ struct InFlash {
 };
 
 struct InFiles {
-  using Store = hal::linux_os::FileStore<kTendons>;
+  using Store = hal::linux_os::FileStore<kContractTendons>;
   Store open() { return std::get<Store>(Store::open(folder.path())); }
 
   Folder folder;
 };
 
 struct InMemoryFiles {
-  using Store = hal::linux_os::FileStore<kTendons, MemoryCalls>;
+  using Store = hal::linux_os::FileStore<kContractTendons, MemoryCalls>;
   Store open() { return std::get<Store>(Store::open("/store", MemoryCalls(files))); }
 
   MemoryFiles files{"/store"};
@@ -56,7 +56,7 @@ class StoreContract : public testing::Test {
   }
   Store& store() { return *store_; }
   void save(std::uint32_t step) {
-    ASSERT_EQ(store().save(records_of<kTendons>(step)), Error::none);
+    ASSERT_EQ(store().save(records_of<kContractTendons>(step)), Error::none);
   }
 
   BenchT bench_;
@@ -85,7 +85,7 @@ TYPED_TEST(StoreContract, ANewOneIsEmpty) {
 TYPED_TEST(StoreContract, WhatIsSavedIsThereAtOnceAndAfterARestart) {
   for (std::uint32_t step = 0; step < 50; ++step) {
     this->save(step);
-    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+    for (std::size_t tendon = 0; tendon < kContractTendons; ++tendon) {
       ASSERT_TRUE(this->store().load(tendon));
       ASSERT_TRUE(same_life(*this->store().load(tendon), record_of(tendon, step)));
     }
@@ -110,7 +110,7 @@ TYPED_TEST(StoreContract, EachSaveHasItsSequence) {
 }
 
 TYPED_TEST(StoreContract, TheSequenceAndTheLossOfTheCallerAreNotTaken) {
-  auto records = records_of<kTendons>(1);
+  auto records = records_of<kContractTendons>(1);
   records[0].sequence = 77;
   records[1].past_lost = true;
   ASSERT_EQ(this->store().save(records), Error::none);
@@ -122,10 +122,10 @@ TYPED_TEST(StoreContract, TheSequenceAndTheLossOfTheCallerAreNotTaken) {
 TYPED_TEST(StoreContract, LifeDoesNotRunBack) {
   this->save(10);
   const auto before = this->store().load(1);
-  EXPECT_EQ(this->store().save(records_of<kTendons>(9)), Error::out_of_range);
+  EXPECT_EQ(this->store().save(records_of<kContractTendons>(9)), Error::out_of_range);
   EXPECT_EQ(this->store().save(records_of<1>(11)), Error::out_of_range);
   EXPECT_EQ(this->store().save({}), Error::out_of_range);
-  auto swapped = records_of<kTendons>(11);
+  auto swapped = records_of<kContractTendons>(11);
   std::swap(swapped[0], swapped[1]);
   EXPECT_EQ(this->store().save(swapped), Error::out_of_range);
   this->restart();
@@ -137,14 +137,14 @@ TYPED_TEST(StoreContract, LifeDoesNotRunBack) {
 
 TYPED_TEST(StoreContract, ANewWireStartsAtZeroAndTheLifetimeDoesNot) {
   this->save(10);
-  auto records = records_of<kTendons>(11);
+  auto records = records_of<kContractTendons>(11);
   records[1] = record_of(1, 11, 1, 11);
   ASSERT_EQ(this->store().save(records), Error::none);
   this->restart();
   EXPECT_EQ(this->store().load(1)->epoch, 1u);
   EXPECT_EQ(this->store().load(1)->epoch_damage.words()[2], 0u);
   EXPECT_EQ(this->store().load(1)->lifetime_damage, record_of(1, 11).lifetime_damage);
-  EXPECT_EQ(this->store().save(records_of<kTendons>(12)), Error::out_of_range);
+  EXPECT_EQ(this->store().save(records_of<kContractTendons>(12)), Error::out_of_range);
 }
 
 TYPED_TEST(StoreContract, ParametersAreThoseLastSaved) {
@@ -157,9 +157,9 @@ TYPED_TEST(StoreContract, ParametersAreThoseLastSaved) {
     ASSERT_EQ(this->store().load_parameters(i % 2), block_of(i));
     ASSERT_EQ(this->store().load_parameters((i - 1) % 2), block_of(i - 1));
   }
-  EXPECT_EQ(this->store().save_parameters(kTendons, block_of(1)), Error::out_of_range);
-  EXPECT_FALSE(this->store().load_parameters(kTendons));
-  EXPECT_FALSE(this->store().load(kTendons));
+  EXPECT_EQ(this->store().save_parameters(kContractTendons, block_of(1)), Error::out_of_range);
+  EXPECT_FALSE(this->store().load_parameters(kContractTendons));
+  EXPECT_FALSE(this->store().load(kContractTendons));
   EXPECT_FALSE(this->store().load(0));
 }
 

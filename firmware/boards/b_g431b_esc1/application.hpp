@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "firmware/app/app.hpp"
+#include "firmware/app/config.hpp"
 #include "firmware/app/devices.hpp"
-#include "firmware/app/stored_parameters.hpp"
 #include "firmware/boards/b_g431b_esc1/hardware.hpp"
 #include "firmware/storage/flash_store.hpp"
 

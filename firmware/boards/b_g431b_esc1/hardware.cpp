@@ -1,6 +1,6 @@
 #include "firmware/boards/b_g431b_esc1/hardware.hpp"
 
-#include "firmware/protocol/isotp/address.hpp"
+#include "firmware/protocol/isotp/pdu.hpp"
 #include "firmware/protocol/schema/frames.hpp"
 #include "hal/stm32g4/clock_tree.hpp"
 #include "hal/stm32g4/core.hpp"

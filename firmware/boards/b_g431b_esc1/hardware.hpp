@@ -7,7 +7,7 @@
 #include "firmware/boards/b_g431b_esc1/interrupts.hpp"
 #include "firmware/boards/b_g431b_esc1/pins.hpp"
 #include "firmware/boards/interlock.hpp"
-#include "firmware/storage/page_range.hpp"
+#include "firmware/storage/slot.hpp"
 #include "hal/stm32g4/can_controller.hpp"
 #include "hal/stm32g4/current_sensor.hpp"
 #include "hal/stm32g4/flash_memory.hpp"

@@ -9,7 +9,6 @@
 
 #include "firmware/app/config.hpp"
 #include "lifemodel/support/bytes.hpp"
-#include "lifemodel/support/crc32.hpp"
 
 namespace board {
 

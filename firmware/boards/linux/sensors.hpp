@@ -15,7 +15,7 @@
 #include "hal/error.hpp"
 #include "hal/files/profile.hpp"
 #include "hal/linux/iio.hpp"
-#include "lifemodel/block/parameters.hpp"
+#include "lifemodel/block/parameter_block.hpp"
 
 namespace board {
 

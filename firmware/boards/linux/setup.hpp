@@ -6,7 +6,7 @@
 
 #include "firmware/app/config.hpp"
 #include "firmware/boards/linux/config.hpp"
-#include "lifemodel/block/parameters.hpp"
+#include "lifemodel/block/parameter_block.hpp"
 
 namespace board {
 

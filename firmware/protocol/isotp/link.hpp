@@ -5,9 +5,6 @@
 #include <optional>
 #include <span>
 
-#include "firmware/protocol/isotp/address.hpp"
-#include "firmware/protocol/isotp/counts.hpp"
-#include "firmware/protocol/isotp/pace.hpp"
 #include "firmware/protocol/isotp/pdu.hpp"
 #include "firmware/protocol/isotp/receiver.hpp"
 #include "firmware/protocol/isotp/sender.hpp"

@@ -5,9 +5,43 @@
 #include <optional>
 #include <span>
 
+#include "firmware/protocol/messages.hpp"
 #include "hal/can_frame.hpp"
+#include "hal/clock.hpp"
 
 namespace protocol::isotp {
+
+/// The tester's address on the bus.
+inline constexpr std::uint8_t kTester = 0xf1;
+
+/// Who sends and who is meant, in the 29-bit id of normal fixed addressing, physical: 0x18DA, the
+/// target, the source (ISO 15765-2, 10.3.3.2).
+struct Address {
+  std::uint8_t target = 0;
+  std::uint8_t source = 0;
+
+  static constexpr Address to_node(Node node) { return {node, kTester}; }
+  static constexpr Address to_tester(Node node) { return {kTester, node}; }
+
+  /// Where the answer goes.
+  [[nodiscard]] constexpr Address reversed() const { return {source, target}; }
+
+  [[nodiscard]] constexpr std::uint32_t id() const {
+    return kBase | (std::uint32_t{target} << 8) | source;
+  }
+  /// The address of a frame; nothing if it is none of these.
+  static constexpr std::optional<Address> of(const hal::CanFrame& frame) {
+    if (!frame.extended || (frame.id & ~0xffffu) != kBase) {
+      return std::nullopt;
+    }
+    return Address{static_cast<std::uint8_t>(frame.id >> 8), static_cast<std::uint8_t>(frame.id)};
+  }
+
+  friend constexpr bool operator==(const Address&, const Address&) = default;
+
+ private:
+  static constexpr std::uint32_t kBase = 0x18DA'0000;
+};
 
 enum class PduType : std::uint8_t { single, first, consecutive, flow_control };
 
@@ -116,6 +150,56 @@ constexpr hal::CanFrame make_frame(std::uint32_t id, const std::uint8_t (&contro
     frame.data[frame.length++] = byte;
   }
   return frame;
+}
+
+/// STmin of a flow control frame (ISO 15765-2, 9.6.5.5): 0x00 .. 0x7f ms, 0xf1 .. 0xf9 for
+/// 100 .. 900 us. Reserved values count as the longest.
+constexpr hal::Time separation(std::uint8_t st_min) {
+  if (st_min >= 0xf1 && st_min <= 0xf9) {
+    return hal::microseconds(100 * std::uint64_t{st_min - 0xf0u});
+  }
+  return hal::milliseconds(st_min <= 0x7f ? st_min : 0x7fu);
+}
+
+/// What a receiver asks of its sender.
+///
+/// One flow control for a whole message: each of them is a frame of ours. 5 ms between frames hold
+/// a sender to 32 kbit/s and suit a receiver that looks once in that time.
+struct Pace {
+  std::uint8_t block_size = 0;  ///< consecutive frames for each flow control; 0: all
+  std::uint8_t st_min = 5;      ///< see separation()
+};
+
+/// Limits of ISO 15765-2, 9.8.
+inline constexpr hal::Time kFlowControlTimeout = hal::milliseconds(1000);  ///< N_Bs
+inline constexpr hal::Time kConsecutiveTimeout = hal::milliseconds(1000);  ///< N_Cr
+inline constexpr std::uint8_t kMostWaits = 10;  ///< flow controls in a row that say wait
+
+/// The longest that a frame of 8 bytes takes: 160 bits at 500 kbit/s. A gap counts from the end of
+/// a frame, and the sender only knows when it handed the frame over.
+inline constexpr hal::Time kFrameTime = hal::microseconds(320);
+
+/// What a link has seen since its start. Each stops at 2^32 - 1.
+struct Counts {
+  std::uint32_t received = 0;         ///< whole messages
+  std::uint32_t sent = 0;             ///< whole messages, as far as the sender can tell
+  std::uint32_t malformed = 0;        ///< frames whose type, length and size contradict each other
+  std::uint32_t unexpected = 0;       ///< frames that nothing had asked for
+  std::uint32_t oversized = 0;        ///< messages too long for this link
+  std::uint32_t not_taken = 0;        ///< messages that came while the last one was still here
+  std::uint32_t interrupted = 0;      ///< messages cut off by the next one
+  std::uint32_t wrong_sequence = 0;   ///< messages with a consecutive frame missing or twice
+  std::uint32_t receive_timeout = 0;  ///< messages whose rest did not come (N_Cr)
+  std::uint32_t send_timeout = 0;     ///< messages for which no flow control came (N_Bs)
+  std::uint32_t send_refused = 0;  ///< messages that the receiver refused, or made wait too often
+
+  friend constexpr bool operator==(const Counts&, const Counts&) = default;
+};
+
+constexpr void count(std::uint32_t& counter) {
+  if (counter + 1 != 0) {
+    ++counter;
+  }
 }
 
 }  // namespace protocol::isotp

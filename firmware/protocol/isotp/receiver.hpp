@@ -6,8 +6,6 @@
 #include <optional>
 #include <span>
 
-#include "firmware/protocol/isotp/counts.hpp"
-#include "firmware/protocol/isotp/pace.hpp"
 #include "firmware/protocol/isotp/pdu.hpp"
 #include "hal/clock.hpp"
 

@@ -5,10 +5,7 @@
 #include <cstdint>
 #include <span>
 
-#include "firmware/protocol/isotp/counts.hpp"
-#include "firmware/protocol/isotp/pace.hpp"
 #include "firmware/protocol/isotp/pdu.hpp"
-#include "firmware/protocol/isotp/separation.hpp"
 #include "hal/can_frame.hpp"
 #include "hal/clock.hpp"
 #include "hal/error.hpp"

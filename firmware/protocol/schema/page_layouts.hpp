@@ -4,9 +4,8 @@
 #include <tuple>
 
 #include "firmware/protocol/messages.hpp"
+#include "firmware/protocol/schema/frame.hpp"
 #include "firmware/protocol/schema/frames.hpp"
-#include "firmware/protocol/schema/layout.hpp"
-#include "firmware/protocol/schema/values.hpp"
 
 /// Layouts of the pages of LifeDetail. Each has the six bytes after the header.
 namespace protocol::schema {

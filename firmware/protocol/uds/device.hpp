@@ -1,19 +1,25 @@
 #pragma once
 
+#include <array>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
 
-#include "firmware/protocol/uds/identity.hpp"
 #include "firmware/storage/life_record.hpp"
 #include "firmware/storage/store.hpp"
 #include "hal/error.hpp"
 #include "lifemodel/block/parameter_block.hpp"
-#include "lifemodel/block/parameters.hpp"
 
 namespace protocol::uds {
+
+/// Which device this is, and what runs on it.
+struct Identity {
+  std::array<std::byte, 12> serial{};  ///< of the controller; shorter ones end in zeros
+  std::uint8_t schema = 0;             ///< version of the frame plan
+  std::uint8_t firmware = 0;           ///< version, major in the high 4 bits, minor in the low
+};
 
 /// What the server needs of the node. Tendons count from 0; the server asks for none that is not
 /// there.

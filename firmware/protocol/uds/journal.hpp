@@ -3,7 +3,7 @@
 #include <cstdint>
 #include <optional>
 
-#include "firmware/protocol/authority/backoff.hpp"
+#include "firmware/protocol/authority/gate.hpp"
 #include "firmware/protocol/uds/data.hpp"
 #include "firmware/protocol/uds/device.hpp"
 #include "firmware/storage/store.hpp"

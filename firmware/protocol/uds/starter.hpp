@@ -12,7 +12,6 @@
 #include "firmware/protocol/uds/nrc.hpp"
 #include "firmware/protocol/uds/reader.hpp"
 #include "firmware/protocol/uds/table.hpp"
-#include "firmware/protocol/uds/verdict.hpp"
 #include "firmware/storage/store.hpp"
 #include "hal/clock.hpp"
 #include "hal/error.hpp"

@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "firmware/protocol/schema/values.hpp"
+#include "firmware/protocol/schema/frames.hpp"
 #include "host_sim/monitor/fleet/damage_watch.hpp"
 
 namespace host_sim::monitor {

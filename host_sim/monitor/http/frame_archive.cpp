@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "firmware/protocol/codec.hpp"
-#include "firmware/protocol/isotp/address.hpp"
+#include "firmware/protocol/isotp/pdu.hpp"
 #include "firmware/protocol/schema/plan.hpp"
 #include "host_sim/monitor/bus/frame_log.hpp"
 #include "host_sim/monitor/record/log_folder.hpp"

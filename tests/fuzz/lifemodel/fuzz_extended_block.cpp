@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <vector>
 
-#include "lifemodel/block/extended_block.hpp"
 #include "lifemodel/estimator.hpp"
 #include "lifemodel/extension/corrector.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 #include "lifemodel/extension/life.hpp"
 #include "tests/lifemodel/support.hpp"
 

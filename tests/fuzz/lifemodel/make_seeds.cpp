@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "lifemodel/block/extended_block.hpp"
 #include "lifemodel/estimator.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 #include "tests/lifemodel/support.hpp"
 
 namespace {

@@ -6,8 +6,8 @@
 #include <span>
 #include <vector>
 
-#include "firmware/storage/entry_codec.hpp"
-#include "firmware/storage/record_codec.hpp"
+#include "firmware/storage/life_record.hpp"
+#include "firmware/storage/log_entry.hpp"
 
 namespace {
 

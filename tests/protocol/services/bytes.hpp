@@ -1,10 +1,13 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
+
+#include "hal/can_frame.hpp"
 
 namespace protocol::testing {
 
@@ -56,6 +59,15 @@ inline Bytes counting(std::size_t size) {
   for (std::size_t i = 0; i < size; ++i) {
     result.push_back(static_cast<std::byte>(i));
   }
+  return result;
+}
+
+/// A frame with a 29-bit id and the bytes in hexadecimal.
+inline hal::CanFrame frame(std::uint32_t id, std::string_view data) {
+  hal::CanFrame result{.id = id, .extended = true};
+  const Bytes bytes = hex(data);
+  result.length = static_cast<std::uint8_t>(bytes.size());
+  std::ranges::copy(bytes, result.data.begin());
   return result;
 }
 

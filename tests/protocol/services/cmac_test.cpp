@@ -3,7 +3,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include "firmware/protocol/authority/command.hpp"
 #include "tests/protocol/services/bytes.hpp"
 
 namespace protocol::authority {
@@ -65,42 +64,6 @@ TEST(Equal, TellsEveryBitAndTheLength) {
     b[bit / 8] ^= std::byte{1} << (bit % 8);
     EXPECT_FALSE(equal(a, b)) << bit;
   }
-}
-
-const Key kKey = hex_array<Key>("000102030405060708090a0b0c0d0e0f");
-const Nonce kNonce = hex_array<Nonce>("a0a1a2a3a4a5a6a7a8a9aaabacadaeaf");
-
-// openssl mac -cipher AES-128-CBC -macopt hexkey:000102...0f CMAC, over the documented bytes
-// 544c4131 05 0201 01 a0a1...af 44332211 03.
-TEST(CommandCode, OverTheDocumentedBytes) {
-  const Bytes arguments = hex("03");
-  const Command command{.routine = 0x0201, .arguments = arguments, .storage_counter = 0x11223344};
-  EXPECT_EQ(mac(kKey, 5, command, kNonce), hex_array<Mac>("e191de960723014c"));
-}
-
-TEST(CommandCode, CoversEverything) {
-  const Bytes one = hex("03");
-  const Bytes other = hex("04");
-  const Bytes longer = hex("0300");
-  const Command command{.routine = 0x0201, .arguments = one, .storage_counter = 1};
-  const Mac code = mac(kKey, 5, command, kNonce);
-  const auto changed = [&](auto change) {
-    Command copy = command;
-    change(copy);
-    return mac(kKey, 5, copy, kNonce);
-  };
-  EXPECT_NE(changed([](Command& c) { c.routine = 0x0202; }), code);
-  EXPECT_NE(changed([](Command& c) { c.routine = 0x0301; }), code);
-  EXPECT_NE(changed([&](Command& c) { c.arguments = other; }), code);
-  EXPECT_NE(changed([&](Command& c) { c.arguments = longer; }), code);
-  EXPECT_NE(changed([](Command& c) { c.storage_counter = 0x01000001; }), code);
-  EXPECT_NE(mac(kKey, 6, command, kNonce), code);
-  Nonce nonce = kNonce;
-  nonce[15] ^= std::byte{1};
-  EXPECT_NE(mac(kKey, 5, command, nonce), code);
-  Key key = kKey;
-  key[0] ^= std::byte{0x80};
-  EXPECT_NE(mac(key, 5, command, kNonce), code);
 }
 
 }  // namespace

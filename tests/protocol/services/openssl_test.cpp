@@ -7,7 +7,7 @@
 #include <memory>
 #include <random>
 
-#include "firmware/protocol/authority/command.hpp"
+#include "firmware/protocol/authority/gate.hpp"
 #include "tests/protocol/services/bytes.hpp"
 
 namespace protocol::authority {

@@ -2,11 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "firmware/protocol/isotp/address.hpp"
-#include "firmware/protocol/isotp/counts.hpp"
-#include "firmware/protocol/isotp/separation.hpp"
 #include "tests/protocol/services/bytes.hpp"
-#include "tests/protocol/services/frames.hpp"
 
 namespace protocol::isotp {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-#include "firmware/protocol/authority/command.hpp"
+#include "firmware/protocol/authority/gate.hpp"
 #include "tests/lifemodel/support.hpp"
 #include "tests/protocol/services/bytes.hpp"
 

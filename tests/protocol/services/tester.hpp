@@ -5,7 +5,7 @@
 #include <span>
 
 #include "firmware/protocol/isotp/link.hpp"
-#include "firmware/protocol/uds/endpoint.hpp"
+#include "firmware/protocol/uds/server.hpp"
 #include "tests/protocol/services/bytes.hpp"
 #include "tests/protocol/services/channel.hpp"
 

@@ -16,7 +16,7 @@
 
 #include "firmware/app/config.hpp"
 #include "firmware/boards/qemu_mps2/image/recording.hpp"
-#include "firmware/protocol/authority/command.hpp"
+#include "firmware/protocol/authority/gate.hpp"
 #include "firmware/protocol/codec.hpp"
 #include "firmware/protocol/e2e.hpp"
 #include "firmware/protocol/isotp/link.hpp"

@@ -4,8 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "lifemodel/block/extended_block.hpp"
 #include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 #include "tests/target/model/block.hpp"
 
 namespace target {

@@ -9,7 +9,7 @@
 #include "lifemodel/estimator.hpp"
 #include "lifemodel/extension/corrector.hpp"
 #include "lifemodel/extension/life.hpp"
-#include "lifemodel/support/crc32.hpp"
+#include "lifemodel/support/bytes.hpp"
 #include "tests/target/model/paper_model.hpp"
 #include "tests/target/signals.hpp"
 

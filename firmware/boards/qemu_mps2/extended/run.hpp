@@ -6,7 +6,6 @@
 #include <span>
 
 #include "firmware/app/app.hpp"
-#include "firmware/app/extended_models.hpp"
 #include "firmware/app/extended_sensor.hpp"
 #include "firmware/boards/qemu_mps2/image/machine.hpp"
 #include "firmware/boards/qemu_mps2/image/options.hpp"
@@ -15,7 +14,7 @@
 #include "firmware/boards/qemu_mps2/image/virtual_run.hpp"
 #include "hal/error.hpp"
 #include "hal/qemu_mps2/virtual_devices.hpp"
-#include "lifemodel/block/extended_block.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 #include "lifemodel/extension/life.hpp"
 #include "lifemodel/extension/sample.hpp"
 #include "lifemodel/numeric/sine.hpp"
