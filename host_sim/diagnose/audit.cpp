@@ -174,11 +174,11 @@ std::string sentence_for(const EquivalenceClass& members, const std::vector<Effe
 }
 
 /// Why an effect is invisible and what would show it, or how clearly it shows. Where a channel is
-/// missing, `effect.words` holds what is missing.
-std::string words_for(const EffectAudit& effect) {
+/// missing, `effect.prose` holds what is missing.
+std::string prose_of(const EffectAudit& effect) {
   switch (effect.verdict) {
     case EffectAudit::Verdict::missing_channel:
-      return effect.words;
+      return effect.prose;
     case EffectAudit::Verdict::nothing_left:
       return fmt::format(
           "{:.1f} % of its signature is left once gain and friction coefficient are refitted{}",
@@ -195,11 +195,11 @@ std::string words_for(const EffectAudit& effect) {
 }
 
 /// The whole audit: a sentence for each invisible effect and for each class of more than one.
-std::string words_for(const Audit& audit) {
+std::string prose_of(const Audit& audit) {
   std::string text;
   for (const EffectAudit& effect : audit.effects) {
     if (!effect.visible()) {
-      text += fmt::format("{} cannot be shown: {}.\n", effect.effect->id(), effect.words);
+      text += fmt::format("{} cannot be shown: {}.\n", effect.effect->id(), effect.prose);
     }
   }
   for (const EquivalenceClass& members : audit.classes) {
@@ -257,7 +257,7 @@ bool shows_less(const BlockView& one, const BlockView& other) {
 }
 
 EffectAudit effect_audit(const GramLayout::Effect& effect, const std::vector<BlockView>& blocks) {
-  EffectAudit result{.effect = effect.effect, .words = effect.missing};
+  EffectAudit result{.effect = effect.effect, .prose = effect.missing};
   if (blocks.empty()) {
     result.verdict = EffectAudit::Verdict::missing_channel;
     return result;
@@ -390,12 +390,12 @@ Audit audit(const Grams& grams, const NoiseModel& noise) {
       blocks.push_back(view_of(effect, block, projection));
     }
     result.effects.push_back(effect_audit(effect, blocks));
-    result.effects.back().words = words_for(result.effects.back());
+    result.effects.back().prose = prose_of(result.effects.back());
     views.push_back(effect_view(effect, std::move(blocks)));
   }
   result.pairs = pairs_of(result.effects, views, projection);
   result.classes = classes_of(result.effects, result.pairs);
-  result.words = words_for(result);
+  result.prose = prose_of(result);
   return result;
 }
 

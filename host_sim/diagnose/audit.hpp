@@ -27,7 +27,7 @@ struct EffectAudit {
   double sigmas = 0;
   /// The same at the largest size that physics allows, for the shape shown best.
   double sigmas_at_bound = 0;
-  std::string words;  ///< why it is invisible and what would show it; else how well it shows
+  std::string prose;  ///< why it is invisible and what would show it; else how well it shows
 
   [[nodiscard]] bool visible() const { return verdict == Verdict::visible; }
 };
@@ -59,7 +59,7 @@ struct Audit {
   std::vector<EffectAudit> effects;       ///< in order of GramLayout::effects
   std::vector<PairAudit> pairs;           ///< of all visible effects
   std::vector<EquivalenceClass> classes;  ///< of all visible effects, by first member
-  std::string words;                      ///< the whole in sentences, for a report
+  std::string prose;                      ///< the whole in sentences, for a report
 
   /// @throws std::out_of_range where there is no such effect
   [[nodiscard]] const EffectAudit& of(std::string_view id) const;
@@ -67,7 +67,7 @@ struct Audit {
   [[nodiscard]] const PairAudit* pair(std::string_view one, std::string_view other) const;
 };
 
-/// Step 0: what a campaign can show and tell apart, from its design alone.
+/// What a campaign can show and distinguish, from its design alone.
 Audit audit(const Grams& grams, const NoiseModel& noise);
 
 /// The experiment that tells two effects apart, as the catalogue has it from either side; a crossed

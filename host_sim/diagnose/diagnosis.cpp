@@ -17,7 +17,7 @@ void append(std::string& all, const std::string& more, std::string_view between)
   all += more;
 }
 
-void append(Gain& all, const Gain& more, std::string_view part) {
+void append(HeldOutGain& all, const HeldOutGain& more, std::string_view part) {
   append(all.held_out_by, more.held_out_by, ", ");
   for (Metric metric : more.metrics) {
     const bool taken = std::any_of(all.metrics.begin(), all.metrics.end(),
@@ -31,7 +31,7 @@ void append(Gain& all, const Gain& more, std::string_view part) {
 
 }  // namespace
 
-std::string_view word_of(Verdict verdict) {
+std::string_view name_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::none:
       return "none";
@@ -45,7 +45,7 @@ std::string_view word_of(Verdict verdict) {
   return "";
 }
 
-bool gains(const Gain& gain) {
+bool improves(const HeldOutGain& gain) {
   const auto error = std::ranges::find(gain.metrics, "rmse_N", &Metric::name);
   if (error != gain.metrics.end()) {
     return error->after < error->before;
@@ -54,8 +54,8 @@ bool gains(const Gain& gain) {
   return density != gain.metrics.end() && density->after > density->before;
 }
 
-bool withdraw_what_does_not_gain(Findings& findings) {
-  const bool withdrawn = findings.verdict == Verdict::named && !gains(findings.gain);
+bool withdraw_unless_improved(Findings& findings) {
+  const bool withdrawn = findings.verdict == Verdict::named && !improves(findings.gain);
   if (withdrawn) {
     findings.verdict = Verdict::ambiguous;
     findings.extensions.clear();
@@ -63,8 +63,8 @@ bool withdraw_what_does_not_gain(Findings& findings) {
   return withdrawn;
 }
 
-std::string no_gain_words(const Findings& findings) {
-  return findings.gain.metrics.empty() || gains(findings.gain)
+std::string no_gain_prose(const Findings& findings) {
+  return findings.gain.metrics.empty() || improves(findings.gain)
              ? ""
              : " In the model it would not gain on data that the fit never saw: nothing was "
                "extended.";
@@ -81,8 +81,8 @@ Verdict Diagnosis::verdict() const {
   return verdict;
 }
 
-std::vector<Part> parts_of(const Diagnosis& diagnosis) {
-  std::vector<Part> parts;
+std::vector<DataFindings> findings_by_data(const Diagnosis& diagnosis) {
+  std::vector<DataFindings> parts;
   if (diagnosis.tension) {
     parts.push_back({"recordings", &diagnosis.tension->findings});
   }
@@ -95,7 +95,7 @@ std::vector<Part> parts_of(const Diagnosis& diagnosis) {
 Findings merged(const Diagnosis& diagnosis) {
   Findings all;
   all.verdict = diagnosis.verdict();
-  for (const Part& part : parts_of(diagnosis)) {
+  for (const DataFindings& part : findings_by_data(diagnosis)) {
     const Findings& one = *part.findings;
     append(all.effects, one.effects);
     append(all.candidates, one.candidates);
@@ -108,7 +108,7 @@ Findings merged(const Diagnosis& diagnosis) {
     append(all.discrepancies, one.discrepancies);
     append(all.refitted, one.refitted);
     append(all.extensions, one.extensions);
-    append(all.words, one.words, " ");
+    append(all.prose, one.prose, " ");
   }
   return all;
 }

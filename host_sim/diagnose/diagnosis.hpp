@@ -21,7 +21,7 @@ enum class Verdict {
 };
 
 /// "none", "named", "ambiguous" or "unknown".
-std::string_view word_of(Verdict verdict);
+std::string_view name_of(Verdict verdict);
 
 inline constexpr double kNamed = 0.95;
 
@@ -66,14 +66,14 @@ struct Metric {
   double before = 0, after = 0;
 };
 
-struct Gain {
+struct HeldOutGain {
   std::string held_out_by;  ///< "session", "pose", "level"; empty where nothing was extended
   std::vector<Metric> metrics;
 };
 
 /// Whether the error on such data becomes less; its density larger where there is no error. What
 /// does not gain is no extension, however probable it is.
-[[nodiscard]] bool gains(const Gain& gain);
+[[nodiscard]] bool improves(const HeldOutGain& gain);
 
 /// One effect of the catalogue more in the model, beside those of the steps before it.
 struct Step {
@@ -95,23 +95,23 @@ struct Findings {
   std::vector<std::vector<std::string>> equivalent_sets;
   std::vector<Invisible> invisible;
   std::string next_experiment;  ///< empty where none is needed
-  Gain gain;
+  HeldOutGain gain;
   /// How far the catalogue goes where that is not all the way, of recordings that are unknown: the
   /// nominal model, then effect by effect, each the one of most evidence. Else empty.
   std::vector<Step> steps;
   std::vector<Discrepancy> discrepancies;
   std::vector<Estimate> refitted;     ///< parameters that are not effects
   std::vector<Extension> extensions;  ///< to be written into the model; empty unless named
-  std::string words;                  ///< the verdict in a few sentences
+  std::string prose;                  ///< the verdict in a few sentences
 };
 
 /// Of what is named and does not gain, nothing is left to be written: it is ambiguous.
 /// @return whether that is so
-bool withdraw_what_does_not_gain(Findings& findings);
+bool withdraw_unless_improved(Findings& findings);
 
 /// Why nothing was extended, as a sentence behind others; empty where that is not for want of a
 /// gain.
-[[nodiscard]] std::string no_gain_words(const Findings& findings);
+[[nodiscard]] std::string no_gain_prose(const Findings& findings);
 
 /// Output tension of one session over time, and the loop T_in to T_out, thinned for a picture.
 struct TracePicture {
@@ -186,13 +186,13 @@ TensionDiagnosis diagnose_tension(const Campaign& campaign, const DiagnoseOption
 LifeDiagnosis diagnose_lives(const Campaign& campaign, const DiagnoseOptions& options);
 
 /// One part of a diagnosis.
-struct Part {
+struct DataFindings {
   std::string_view name;  ///< "recordings" or "lives"
   const Findings* findings = nullptr;
 };
 
 /// The parts that there are, recordings first. They point into `diagnosis`.
-std::vector<Part> parts_of(const Diagnosis& diagnosis);
+std::vector<DataFindings> findings_by_data(const Diagnosis& diagnosis);
 
 /// The findings of both parts in one: lists one after the other, sentences joined. The gain is that
 /// of the parts that were extended; a metric that both have stands for the recordings, that of the

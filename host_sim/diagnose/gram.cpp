@@ -13,8 +13,8 @@ namespace {
 /// What the first session that lacks something lacks; nothing is known without sessions.
 std::string missing_in(std::span<const Session> sessions, const effects::TensionEffect& effect) {
   for (const Session& session : sessions) {
-    if (std::string words = effect.missing(session.covariates); !words.empty()) {
-      return words;
+    if (std::string text = effect.missing(session.covariates); !text.empty()) {
+      return text;
     }
   }
   return sessions.empty() ? "no recordings" : "";
@@ -29,10 +29,8 @@ void add_blocks(GramLayout& layout, std::span<const Session> sessions,
         entry.effect->signature(sessions.front().covariates, baseline, shape).columns.size();
     const std::size_t index = entry.blocks.size();
     for (std::size_t column = 0; column < count; ++column) {
-      layout.columns.push_back({.kind = GramColumn::Kind::signature,
-                                .effect = effect,
-                                .shape = index,
-                                .column = column});
+      layout.columns.push_back(
+          {.kind = ColumnKind::signature, .effect = effect, .shape = index, .column = column});
     }
     entry.blocks.push_back({.shape = shape, .first = layout.size() - count, .count = count});
   }
@@ -42,7 +40,7 @@ void add_probe(GramLayout& layout, const Probe& probe) {
   const std::size_t index = layout.probes.size();
   layout.probes.push_back({.probe = probe, .first = layout.size()});
   for (std::size_t column = 0; column < probe.columns(); ++column) {
-    layout.columns.push_back({.kind = GramColumn::Kind::probe, .effect = index, .column = column});
+    layout.columns.push_back({.kind = ColumnKind::probe, .effect = index, .column = column});
   }
 }
 
@@ -151,16 +149,16 @@ const GramLayout::Effect& GramLayout::of(std::string_view id) const {
 std::string GramLayout::label(std::size_t column) const {
   const GramColumn& what = columns.at(column);
   switch (what.kind) {
-    case GramColumn::Kind::intercept:
+    case ColumnKind::intercept:
       return "intercept";
-    case GramColumn::Kind::friction:
+    case ColumnKind::friction:
       return "friction";
-    case GramColumn::Kind::residual:
+    case ColumnKind::residual:
       return "residual";
-    case GramColumn::Kind::probe:
+    case ColumnKind::probe:
       return std::string(name_of(probes[what.effect].probe.of)) + '[' +
              std::to_string(what.column) + ']';
-    case GramColumn::Kind::signature:
+    case ColumnKind::signature:
       break;
   }
   std::string text(effects[what.effect].effect->id());
@@ -174,8 +172,8 @@ std::string GramLayout::label(std::size_t column) const {
 GramLayout layout_of(std::span<const Session> sessions, const effects::Baseline& baseline,
                      const std::vector<Wanted>& wanted, const std::vector<Probe>& probes) {
   GramLayout layout;
-  layout.columns.push_back({.kind = GramColumn::Kind::intercept});
-  layout.columns.push_back({.kind = GramColumn::Kind::friction});
+  layout.columns.push_back({.kind = ColumnKind::intercept});
+  layout.columns.push_back({.kind = ColumnKind::friction});
   for (const auto& [effect, shapes] : wanted) {
     layout.effects.push_back(
         {.effect = effect, .missing = missing_in(sessions, *effect), .blocks = {}});
@@ -186,7 +184,7 @@ GramLayout layout_of(std::span<const Session> sessions, const effects::Baseline&
   for (const Probe& probe : probes) {
     add_probe(layout, probe);
   }
-  layout.columns.push_back({.kind = GramColumn::Kind::residual});
+  layout.columns.push_back({.kind = ColumnKind::residual});
   return layout;
 }
 

@@ -15,15 +15,16 @@
 namespace host_sim::diagnose {
 
 /// What a column of the regression is.
+enum class ColumnKind {
+  intercept,  ///< 1: the gain of a session
+  friction,   ///< -phi s: the friction coefficient of a session
+  signature,
+  probe,     ///< a bin of a Probe
+  residual,  ///< r = ln T_out - ln T_in + mu phi s, always last
+};
+
 struct GramColumn {
-  enum class Kind {
-    intercept,  ///< 1: the gain of a session
-    friction,   ///< -phi s: the friction coefficient of a session
-    signature,
-    probe,     ///< a bin of a Probe
-    residual,  ///< r = ln T_out - ln T_in + mu phi s, always last
-  };
-  Kind kind = Kind::signature;
+  ColumnKind kind = ColumnKind::signature;
   std::size_t effect = 0;  ///< index in GramLayout::effects, or of a probe in GramLayout::probes
   std::size_t shape = 0;   ///< index in GramLayout::Effect::blocks
   std::size_t column = 0;  ///< index in Signature::columns, or the bin of a probe

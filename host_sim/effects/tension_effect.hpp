@@ -34,7 +34,7 @@ struct Parameter {
   double model_error = 0.01;
 };
 
-/// How one effect is told from another.
+/// How one effect is distinguished from another.
 struct Separation {
   std::string_view other;       ///< id of the effect it is confounded with
   std::string_view experiment;  ///< that breaks it, as an instruction: "heat the sheath alone"

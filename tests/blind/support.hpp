@@ -15,7 +15,9 @@ using host_sim::diagnose::Verdict;
 /// A truth that hides some effects of the catalogue.
 inline Scenario hiding(const std::vector<std::string>& ids) {
   Scenario truth;
-  truth.kind = ids.empty() ? Kind::none : ids.size() == 1 ? Kind::one : Kind::two;
+  truth.kind = ids.empty()       ? CampaignKind::none
+               : ids.size() == 1 ? CampaignKind::one
+                                 : CampaignKind::two;
   for (const std::string& id : ids) {
     truth.hidden.push_back({id, false, {}, {}});
   }
@@ -24,7 +26,7 @@ inline Scenario hiding(const std::vector<std::string>& ids) {
 
 inline Scenario hiding_outside(const std::string& id) {
   Scenario truth;
-  truth.kind = Kind::outside;
+  truth.kind = CampaignKind::outside;
   truth.hidden.push_back({id, true, {}, {}});
   return truth;
 }
@@ -49,7 +51,7 @@ inline Record answered(Scenario truth, Verdict verdict, std::vector<Candidate> c
 inline Scenario small_scenario() {
   Scenario scenario;
   scenario.seed = 7;
-  scenario.kind = Kind::one;
+  scenario.kind = CampaignKind::one;
   scenario.hidden.push_back({"friction_wear",
                              false,
                              {{"change", {0.3}}, {"reference_cycles", {1000}}, {"exponent", {1}}},

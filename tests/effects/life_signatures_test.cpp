@@ -108,7 +108,7 @@ TEST(LotFrailty, HasOneDrawForEachLotAndMovesNoMean) {
   EXPECT_THAT(scatter.log_life_sd, Each(1));
   EXPECT_THAT(scatter.shared_by, ElementsAre(0, 1, 0));
   EXPECT_TRUE(life_columns("lot_frailty", specimens).empty());
-  EXPECT_EQ(life_effect("lot_frailty").kind(), LifeEffect::Kind::scatter);
+  EXPECT_EQ(life_effect("lot_frailty").kind(), LifeEffectKind::scatter);
 }
 
 TEST(Ageing, ShortensLifeByTheDay) {
@@ -139,8 +139,8 @@ TEST(LifeKinds, ColumnsAndScatterAreThereWhereTheKindSaysSo) {
   }
   const LifeCovariates c = life_covariates_of(specimens, kLife);
   for (const auto& effect : life_effects()) {
-    const bool moves = effect->kind() != LifeEffect::Kind::scatter;
-    const bool scatters = effect->kind() != LifeEffect::Kind::mean;
+    const bool moves = effect->kind() != LifeEffectKind::scatter;
+    const bool scatters = effect->kind() != LifeEffectKind::mean;
     for (const std::vector<double>& shape : effect->shapes()) {
       const Signature signature = effect->signature(c, kLife, shape);
       const Scatter scatter = effect->scatter(c, kLife, shape);

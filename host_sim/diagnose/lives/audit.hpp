@@ -56,7 +56,7 @@ struct LifeAudit {
   [[nodiscard]] std::vector<std::string> visible() const;
 };
 
-/// Step 0. An effect is seen through its column on ln N, or through the specimens that share a
+/// An effect is seen through its column on ln N, or through the specimens that share a
 /// draw; each specimen weighs beta^2 times its probability to fail, its information on ln alpha.
 /// @param specimens those of `sample`, in its order
 /// @param without ids of effects that are taken out of the catalogue

@@ -11,7 +11,6 @@
 #include "host_sim/diagnose/lives/discrepancy.hpp"
 #include "host_sim/diagnose/lives/estimates.hpp"
 #include "host_sim/diagnose/lives/fit.hpp"
-#include "host_sim/diagnose/lives/gain.hpp"
 #include "host_sim/diagnose/lives/life_sample.hpp"
 #include "host_sim/diagnose/lives/likelihood.hpp"
 #include "host_sim/diagnose/lives/prose.hpp"
@@ -84,7 +83,7 @@ std::string hindrance(const LifeSample& sample, const NominalFit& nominal) {
 LifeDiagnosis undiagnosed(const Campaign& campaign, const std::string& why) {
   LifeDiagnosis diagnosis;
   Findings& findings = diagnosis.findings;
-  findings.words = "Nothing can be asked of these lives: " + why + ".";
+  findings.prose = "Nothing can be asked of these lives: " + why + ".";
   findings.next_experiment = why;
   findings.candidates = {{"none", 1}, {"unknown", 0}};
   findings.credible_set = {"none"};
@@ -113,7 +112,7 @@ class Diagnostician {
   LifeDiagnosis run(const NominalFit& nominal) {
     const std::vector<std::string> visible = audit(nominal);
     report(0.1);
-    before_ = look_at(sample_, omnibus_options());
+    before_ = omnibus_test(sample_, omnibus_options());
     report(0.2);
     hypotheses_ = weigh(sample_, visible, calibration(), options_.threads);
     nominal_ = fit_model(ModelView(sample_, prior_, {}));
@@ -162,7 +161,7 @@ class Diagnostician {
       for (const Residual& residual : residuals_of(sample_, view.settings(extended().fit.at))) {
         cox_snell.push_back(residual.cox_snell);
       }
-      after_ = look_at(without_effects(sample_, cox_snell), omnibus_options());
+      after_ = omnibus_test(without_effects(sample_, cox_snell), omnibus_options());
       doubt = after_.p < kLeft_p ? 0.04 : 1;
     } else if (decision_.verdict == Verdict::none) {
       doubt = before_.p < kLeft_p ? 0.4 : 1;
@@ -200,7 +199,7 @@ class Diagnostician {
     }
     if (findings.verdict == Verdict::named) {
       findings.gain = gain_of(sample_, extended().model, extended().fit, options_.threads);
-      if (withdraw_what_does_not_gain(findings)) {
+      if (withdraw_unless_improved(findings)) {
         findings.refitted.clear();  // beside the extension
       }
     }
@@ -208,23 +207,23 @@ class Diagnostician {
     if (findings.verdict == Verdict::ambiguous) {
       findings.next_experiment = experiment_for(findings.credible_set);
     }
-    findings.words = verdict_words(findings, before_, after_) + no_gain_words(findings);
+    findings.prose = verdict_prose(findings, before_, after_) + no_gain_prose(findings);
     const std::string validation =
-        validation_words(campaign_, ModelView(sample_, prior_, {}), nominal_);
-    findings.words += validation.empty() ? "" : " " + validation;
-    const std::string shape = shape_words(campaign_, {options_.seed, options_.threads});
-    findings.words += shape.empty() ? "" : " " + shape;
+        validation_prose(campaign_, ModelView(sample_, prior_, {}), nominal_);
+    findings.prose += validation.empty() ? "" : " " + validation;
+    const std::string shape = shape_prose(campaign_, {options_.seed, options_.threads});
+    findings.prose += shape.empty() ? "" : " " + shape;
   }
 
   void write_discrepancies() {
-    for (std::size_t i = 0; i < before_.looks.size(); ++i) {
-      const Look& look = before_.looks[i];
-      const auto same = std::ranges::find(after_.looks, look.covariate, &Look::covariate);
+    for (std::size_t i = 0; i < before_.tests.size(); ++i) {
+      const CovariateTest& look = before_.tests[i];
+      const auto same = std::ranges::find(after_.tests, look.covariate, &CovariateTest::covariate);
       diagnosis_.findings.discrepancies.push_back(
           {.covariate = look.covariate,
            .statistic = look.statistic,
            .p = look.p,
-           .p_after = same == after_.looks.end() ? look.p : same->p});
+           .p_after = same == after_.tests.end() ? look.p : same->p});
     }
   }
 

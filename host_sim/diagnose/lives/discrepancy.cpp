@@ -16,7 +16,7 @@ using Residuals = std::span<const CoxSnell>;
 using Numbers = std::vector<std::size_t>;
 
 /// Score of ln alpha of each group, squared, over its size.
-LookAt between(std::string covariate, Numbers group, std::size_t groups) {
+CovariateStatistic between(std::string covariate, Numbers group, std::size_t groups) {
   return {std::move(covariate), [group = std::move(group), groups](Residuals residuals) {
             std::vector<double> sums(groups);
             std::vector<double> counts(groups);
@@ -35,7 +35,7 @@ LookAt between(std::string covariate, Numbers group, std::size_t groups) {
 }
 
 /// Score of ln beta: d (1 + ln e) - e ln e.
-LookAt shapes_between(Numbers level, std::size_t levels) {
+CovariateStatistic shapes_between(Numbers level, std::size_t levels) {
   return {"shape", [level = std::move(level), levels](Residuals residuals) {
             std::vector<double> sums(levels);
             std::vector<double> counts(levels);
@@ -52,7 +52,7 @@ LookAt shapes_between(Numbers level, std::size_t levels) {
           }};
 }
 
-LookAt along(std::string covariate, std::vector<double> values) {
+CovariateStatistic along(std::string covariate, std::vector<double> values) {
   double mean = 0;
   for (const double value : values) {
     mean += value / static_cast<double>(values.size());
@@ -119,10 +119,10 @@ std::size_t order_of(const LifeSample::Specimen& specimen) {
   return specimen.order == LifeSample::Order::falling ? 0 : 1;
 }
 
-void add_values(const LifeSample& sample, std::vector<LookAt>& looks) {
+void add_values(const LifeSample& sample, std::vector<CovariateStatistic>& statistics) {
   const auto add = [&](std::string covariate, std::vector<double> values) {
     if (varies(values)) {
-      looks.push_back(along(std::move(covariate), std::move(values)));
+      statistics.push_back(along(std::move(covariate), std::move(values)));
     }
   };
   const double middle = std::sqrt(sample.lowest_N * sample.highest_N);
@@ -163,7 +163,7 @@ std::vector<CoxSnell> residuals_under(const life_law::LifeLaw& law,
 using Table = std::vector<std::vector<double>>;
 
 Table simulated(const life_law::LifeData& data, const life_law::LifeFit& fit,
-                const std::vector<LookAt>& looks, const OmnibusOptions& options) {
+                const std::vector<CovariateStatistic>& statistics, const OmnibusOptions& options) {
   Table table(options.replicates);
   const life_law::LifeSimulation simulation(data);
   const life_law::LifeLaw law = fit.law();
@@ -179,8 +179,8 @@ Table simulated(const life_law::LifeData& data, const life_law::LifeFit& fit,
         return;
       }
       const std::vector<CoxSnell> residuals = residuals_under(refit.law(), drawn);
-      for (const LookAt& look : looks) {
-        table[i].push_back(look.statistic(residuals));
+      for (const CovariateStatistic& test : statistics) {
+        table[i].push_back(test.statistic(residuals));
       }
     };
   });
@@ -189,9 +189,9 @@ Table simulated(const life_law::LifeData& data, const life_law::LifeFit& fit,
 }
 
 /// Share of the rows, the first among them, that are not below the first in this look.
-double p_of(const Table& table, std::size_t look) {
+double p_of(const Table& table, std::size_t test) {
   const auto not_below = std::ranges::count_if(
-      table, [&](const std::vector<double>& row) { return row[look] >= table.front()[look]; });
+      table, [&](const std::vector<double>& row) { return row[test] >= table.front()[test]; });
   return static_cast<double>(not_below) / static_cast<double>(table.size());
 }
 
@@ -202,11 +202,11 @@ struct Scale {
   [[nodiscard]] double of(double statistic) const { return (std::cbrt(statistic) - mean) / sd; }
 };
 
-Scale scale_of(const Table& table, std::size_t look) {
+Scale scale_of(const Table& table, std::size_t test) {
   double sum = 0;
   double squares = 0;
   for (std::size_t row = 1; row < table.size(); ++row) {
-    const double root = std::cbrt(table[row][look]);
+    const double root = std::cbrt(table[row][test]);
     sum += root;
     squares += root * root;
   }
@@ -218,51 +218,51 @@ Scale scale_of(const Table& table, std::size_t look) {
 
 }  // namespace
 
-std::vector<LookAt> looks_of(const LifeSample& sample) {
-  std::vector<LookAt> looks;
-  add_values(sample, looks);
-  looks.push_back(between(
+std::vector<CovariateStatistic> covariate_statistics(const LifeSample& sample) {
+  std::vector<CovariateStatistic> statistics;
+  add_values(sample, statistics);
+  statistics.push_back(between(
       "load", numbers(sample, [](const auto& specimen) { return specimen.load; }), sample.loads));
-  looks.push_back(shapes_between(
+  statistics.push_back(shapes_between(
       numbers(sample, [](const auto& specimen) { return specimen.last().level; }), sample.levels));
   if (sample.lots > 1) {
-    looks.push_back(
+    statistics.push_back(
         between("lot", numbers(sample, [](const auto& specimen) { return specimen.lot_number; }),
                 sample.lots));
   }
   if (sample.groups > 1) {
-    looks.push_back(between("group",
-                            numbers(sample, [](const auto& specimen) { return specimen.group; }),
-                            sample.groups));
+    statistics.push_back(
+        between("group", numbers(sample, [](const auto& specimen) { return specimen.group; }),
+                sample.groups));
   }
   const Numbers orders = numbers(sample, order_of);
   if (std::ranges::any_of(orders, [](std::size_t order) { return order < 2; })) {
-    looks.push_back(between("block_order", orders, 2));
+    statistics.push_back(between("block_order", orders, 2));
   }
-  looks.push_back({"early_failures", early});
-  looks.push_back({"late_failures", late});
-  return looks;
+  statistics.push_back({"early_failures", early});
+  statistics.push_back({"late_failures", late});
+  return statistics;
 }
 
-Omnibus look_at(const LifeSample& sample, const OmnibusOptions& options) {
+Omnibus omnibus_test(const LifeSample& sample, const OmnibusOptions& options) {
   const life_law::LifeData data = life_data_of(sample);
   const life_law::LifeFit fit = life_law::fit_life(data);
   Omnibus omnibus;
   if (fit.problem != statistics::FitProblem::none) {
     return omnibus;
   }
-  const std::vector<LookAt> looks = looks_of(sample);
+  const std::vector<CovariateStatistic> statistics = covariate_statistics(sample);
   const std::vector<CoxSnell> residuals = residuals_under(fit.law(), data);
-  Table table = simulated(data, fit, looks, options);
+  Table table = simulated(data, fit, statistics, options);
   std::vector<double> observed;
-  observed.reserve(looks.size());
-  for (const LookAt& look : looks) {
-    observed.push_back(look.statistic(residuals));
+  observed.reserve(statistics.size());
+  for (const CovariateStatistic& test : statistics) {
+    observed.push_back(test.statistic(residuals));
   }
   table.insert(table.begin(), observed);
   std::vector<double> largest(table.size(), -std::numeric_limits<double>::infinity());
-  for (std::size_t k = 0; k < looks.size(); ++k) {
-    omnibus.looks.push_back({looks[k].covariate, observed[k], p_of(table, k)});
+  for (std::size_t k = 0; k < statistics.size(); ++k) {
+    omnibus.tests.push_back({statistics[k].covariate, observed[k], p_of(table, k)});
     const Scale scale = scale_of(table, k);
     for (std::size_t row = 0; row < table.size(); ++row) {
       largest[row] = std::max(largest[row], scale.of(table[row][k]));

@@ -19,24 +19,24 @@ struct CoxSnell {
   [[nodiscard]] double excess() const { return (failed ? 1 : 0) - value; }
 };
 
-struct LookAt {
+struct CovariateStatistic {
   std::string covariate;
   /// Large where the residuals depend on the covariate.
   std::function<double(std::span<const CoxSnell>)> statistic;
 };
 
 /// What a sample can be looked at for. The sample must outlive this.
-std::vector<LookAt> looks_of(const LifeSample& sample);
+std::vector<CovariateStatistic> covariate_statistics(const LifeSample& sample);
 
 /// One look at the residual lives, with how seldom the nominal law shows as much.
-struct Look {
+struct CovariateTest {
   std::string covariate;
   double statistic = 0;
   double p = 1;
 };
 
 struct Omnibus {
-  std::vector<Look> looks;
+  std::vector<CovariateTest> tests;
   double p = 1;  ///< of the largest of all looks, each in units of its own replicates
 };
 
@@ -50,7 +50,7 @@ struct OmnibusOptions {
 /// the scatter between loads, lots and groups, curvature, shape by level, days, ratio of wire to
 /// bend, mean tension, order of blocks, and the distribution of the residuals. p by the parametric
 /// bootstrap: lives drawn from the fit under the campaign's own plan of suspension, refitted.
-Omnibus look_at(const LifeSample& sample, const OmnibusOptions& options);
+Omnibus omnibus_test(const LifeSample& sample, const OmnibusOptions& options);
 
 /// The lives as they would be without what a model adds to the nominal law, for another look: each
 /// at one load, with damage cox_snell^(1/shape) by the nominal law.

@@ -11,7 +11,7 @@ namespace {
 
 /// Half the 0.95 point of chi-square with one degree of freedom.
 constexpr double kLoss = 1.9207294103470258;
-constexpr double kFarthestLook = 11;
+constexpr double kFarthest = 11;
 
 /// The end on one side: secant steps on the root of the loss, which is nearly straight.
 double end_of(const ModelView& view, const ModelFit& fit, Eigen::Index coordinate, double sign) {
@@ -24,7 +24,7 @@ double end_of(const ModelView& view, const ModelFit& fit, Eigen::Index coordinat
   constexpr int kSteps = 8;
   constexpr double kClose = 0.01;
   for (int step = 0; step < kSteps; ++step) {
-    far = std::min(far, std::max(kFarthestLook - sign * best, near));
+    far = std::min(far, std::max(kFarthest - sign * best, near));
     const ModelFit at = fit_with_fixed(view, coordinate, best + sign * far, start);
     start = at.at;
     const double loss_root = std::sqrt(std::max(0.0, fit.log_posterior - at.log_posterior));
@@ -39,7 +39,7 @@ double end_of(const ModelView& view, const ModelFit& fit, Eigen::Index coordinat
     } else {
       far = near + (root - near_root) / slope;
     }
-    if (best + sign * near >= kFarthestLook || best + sign * near <= -kFarthestLook) {
+    if (best + sign * near >= kFarthest || best + sign * near <= -kFarthest) {
       break;
     }
   }

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/diagnose/lives/climb.hpp"
 #include "host_sim/diagnose/lives/life_settings.hpp"
 #include "host_sim/diagnose/lives/likelihood.hpp"
+#include "host_sim/diagnose/lives/maximize.hpp"
 #include "host_sim/diagnose/lives/specimen_life.hpp"
 
 namespace host_sim::diagnose::lives {
@@ -117,7 +117,7 @@ ModelFit fit_model(const ModelView& view, const Eigen::VectorXd& start) {
   const Eigen::VectorXd from =
       start.size() == 0 ? Eigen::VectorXd::Zero(view.coordinates()) : start;
   ModelFit fit;
-  fit.at = climb(objective, from);
+  fit.at = maximize(objective, from);
   fit.log_posterior = objective(fit.at);
   fit.log_likelihood = fit.log_posterior - view.log_prior(fit.at);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> curvature(-hessian(objective, fit.at));
@@ -143,7 +143,7 @@ ModelFit fit_with_fixed(const ModelView& view, Eigen::Index fixed, double value,
   Eigen::VectorXd from(free);
   from << start.head(fixed), start.tail(free - fixed);
   ModelFit fit;
-  fit.at = whole(climb(objective, from));
+  fit.at = whole(maximize(objective, from));
   fit.log_posterior = view.log_posterior(fit.at);
   fit.log_likelihood = fit.log_posterior - view.log_prior(fit.at);
   return fit;

@@ -34,19 +34,20 @@ std::set<std::string> effects_of(const std::vector<std::string>& set) {
   return ids;
 }
 
-std::string least_look(const Omnibus& omnibus) {
+std::string most_significant(const Omnibus& omnibus) {
   const auto least = std::ranges::min_element(
-      omnibus.looks, [](const Look& one, const Look& other) { return one.p < other.p; });
-  return least == omnibus.looks.end() ? "" : least->covariate;
+      omnibus.tests,
+      [](const CovariateTest& one, const CovariateTest& other) { return one.p < other.p; });
+  return least == omnibus.tests.end() ? "" : least->covariate;
 }
 
-std::string named_words(const Findings& findings) {
-  std::string words;
+std::string named_prose(const Findings& findings) {
+  std::string prose;
   for (const FoundEffect& effect : findings.effects) {
-    words += fmt::format("{}{} ({}, probability {:.3f})", words.empty() ? "" : " and ", effect.id,
+    prose += fmt::format("{}{} ({}, probability {:.3f})", prose.empty() ? "" : " and ", effect.id,
                          effect.term, effect.probability);
   }
-  return words;
+  return prose;
 }
 
 constexpr std::uint64_t kShapeStream = 502;
@@ -95,7 +96,7 @@ std::string experiment_for(const std::vector<std::string>& credible_set) {
   return fmt::format("{}", fmt::join(experiments, "; "));
 }
 
-std::string verdict_words(const Findings& findings, const Omnibus& before, const Omnibus& after) {
+std::string verdict_prose(const Findings& findings, const Omnibus& before, const Omnibus& after) {
   switch (findings.verdict) {
     case Verdict::none:
       return fmt::format(
@@ -106,28 +107,28 @@ std::string verdict_words(const Findings& findings, const Omnibus& before, const
       return fmt::format(
           "The nominal law is wrong (p = {:.2g}); {} explains it, and nothing is left (p = "
           "{:.2g}).",
-          before.p, named_words(findings), after.p);
+          before.p, named_prose(findings), after.p);
     case Verdict::ambiguous:
       return fmt::format(
           "Something may be wrong with the nominal law (p = {:.2g}, most against {}), and these "
           "lives do not say what: {} hold 95 % together.",
-          before.p, least_look(before), fmt::join(findings.credible_set, ", "));
+          before.p, most_significant(before), fmt::join(findings.credible_set, ", "));
     case Verdict::unknown:
       break;
   }
-  if (!after.looks.empty()) {
+  if (!after.tests.empty()) {
     return fmt::format(
         "The nominal law is wrong (p = {:.2g}), and with the best of the catalogue structure is "
         "left against {} (p = {:.2g}).",
-        before.p, least_look(after), after.p);
+        before.p, most_significant(after), after.p);
   }
   return fmt::format(
       "The nominal law is wrong (p = {:.2g}, most against {}) in a way that no effect of the "
       "catalogue explains.",
-      before.p, least_look(before));
+      before.p, most_significant(before));
 }
 
-std::string shape_words(const Campaign& campaign, const ShapeTestOptions& options) {
+std::string shape_prose(const Campaign& campaign, const ShapeTestOptions& options) {
   const Levels levels = levels_with_failures(campaign);
   constexpr std::size_t kLeastLevels = 3;
   if (levels.samples.size() < kLeastLevels) {

@@ -15,7 +15,7 @@ namespace host_sim::diagnose::lives {
 std::string experiment_for(const std::vector<std::string>& credible_set);
 
 /// The verdict in sentences. `after` has no looks where nothing was extended.
-std::string verdict_words(const Findings& findings, const Omnibus& before, const Omnibus& after);
+std::string verdict_prose(const Findings& findings, const Omnibus& before, const Omnibus& after);
 
 struct ShapeTestOptions {
   std::uint64_t seed = 1;
@@ -25,6 +25,6 @@ struct ShapeTestOptions {
 /// A sentence on the level whose Weibull shape is least like that of the others, by the likelihood
 /// ratio of (17) and (18) for one level against the rest; empty where none differs at 5 % for all
 /// levels that were looked at.
-std::string shape_words(const Campaign& campaign, const ShapeTestOptions& options);
+std::string shape_prose(const Campaign& campaign, const ShapeTestOptions& options);
 
 }  // namespace host_sim::diagnose::lives

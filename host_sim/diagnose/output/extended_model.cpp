@@ -59,8 +59,8 @@ std::string head(const Campaign& campaign, const Diagnosis& diagnosis, InputFrom
   if (diagnosis.lives) {
     text += "# [life] refitted from the lives.\n";
   }
-  for (const Part& part : parts_of(diagnosis)) {
-    text += fmt::format("# Verdict on the {}: {}.\n", part.name, word_of(part.findings->verdict));
+  for (const DataFindings& part : findings_by_data(diagnosis)) {
+    text += fmt::format("# Verdict on the {}: {}.\n", part.name, name_of(part.findings->verdict));
     for (const Extension& extension : part.findings->extensions) {
       text += fmt::format("# Extended by {}.\n", printable(extension.id));
     }

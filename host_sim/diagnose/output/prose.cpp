@@ -13,16 +13,16 @@
 namespace host_sim::diagnose {
 namespace {
 
-using Good = MetricWords::Good;
+using Good = MetricDescription::Good;
 
-const std::pair<std::string_view, MetricWords> kMetrics[] = {
+const std::pair<std::string_view, MetricDescription> kMetrics[] = {
     {"rmse_N", {"error of the output tension (RMSE)", "N", Good::low}},
     {"log_predictive_density", {"log predictive density", "", Good::high}},
     {"damage_error_percent", {"error of the damage", "%", Good::low}},
     {"b10_coverage", {"specimens broken before their B10", "", Good::goal, 0.1}},
 };
 
-/// Below it a ratio is told as none.
+/// Below it a ratio is reported as none.
 constexpr double kSmallestChange = 0.005;
 
 /// "1.16 times", "0.84 times".
@@ -34,21 +34,21 @@ bool of_no_account(double ratio) {
   return !std::isfinite(ratio) || ratio <= 0 || std::abs(std::log(ratio)) < kSmallestChange;
 }
 
-/// What `told_by` says of the effect of this id in either catalogue; empty where none has it.
-template <class ToldBy>
-auto of_catalogue(std::string_view id, ToldBy told_by) {
-  decltype(told_by(*effects::tension_effects().front())) told;
+/// What `property` says of the effect of this id in either catalogue; empty where none has it.
+template <class Property>
+auto of_catalogue(std::string_view id, Property property) {
+  decltype(property(*effects::tension_effects().front())) found;
   for (const auto& effect : effects::tension_effects()) {
     if (effect->id() == id) {
-      told = told_by(*effect);
+      found = property(*effect);
     }
   }
   for (const auto& effect : effects::life_effects()) {
     if (effect->id() == id) {
-      told = told_by(*effect);
+      found = property(*effect);
     }
   }
-  return told;
+  return found;
 }
 
 std::string experiment_between(std::string_view one, std::string_view other) {
@@ -71,27 +71,27 @@ void add_new(std::vector<std::string>& texts, const std::string& text) {
 
 }  // namespace
 
-MetricWords words_of(std::string_view metric) {
+MetricDescription description_of(std::string_view metric) {
   const auto* const known = std::find_if(std::begin(kMetrics), std::end(kMetrics),
                                          [metric](const auto& one) { return one.first == metric; });
-  return known == std::end(kMetrics) ? MetricWords{std::string(metric), "", Good::low}
+  return known == std::end(kMetrics) ? MetricDescription{std::string(metric), "", Good::low}
                                      : known->second;
 }
 
 bool improved(const Metric& metric) {
-  const MetricWords words = words_of(metric.name);
-  switch (words.good) {
+  const MetricDescription description = description_of(metric.name);
+  switch (description.good) {
     case Good::low:
       return std::abs(metric.after) < std::abs(metric.before);
     case Good::high:
       return metric.after > metric.before;
     case Good::goal:
-      return std::abs(metric.after - words.goal) < std::abs(metric.before - words.goal);
+      return std::abs(metric.after - description.goal) < std::abs(metric.before - description.goal);
   }
   return false;
 }
 
-std::string cost_words(const TensionDiagnosis& tension) {
+std::string cost_prose(const TensionDiagnosis& tension) {
   if (tension.findings.extensions.empty()) {
     return "Nothing was extended, so that the damage of the recordings stays as it was booked.";
   }
@@ -105,7 +105,7 @@ std::string cost_words(const TensionDiagnosis& tension) {
       times(ratio), times(1 / ratio));
 }
 
-std::string cost_words(const LifeDiagnosis& lives) {
+std::string cost_prose(const LifeDiagnosis& lives) {
   if (lives.findings.extensions.empty()) {
     return "Nothing was extended, so that B10 stays as it was.";
   }
@@ -117,12 +117,12 @@ std::string cost_words(const LifeDiagnosis& lives) {
       times(lives.b10_ratio));
 }
 
-std::string candidate_words(std::string_view id) {
-  std::string words(id);
-  if (const std::size_t plus = words.find('+'); plus != std::string::npos) {
-    words.replace(plus, 1, " and ");
+std::string candidate_prose(std::string_view id) {
+  std::string prose(id);
+  if (const std::size_t plus = prose.find('+'); plus != std::string::npos) {
+    prose.replace(plus, 1, " and ");
   }
-  return words;
+  return prose;
 }
 
 std::string term_of(std::string_view id) {

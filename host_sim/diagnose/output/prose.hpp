@@ -10,7 +10,7 @@
 namespace host_sim::diagnose {
 
 /// A metric of the gain for people.
-struct MetricWords {
+struct MetricDescription {
   std::string name;  ///< "error of the output tension (RMSE)"
   std::string unit;  ///< "N", "%" or none
   /// What a good value is: the lower the better, the higher, or near to a goal.
@@ -19,19 +19,19 @@ struct MetricWords {
 };
 
 /// A name that is not known stands for itself.
-MetricWords words_of(std::string_view metric);
+MetricDescription description_of(std::string_view metric);
 
 /// Whether the extended model is better in this metric.
 bool improved(const Metric& metric);
 
 /// What the error of the nominal model costs: what it says of the damage of the recordings.
-std::string cost_words(const TensionDiagnosis& tension);
+std::string cost_prose(const TensionDiagnosis& tension);
 
 /// What it says of B10.
-std::string cost_words(const LifeDiagnosis& lives);
+std::string cost_prose(const LifeDiagnosis& lives);
 
 /// "friction_wear and slack" of the id of a candidate.
-std::string candidate_words(std::string_view id);
+std::string candidate_prose(std::string_view id);
 
 /// The field's words for the id of a candidate, from the catalogue: "backlash or dead zone"; what
 /// "none" and "unknown" mean. An id that is not known stands for itself.

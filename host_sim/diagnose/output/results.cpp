@@ -68,7 +68,7 @@ ordered_json discrepancy_json(const Discrepancy& discrepancy) {
           {"p_after", number(discrepancy.p_after)}};
 }
 
-ordered_json gain_json(const Gain& gain) {
+ordered_json gain_json(const HeldOutGain& gain) {
   ordered_json json{{"held_out_by", text_or_null(gain.held_out_by)}};
   for (const Metric& metric : gain.metrics) {
     json[free_name(json, metric.name)] = {{"before", number(metric.before)},
@@ -100,8 +100,8 @@ ordered_json extensions_json(const std::vector<Extension>& extensions) {
 }
 
 ordered_json findings_json(const Findings& findings) {
-  return {{"verdict", word_of(findings.verdict)},
-          {"words", findings.words},
+  return {{"verdict", name_of(findings.verdict)},
+          {"words", findings.prose},
           {"effects", list(findings.effects, effect_json)},
           {"candidates", list(findings.candidates, candidate_json)},
           {"credible_set", findings.credible_set},

@@ -16,8 +16,8 @@ using hal::files::printable;
 
 namespace {
 
-/// Below it a candidate is not told.
-constexpr double kLeastTold = 0.005;
+/// Below it a candidate is not reported.
+constexpr double kLeastReported = 0.005;
 
 std::string figure(double value) {
   return std::isfinite(value) ? fmt::format("{:.4g}", value) : "-";
@@ -53,23 +53,23 @@ void write_candidates(std::ostream& out, const Findings& findings) {
     return;
   }
   for (const Candidate& candidate : findings.candidates) {
-    if (candidate.probability >= kLeastTold) {
+    if (candidate.probability >= kLeastReported) {
       fmt::print(out, "  may be {:.3f}  {}\n", candidate.probability,
-                 printable(candidate_words(candidate.id)));
+                 printable(candidate_prose(candidate.id)));
     }
   }
 }
 
-void write_gain(std::ostream& out, const Gain& gain) {
+void write_gain(std::ostream& out, const HeldOutGain& gain) {
   if (gain.metrics.empty()) {
     return;
   }
   fmt::print(out, "  gain on data that the fit never saw{}\n",
              gain.held_out_by.empty() ? "" : ", held out by " + printable(gain.held_out_by));
   for (const Metric& metric : gain.metrics) {
-    const MetricWords words = words_of(metric.name);
-    fmt::print(out, "    {:<36}{} -> {}{}\n", printable(words.name), figure(metric.before),
-               with_unit(figure(metric.after), words.unit),
+    const MetricDescription description = description_of(metric.name);
+    fmt::print(out, "    {:<36}{} -> {}{}\n", printable(description.name), figure(metric.before),
+               with_unit(figure(metric.after), description.unit),
                improved(metric) ? "" : "  (not better)");
   }
 }
@@ -104,11 +104,11 @@ void write_same(std::ostream& out, const Findings& findings) {
   }
 }
 
-void write_part(std::ostream& out, const Part& part, const std::string& cost) {
+void write_part(std::ostream& out, const DataFindings& part, const std::string& cost) {
   const Findings& findings = *part.findings;
-  fmt::print(out, "{}: {}\n", part.name, word_of(findings.verdict));
-  if (!findings.words.empty()) {
-    fmt::print(out, "  {}\n", printable(findings.words));
+  fmt::print(out, "{}: {}\n", part.name, name_of(findings.verdict));
+  if (!findings.prose.empty()) {
+    fmt::print(out, "  {}\n", printable(findings.prose));
   }
   write_effects(out, findings);
   write_candidates(out, findings);
@@ -128,11 +128,11 @@ void write_part(std::ostream& out, const Part& part, const std::string& cost) {
 }  // namespace
 
 void write_summary(std::ostream& out, std::string_view campaign, const Diagnosis& diagnosis) {
-  fmt::print(out, "{}: {}\n", printable(campaign), word_of(diagnosis.verdict()));
-  for (const Part& part : parts_of(diagnosis)) {
+  fmt::print(out, "{}: {}\n", printable(campaign), name_of(diagnosis.verdict()));
+  for (const DataFindings& part : findings_by_data(diagnosis)) {
     write_part(
         out, part,
-        part.name == "lives" ? cost_words(*diagnosis.lives) : cost_words(*diagnosis.tension));
+        part.name == "lives" ? cost_prose(*diagnosis.lives) : cost_prose(*diagnosis.tension));
   }
   for (const std::string& warning : diagnosis.warnings) {
     fmt::print(out, "warning: {}\n", printable(warning));

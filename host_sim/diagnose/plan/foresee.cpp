@@ -138,7 +138,7 @@ std::string foresight_json(const Foresight& foresight) {
                        {"visible", effect.visible()},
                        {"share_left", effect.share},
                        {"standard_deviations", effect.sigmas},
-                       {"words", effect.words}});
+                       {"words", effect.prose}});
     if (!effect.visible()) {
       invisible.push_back(effect.effect->id());
     }
@@ -155,7 +155,7 @@ void write_foresight(std::ostream& out, const Foresight& foresight) {
              foresight.samples);
   for (const EffectAudit* effect : clearest_first(foresight.audit)) {
     fmt::print(out, "  {:<22}{}{}\n", effect->effect->id(),
-               effect->visible() ? "" : "invisible: ", effect->words);
+               effect->visible() ? "" : "invisible: ", effect->prose);
   }
   bool all_apart = true;
   for (const EquivalenceClass& same : foresight.audit.classes) {

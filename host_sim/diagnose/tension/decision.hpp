@@ -21,7 +21,7 @@ struct Weighed {
   [[nodiscard]] std::vector<std::string> credible_set(double share) const;
 };
 
-/// Step 4. The evidences are tempered: signatures are linear and the catalogue's terms are
+/// The evidences are tempered: signatures are linear and the catalogue's terms are
 /// approximations, so that differences that are small beside what the effects explain say little.
 /// @param best the hypothesis that `rest` was tested on
 Weighed weigh(const Ranking& ranking, const Hypothesis& best, const ResidualTest& rest);
@@ -31,7 +31,7 @@ Weighed weigh(const Ranking& ranking, const Hypothesis& best, const ResidualTest
 /// Nelder, 1989, section 9.2). 1 or more.
 double dispersion_of(const ResidualTest& rest);
 
-/// Step 5.
+/// The verdict by the probabilities of the candidates.
 Verdict decide(const Weighed& weighed);
 
 }  // namespace host_sim::diagnose

@@ -66,20 +66,20 @@ class Diagnoser {
     evidence_.options.autocorrelation = noise_.autocorrelation;
     evidence_.options.weights = noise_.weights;
     evidence_.sample_sd = noise_.sample_sd;
-    tell(0.2);
+    report(0.2);
     Grams grams = whole_grams();
     if (takes_friction_of(best_at_first(evidence_, grams))) {
       grams = whole_grams();
     }
     const Ranking ranking = rank(evidence_, grams);
-    tell(0.5);
+    report(0.5);
     probes_ = probes_of(evidence_.sessions);
     const ResidualTest before = test_residual(evidence_, probes_, {}, options_.seed);
     const Hypothesis& best = ranking.best();
     const ResidualTest after =
         best.parts.empty() ? before : test_residual(evidence_, probes_, best.parts, options_.seed);
     weighed_ = weigh(ranking, best, after);
-    tell(0.6);
+    report(0.6);
     TensionDiagnosis diagnosis;
     Findings& findings = diagnosis.findings;
     findings.candidates = weighed_.candidates;
@@ -92,34 +92,34 @@ class Diagnoser {
     add_audit(audited, findings);
     dispersion_ = dispersion_of(after);
     add_effects(model, findings);
-    tell(0.7);
+    report(0.7);
     if (findings.verdict == Verdict::named && evidence_.sessions.size() >= kLeastSessions) {
       findings.gain = measure_gain(evidence_, model, constants_);
-      withdraw_what_does_not_gain(findings);
+      withdraw_unless_improved(findings);
     }
     if (findings.verdict == Verdict::unknown && !few() && options_.steps) {
       findings.steps = steps_of(evidence_, wanted_, dispersion_, constants_);
     }
-    tell(0.9);
+    report(0.9);
     add_refitted(model, diagnosis);
     findings.next_experiment = next_experiment(findings, audited);
-    findings.words = verdict_words(findings, evidence_.sessions.size());
+    findings.prose = verdict_prose(findings, evidence_.sessions.size());
     add_doubts(model, findings);
-    findings.words += no_gain_words(findings);
+    findings.prose += no_gain_prose(findings);
     if (few()) {
-      findings.words += fmt::format(
+      findings.prose += fmt::format(
           " {} of 4 sessions that it takes: the scatter between sessions is not known, and "
           "nothing can be named.",
           evidence_.sessions.size());
     }
     diagnosis.traces = trace_pictures(evidence_, model);
     diagnosis.residuals = residual_pictures(evidence_, probes_, model);
-    tell(1);
+    report(1);
     return diagnosis;
   }
 
  private:
-  void tell(double share) const {
+  void report(double share) const {
     if (options_.progress) {
       options_.progress(share);
     }
@@ -153,7 +153,7 @@ class Diagnoser {
     if (findings.verdict != Verdict::ambiguous || !(entangled(model) || confounded(model))) {
       return;
     }
-    findings.words +=
+    findings.prose +=
         entangled(model)
             ? " Two effects at reversals do not add up, and one may stand for another of them."
             : " Two effects that are hard to tell apart may together stand for one that the "
@@ -196,7 +196,7 @@ class Diagnoser {
   static void add_audit(const Audit& audited, Findings& findings) {
     for (const EffectAudit& effect : audited.effects) {
       if (!effect.visible()) {
-        findings.invisible.push_back({std::string(effect.effect->id()), effect.words});
+        findings.invisible.push_back({std::string(effect.effect->id()), effect.prose});
       }
     }
     for (const EquivalenceClass& group : audited.classes) {
@@ -285,7 +285,7 @@ TensionDiagnosis nothing_to_see(const RecordedSessions& recorded) {
   TensionDiagnosis diagnosis;
   diagnosis.findings.candidates = {{"none", 1}};
   diagnosis.findings.credible_set = {"none"};
-  diagnosis.findings.words =
+  diagnosis.findings.prose =
       recorded.faults.empty()
           ? "The recordings hold no motion from which friction could be told: nothing can be shown."
           : "Nothing is left of the recordings once the faults of their sensors are taken out: "

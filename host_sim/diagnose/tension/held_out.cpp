@@ -145,14 +145,14 @@ HeldOut held_out(const Evidence& evidence, std::span<const Component> model,
   return scores;
 }
 
-Gain measure_gain(const Evidence& evidence, std::span<const Component> model,
-                  const reference::Constants& constants) {
+HeldOutGain measure_gain(const Evidence& evidence, std::span<const Component> model,
+                         const reference::Constants& constants) {
   const HeldOut before = held_out(evidence, {}, constants);
   const HeldOut after = held_out(evidence, model, constants);
   const auto mean_damage_error = [](const HeldOut& scores) {
     return scores.sum(&SessionScore::damage_error) / static_cast<double>(scores.sessions.size());
   };
-  Gain gain{.held_out_by = "session", .metrics = {}};
+  HeldOutGain gain{.held_out_by = "session", .metrics = {}};
   gain.metrics.push_back({"rmse_N", before.output_rmse_N(), after.output_rmse_N()});
   gain.metrics.push_back({"log_predictive_density", before.log_density(), after.log_density()});
   gain.metrics.push_back(

@@ -37,9 +37,9 @@ HeldOut held_out(const Evidence& evidence, std::span<const Component> model,
 /// Damage of a tension over time, counted whole.
 double damage_of(std::span<const double> tension_N, const reference::Constants& constants);
 
-/// Step 6: the nominal model, refitted, and the extended one on sessions that neither saw.
+/// The nominal model, refitted, and the extended one on sessions that neither saw.
 /// @pre three sessions or more
-Gain measure_gain(const Evidence& evidence, std::span<const Component> model,
-                  const reference::Constants& constants);
+HeldOutGain measure_gain(const Evidence& evidence, std::span<const Component> model,
+                         const reference::Constants& constants);
 
 }  // namespace host_sim::diagnose

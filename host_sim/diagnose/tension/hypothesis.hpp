@@ -58,8 +58,8 @@ struct ShapeSearch {
   double best_log_evidence = 0;  ///< of the best shape
 };
 
-/// From evidences at the effect's own shapes goes on between the neighbours of the best, where the
-/// effect has one parameter of shape that is not a whole number.
+/// From evidences at the effect's own shapes continues between the neighbours of the best, where
+/// the effect has one parameter of shape that is not a whole number.
 /// @param at_shapes ln evidence at each of TensionEffect::shapes(), with the companions
 ShapeSearch search_shape(const Evidence& evidence, const effects::TensionEffect& effect,
                          std::span<const double> at_shapes, std::span<const Component> companions);

@@ -11,15 +11,15 @@ namespace host_sim::diagnose {
 namespace {
 
 std::string listed(const std::vector<FoundEffect>& effects) {
-  std::string words;
+  std::string prose;
   for (std::size_t i = 0; i < effects.size(); ++i) {
     if (i > 0) {
-      words += i + 1 == effects.size() ? " and " : ", ";
+      prose += i + 1 == effects.size() ? " and " : ", ";
     }
-    words += fmt::format("{} ({}, {:.1f} %)", effects[i].term, effects[i].id,
+    prose += fmt::format("{} ({}, {:.1f} %)", effects[i].term, effects[i].id,
                          100 * effects[i].probability);
   }
-  return words;
+  return prose;
 }
 
 /// "Capstan's law alone misses ... With ... it misses ..."; empty where no effect takes any off.
@@ -70,7 +70,7 @@ const effects::TensionEffect* other_than(const Audit& audit, const std::string& 
 
 }  // namespace
 
-std::string verdict_words(const Findings& findings, std::size_t sessions) {
+std::string verdict_prose(const Findings& findings, std::size_t sessions) {
   switch (findings.verdict) {
     case Verdict::none:
       return fmt::format(
@@ -81,23 +81,23 @@ std::string verdict_words(const Findings& findings, std::size_t sessions) {
       return "The recordings disagree with the model, and the cause is " +
              listed(findings.effects) + ".";
     case Verdict::ambiguous: {
-      std::string words =
+      std::string prose =
           "The recordings disagree with the model, and more than one cause explains it:";
       for (const std::string& id : findings.credible_set) {
-        words += ' ' + id + ',';
+        prose += ' ' + id + ',';
       }
-      words.back() = '.';
-      return words;
+      prose.back() = '.';
+      return prose;
     }
     case Verdict::unknown: {
-      std::string words =
+      std::string prose =
           "The recordings hold structure that no effect of the catalogue, and no two, explain.";
       const auto strongest =
           std::ranges::max_element(findings.discrepancies, {}, &Discrepancy::statistic);
       if (strongest != findings.discrepancies.end()) {
-        words += fmt::format(" It shows most against {}.", strongest->covariate);
+        prose += fmt::format(" It shows most against {}.", strongest->covariate);
       }
-      return words + how_far(findings.steps);
+      return prose + how_far(findings.steps);
     }
   }
   return "";

@@ -20,7 +20,7 @@ struct Ranking {
 /// @param grams of the wanted effects with all their shapes
 Hypothesis best_at_first(const Evidence& evidence, const Grams& grams);
 
-/// Step 3: every candidate, and two at once.
+/// Every candidate, and two at once, by their evidence.
 /// @param grams of the wanted effects with all their shapes
 Ranking rank(const Evidence& evidence, const Grams& grams);
 

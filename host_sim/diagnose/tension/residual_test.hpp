@@ -25,7 +25,7 @@ struct ResidualTest {
   bool scatter_beyond = false;
 };
 
-/// Steps 2 and 5: is there anything left? The maximum over the probes of their score statistics,
+/// Is there anything left? The maximum over the probes of their score statistics,
 /// with p from campaigns of the same design that are simulated under the model: their scatter of
 /// sessions drawn from its posterior and estimated anew in each. The statistics of covariates that
 /// differ by session alone have no other null distribution than this.

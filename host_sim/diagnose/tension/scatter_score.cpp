@@ -93,7 +93,7 @@ ScatterScore::ScatterScore(const Grams& grams, const NoiseModel& noise, Index re
   log_determinant_ += log_pseudo_determinant(fixed, before);
 }
 
-void ScatterScore::look_at_probes(const Grams& grams) {
+void ScatterScore::prepare_probes(const Grams& grams) {
   const Index size = grams.response() - refitted_;
   const double variance = noise_.sample_sd * noise_.sample_sd;
   VectorXd before = VectorXd::Zero(size);
@@ -159,7 +159,7 @@ PossibleScatter::PossibleScatter(const Grams& grams, double sample_sd, Eigen::In
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i] <= least + kImpossible) {
       possible.push_back(std::move(scores_[i]));
-      possible.back().look_at_probes(grams);
+      possible.back().prepare_probes(grams);
     }
   }
   scores_ = std::move(possible);

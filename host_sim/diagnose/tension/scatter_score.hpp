@@ -44,12 +44,12 @@ class ScatterScore {
   ScatterScore(const Grams& grams, const NoiseModel& noise, Eigen::Index refitted);
 
   /// Prepares statistics().
-  void look_at_probes(const Grams& grams);
+  void prepare_probes(const Grams& grams);
 
   /// -2 ln of the restricted likelihood of the scatter, up to a constant.
   [[nodiscard]] double deviance(const Grams& grams, const Products& products) const;
 
-  /// Of each probe. @pre look_at_probes()
+  /// Of each probe. @pre prepare_probes()
   [[nodiscard]] std::vector<double> statistics(const Grams& grams, const Products& products) const;
 
   /// Rank of each probe beside what is refitted.

@@ -13,7 +13,7 @@ class DefinedLifeEffect final : public LifeEffect {
   explicit DefinedLifeEffect(LifeDefinition definition) : definition_(std::move(definition)) {}
 
   std::string_view id() const override { return definition_.id; }
-  Kind kind() const override { return definition_.kind; }
+  LifeEffectKind kind() const override { return definition_.kind; }
   std::string_view term() const override { return definition_.term; }
   std::string_view equation() const override { return definition_.equation; }
   std::string_view life_consequence() const override { return definition_.life_consequence; }

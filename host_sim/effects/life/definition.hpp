@@ -14,7 +14,7 @@ using Columns = std::vector<std::vector<double>>;
 /// All that is known of an effect, as data. The texts and tables must outlive the program.
 struct LifeDefinition {
   std::string_view id;
-  LifeEffect::Kind kind = LifeEffect::Kind::mean;
+  LifeEffectKind kind = LifeEffectKind::mean;
   std::string_view term;
   std::string_view equation;
   std::string_view life_consequence;

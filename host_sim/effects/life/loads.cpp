@@ -97,7 +97,7 @@ Scatter scatter(const LifeCovariates& covariates, const LifeBaseline& baseline,
 
 LifeDefinition definition() {
   return {.id = "endurance_limit",
-          .kind = LifeEffect::Kind::both,
+          .kind = LifeEffectKind::both,
           .term = "fatigue limit, curvature of the S-N line",
           .equation =
               "alpha = A/(T_eff - S_e)^gamma, S_e a share of the lowest level, its logarithm "

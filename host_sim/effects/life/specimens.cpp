@@ -63,7 +63,7 @@ Scatter scatter(const LifeCovariates& covariates, const LifeBaseline&, std::span
 
 LifeDefinition definition() {
   return {.id = "lot_frailty",
-          .kind = LifeEffect::Kind::scatter,
+          .kind = LifeEffectKind::scatter,
           .term = "batch-to-batch scatter",
           .equation = "ln N + sigma z, z standard normal, one for each lot",
           .life_consequence =
@@ -123,7 +123,7 @@ Scatter scatter(const LifeCovariates& covariates, const LifeBaseline& baseline,
 
 LifeDefinition definition() {
   return {.id = "second_mode",
-          .kind = LifeEffect::Kind::both,
+          .kind = LifeEffectKind::both,
           .term = "competing failure mode",
           .equation =
               "R = exp(-(n/alpha)^beta - (n/alpha_2)^beta_2) at the levels that the second "

@@ -45,14 +45,14 @@ class DefinedTensionEffect final : public TensionEffect {
     if (definition_.acts_on_current && !covariates.input_tension_N.empty()) {
       return "input tension comes from a load cell, which the drive does not change";
     }
-    if (std::string words = missing_in_residual(covariates); !words.empty()) {
-      return words;
+    if (std::string text = missing_in_residual(covariates); !text.empty()) {
+      return text;
     }
     for (const Need& need : definition_.needs) {
       if ((covariates.*need.values).empty()) {
-        std::string words = "no ";
-        words += need.words;
-        return words;
+        std::string text = "no ";
+        text += need.description;
+        return text;
       }
     }
     return {};

@@ -12,7 +12,7 @@ namespace host_sim::effects {
 /// A covariate that a signature reads.
 struct Need {
   std::vector<double> recording::Covariates::*values;
-  std::string_view words;  ///< what it is and the channel that gives it
+  std::string_view description;  ///< what it is and the channel that gives it
 };
 
 // The covariates that signatures read, with what to record for them.

@@ -83,7 +83,8 @@ std::string weibull(const diagnose::LifeDiagnosis& lives) {
 }
 
 std::string ratio_before() {
-  return "Lives that drift with the tension, or lots that stand apart, speak against the model.";
+  return "Lives that drift with the tension, or lots that stand apart, are evidence against the "
+         "model.";
 }
 
 std::string ratio_after() {
@@ -95,13 +96,13 @@ std::string ranking(const diagnose::Findings& findings) {
   if (credible == 0) {
     return "All probabilities sum to 1.";
   }
-  const std::string_view words = credible == 1
+  const std::string_view prose = credible == 1
                                      ? "The candidate in full colour holds 95\u00a0% alone"
                                      : "Those in full colour hold 95\u00a0% together";
   return fmt::format(
       "All probabilities sum to 1. {}. The probability of an effect is the sum over all candidates "
       "that hold it; it is named from {} on.",
-      words, percent_text(diagnose::kNamed));
+      prose, percent_text(diagnose::kNamed));
 }
 
 std::string discrepancies() {
@@ -117,7 +118,7 @@ std::string steps() {
          "would have if the catalogue held all that there is, which it does not: nothing is named.";
 }
 
-std::string gain(const diagnose::Gain& gain) {
+std::string gain(const diagnose::HeldOutGain& gain) {
   return gain.held_out_by.empty()
              ? std::string("On data that the fit never saw.")
              : fmt::format("On data that the fit never saw, held out by {}.", gain.held_out_by);

@@ -19,6 +19,6 @@ namespace host_sim::diagnose_page::captions {
 [[nodiscard]] std::string ranking(const diagnose::Findings& findings);
 [[nodiscard]] std::string discrepancies();
 [[nodiscard]] std::string steps();
-[[nodiscard]] std::string gain(const diagnose::Gain& gain);
+[[nodiscard]] std::string gain(const diagnose::HeldOutGain& gain);
 
 }  // namespace host_sim::diagnose_page::captions

@@ -10,8 +10,8 @@
 namespace host_sim::diagnose_page {
 namespace {
 
+using diagnose::DataFindings;
 using diagnose::Findings;
-using diagnose::Part;
 using diagnose::Verdict;
 
 /// "a", "a and b", "a, b and c".
@@ -70,7 +70,6 @@ std::string sentence_of(const Findings& findings) {
   return {};
 }
 
-using diagnose::Part;
 using elements::tile;
 
 constexpr int kGainDigits = 4;  // before and after are often near to each other
@@ -82,7 +81,7 @@ std::string capital(std::string text) {
   return text;
 }
 
-std::string effects(const Part& part) {
+std::string effects(const DataFindings& part) {
   std::string html;
   for (const diagnose::FoundEffect& effect : part.findings->effects) {
     html += tile(capital(effect.term.empty() ? effect.id : effect.term),
@@ -92,14 +91,14 @@ std::string effects(const Part& part) {
 }
 
 /// @param both whether the other part has gains too, so that each says whose they are
-std::string gains(const Part& part, bool both) {
+std::string gains(const DataFindings& part, bool both) {
   std::string html;
   for (const diagnose::Metric& metric : part.findings->gain.metrics) {
-    const diagnose::MetricWords words = diagnose::words_of(metric.name);
+    const diagnose::MetricDescription description = diagnose::description_of(metric.name);
     html +=
-        tile(capital(words.name), quantity_text(metric.after, words.unit, kGainDigits),
+        tile(capital(description.name), quantity_text(metric.after, description.unit, kGainDigits),
              fmt::format("{}{} with the nominal model", both ? std::string(part.name) + ": " : "",
-                         quantity_text(metric.before, words.unit, kGainDigits)));
+                         quantity_text(metric.before, description.unit, kGainDigits)));
   }
   return html;
 }
@@ -122,7 +121,7 @@ std::string life(const diagnose::Diagnosis& diagnosis) {
 
 std::string verdict(const diagnose::Diagnosis& diagnosis) {
   std::string text;
-  for (const Part& part : diagnose::parts_of(diagnosis)) {
+  for (const DataFindings& part : diagnose::findings_by_data(diagnosis)) {
     text += fmt::format("{}{}: {}.", text.empty() ? "" : " ",
                         part.name == "lives" ? "Lives" : "Recordings", sentence_of(*part.findings));
   }
@@ -146,10 +145,10 @@ std::string origin(const diagnose::Diagnosis& diagnosis) {
 }
 
 std::string tiles(const diagnose::Diagnosis& diagnosis) {
-  std::string html = tile("Verdict", std::string(word_of(diagnosis.verdict())),
+  std::string html = tile("Verdict", std::string(name_of(diagnosis.verdict())),
                           "none, named, ambiguous or unknown");
-  const std::vector<Part> parts = diagnose::parts_of(diagnosis);
-  for (const Part& part : parts) {
+  const std::vector<DataFindings> parts = diagnose::findings_by_data(diagnosis);
+  for (const DataFindings& part : parts) {
     html += effects(part) + gains(part, parts.size() > 1);
   }
   return html + life(diagnosis);

@@ -93,7 +93,7 @@ bool has_parameters(const Findings& findings) {
 }
 
 void add_found(Slots& slots, const Findings& findings) {
-  slots["words"] = paragraph("lead", findings.words);
+  slots["prose"] = paragraph("lead", findings.prose);
   slots["effects"] = elements::table_or(!findings.effects.empty(), tables::effects(findings),
                                         "No effect was named.");
   slots["parameters"] = has_parameters(findings) ? tables::parameters(findings) : std::string();
@@ -160,11 +160,11 @@ std::string body(std::string_view campaign, const Diagnosis& diagnosis) {
   slots["tiles"] = tiles(diagnosis);
   const auto& tension = diagnosis.tension;
   slots["recordings"] = tension ? part("recordings", "Recordings", tension->findings,
-                                       pictures(*tension), diagnose::cost_words(*tension))
+                                       pictures(*tension), diagnose::cost_prose(*tension))
                                 : std::string();
   const auto& lives = diagnosis.lives;
   slots["lives"] = lives ? part("lives", "Lives", lives->findings, pictures(*lives),
-                                diagnose::cost_words(*lives))
+                                diagnose::cost_prose(*lives))
                          : std::string();
   std::ostringstream out;
   fill_template(out, diagnose_assets::body_html, slots);

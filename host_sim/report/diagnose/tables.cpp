@@ -39,22 +39,22 @@ std::vector<std::string> cells_of(const Estimate& estimate) {
 std::string change_text(const diagnose::Metric& metric) {
   constexpr double kPercent = 100;
   const double change = metric.after - metric.before;
-  const auto words = diagnose::words_of(metric.name);
+  const auto description = diagnose::description_of(metric.name);
   const std::string sign = change > 0 ? "+" : "";
-  if (words.good == diagnose::MetricWords::Good::low && metric.before > 0) {
+  if (description.good == diagnose::MetricDescription::Good::low && metric.before > 0) {
     return sign + quantity_text(kPercent * change / metric.before, "%");
   }
-  return sign + quantity_text(change, words.unit);
+  return sign + quantity_text(change, description.unit);
 }
 
-std::string goal_text(const diagnose::MetricWords& words) {
-  switch (words.good) {
-    case diagnose::MetricWords::Good::low:
+std::string goal_text(const diagnose::MetricDescription& description) {
+  switch (description.good) {
+    case diagnose::MetricDescription::Good::low:
       return "low";
-    case diagnose::MetricWords::Good::high:
+    case diagnose::MetricDescription::Good::high:
       return "high";
-    case diagnose::MetricWords::Good::goal:
-      return number_text(words.goal);
+    case diagnose::MetricDescription::Good::goal:
+      return number_text(description.goal);
   }
   return {};
 }
@@ -165,13 +165,14 @@ std::string invisible(const Findings& findings) {
   return table.html();
 }
 
-std::string gain(const diagnose::Gain& gain) {
+std::string gain(const diagnose::HeldOutGain& gain) {
   Table table("Gain", {"Measure", "Good is", "Nominal", "Extended", "Change", "Better"});
   for (const diagnose::Metric& metric : gain.metrics) {
-    const auto words = diagnose::words_of(metric.name);
-    table.row(words.name, {goal_text(words), quantity_text(metric.before, words.unit, kGainDigits),
-                           quantity_text(metric.after, words.unit, kGainDigits),
-                           change_text(metric), diagnose::improved(metric) ? "yes" : "no"});
+    const auto description = diagnose::description_of(metric.name);
+    table.row(description.name,
+              {goal_text(description), quantity_text(metric.before, description.unit, kGainDigits),
+               quantity_text(metric.after, description.unit, kGainDigits), change_text(metric),
+               diagnose::improved(metric) ? "yes" : "no"});
   }
   return table.html();
 }
@@ -219,7 +220,7 @@ std::string ranking(const Findings& findings) {
       continue;
     }
     ++shown;
-    html += row(diagnose::candidate_words(candidate.id), diagnose::term_of(candidate.id),
+    html += row(diagnose::candidate_prose(candidate.id), diagnose::term_of(candidate.id),
                 candidate.probability, strong);
   }
   if (left_out > 0) {

@@ -32,16 +32,16 @@ SizedEffect partner_of(const SizedEffect& one, Dice& dice) {
   return dice.one_of(partners);
 }
 
-std::vector<SizedEffect> draw_effects(Kind kind, Dice& dice) {
-  if (kind == Kind::none) {
+std::vector<SizedEffect> draw_effects(CampaignKind kind, Dice& dice) {
+  if (kind == CampaignKind::none) {
     return {};
   }
-  if (kind == Kind::outside) {
+  if (kind == CampaignKind::outside) {
     const auto all = outside_effects();
     return {dice.one_of(std::vector<SizedEffect>(all.begin(), all.end()))};
   }
   std::vector<SizedEffect> effects{dice.one_of(catalogue())};
-  if (kind == Kind::two) {
+  if (kind == CampaignKind::two) {
     effects.push_back(partner_of(effects.front(), dice));
   }
   return effects;
@@ -61,29 +61,29 @@ bool any_of_temperature(const std::vector<SizedEffect>& effects) {
 
 }  // namespace
 
-double share_of(Kind kind) {
+double share_of(CampaignKind kind) {
   switch (kind) {
-    case Kind::none:
+    case CampaignKind::none:
       return 0.2;
-    case Kind::one:
+    case CampaignKind::one:
       return 0.45;
-    case Kind::two:
+    case CampaignKind::two:
       return 0.15;
-    case Kind::outside:
+    case CampaignKind::outside:
       return 0.2;
   }
   return 0;
 }
 
-Kind draw_kind(Dice& dice) {
+CampaignKind draw_kind(Dice& dice) {
   double left = dice.between(0, 1);
-  for (const Kind kind : {Kind::none, Kind::one, Kind::two}) {
+  for (const CampaignKind kind : {CampaignKind::none, CampaignKind::one, CampaignKind::two}) {
     left -= share_of(kind);
     if (left < 0) {
       return kind;
     }
   }
-  return Kind::outside;
+  return CampaignKind::outside;
 }
 
 Choice choose(std::uint64_t seed) {

@@ -12,7 +12,7 @@ namespace blind {
 
 /// What is hidden in recordings, before its size is known.
 struct Choice {
-  Kind kind = Kind::none;
+  CampaignKind kind = CampaignKind::none;
   Design design = Design::crossed;
   Input input = Input::load_cell;
   bool temperatures = false;
@@ -24,9 +24,9 @@ struct Choice {
 Choice choose(std::uint64_t seed);
 
 /// The share of `kind` among campaigns.
-double share_of(Kind kind);
+double share_of(CampaignKind kind);
 
 /// Draws which of four kinds it is.
-Kind draw_kind(Dice& dice);
+CampaignKind draw_kind(Dice& dice);
 
 }  // namespace blind

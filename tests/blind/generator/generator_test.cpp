@@ -45,17 +45,17 @@ TEST(Generator, AttemptsHideTheSame) {
 }
 
 TEST(Generator, KindsAndDesignsHaveTheirShares) {
-  std::map<Kind, std::size_t> kinds;
+  std::map<CampaignKind, std::size_t> kinds;
   std::size_t one_pose = 0;
   for (std::uint64_t seed = 1; seed <= kMany; ++seed) {
     const Choice choice = choose(seed);
     ++kinds[choice.kind];
     one_pose += choice.design == Design::one_pose ? 1 : 0;
   }
-  expect_share(kinds[Kind::none], kMany, 0.20);
-  expect_share(kinds[Kind::one], kMany, 0.45);
-  expect_share(kinds[Kind::two], kMany, 0.15);
-  expect_share(kinds[Kind::outside], kMany, 0.20);
+  expect_share(kinds[CampaignKind::none], kMany, 0.20);
+  expect_share(kinds[CampaignKind::one], kMany, 0.45);
+  expect_share(kinds[CampaignKind::two], kMany, 0.15);
+  expect_share(kinds[CampaignKind::outside], kMany, 0.20);
   expect_share(one_pose, kMany, 0.15);
 }
 
@@ -66,10 +66,10 @@ TEST(Generator, EachEffectIsAsOftenAloneAsAnyOther) {
   std::size_t outsides = 0;
   for (std::uint64_t seed = 1; seed <= kMany; ++seed) {
     const Choice choice = choose(seed);
-    if (choice.kind == Kind::one) {
+    if (choice.kind == CampaignKind::one) {
       ++alone[choice.effects.front().id];
       ++ones;
-    } else if (choice.kind == Kind::outside) {
+    } else if (choice.kind == CampaignKind::outside) {
       ++outside[choice.effects.front().id];
       ++outsides;
     }
@@ -89,7 +89,7 @@ TEST(Generator, EachEffectIsAsOftenAloneAsAnyOther) {
 TEST(Generator, TwoAreDifferentAndSeenByOneSensor) {
   for (std::uint64_t seed = 1; seed <= kMany; ++seed) {
     const Choice choice = choose(seed);
-    if (choice.kind == Kind::two) {
+    if (choice.kind == CampaignKind::two) {
       ASSERT_EQ(choice.effects.size(), 2U);
       EXPECT_NE(choice.effects[0].id, choice.effects[1].id);
     }
@@ -118,7 +118,7 @@ TEST(Generator, PlansAreAcceptedAndHideWhatTheyShould) {
     std::set<std::string> hidden;
     for (const auto& one : plan.hidden) {
       hidden.insert(one.id);
-      EXPECT_EQ(one.outside, scenario.kind == Kind::outside);
+      EXPECT_EQ(one.outside, scenario.kind == CampaignKind::outside);
     }
     std::set<std::string> meant;
     for (const HiddenEffect& one : scenario.hidden) {

@@ -24,7 +24,7 @@ inline constexpr double kUltimateTension_N = 177.4;
 
 struct LifeLevelDesign {
   double bend_angle_deg = 0, mean_N = 0, amplitude_N = 0, frequency_Hz = 0;
-  double wire_to_bend_ratio = 0;  ///< 0 where it is not told
+  double wire_to_bend_ratio = 0;  ///< 0 where it is not recorded
   double effective_N = 0;         ///< by the nominal model
   double life_cycles = 0;         ///< alpha at that tension
   double suspend_at_cycles = 0;
@@ -110,7 +110,7 @@ LivesDesign draw_lives_design(std::size_t specimens, const std::vector<std::stri
   return design;
 }
 
-struct LifeSituation {
+struct LifeScales {
   const TrueLaw& law;
   const LifeLevelDesign& lowest;
   const LifeLevelDesign& highest;
@@ -119,40 +119,40 @@ struct LifeSituation {
 struct SizedLifeEffect {
   std::string_view id;
   bool outside;
-  HiddenEffect (*draw)(const LifeSituation& situation, Dice& dice);
+  HiddenEffect (*draw)(const LifeScales& scales, Dice& dice);
 };
 
-HiddenEffect ageing(const LifeSituation& /*situation*/, Dice& dice) {
+HiddenEffect ageing(const LifeScales& /*scales*/, Dice& dice) {
   return {"ageing", false, {{"rate_1_day", {dice.log_between(0.001, 0.01)}}}, {}};
 }
 
-HiddenEffect bending_fatigue(const LifeSituation& /*situation*/, Dice& dice) {
+HiddenEffect bending_fatigue(const LifeScales& /*scales*/, Dice& dice) {
   return {"bending_fatigue",
           false,
           {{"metal_area_mm2", {0.09}}, {"share", {dice.log_between(0.01, 0.05)}}},
           {}};
 }
 
-HiddenEffect endurance_limit(const LifeSituation& situation, Dice& dice) {
+HiddenEffect endurance_limit(const LifeScales& scales, Dice& dice) {
   return {"endurance_limit",
           false,
-          {{"limit_N", {situation.lowest.effective_N * dice.between(0.45, 0.85)}},
+          {{"limit_N", {scales.lowest.effective_N * dice.between(0.45, 0.85)}},
            {"log_sd", {dice.between(0, 0.1)}}},
           {}};
 }
 
-HiddenEffect load_sequence(const LifeSituation& /*situation*/, Dice& dice) {
+HiddenEffect load_sequence(const LifeScales& /*scales*/, Dice& dice) {
   return {"load_sequence", false, {{"exponent", {dice.between(0.2, 0.5)}}}, {}};
 }
 
-HiddenEffect lot_frailty(const LifeSituation& /*situation*/, Dice& dice) {
+HiddenEffect lot_frailty(const LifeScales& /*scales*/, Dice& dice) {
   return {"lot_frailty", false, {{"log_sd", {dice.log_between(0.1, 0.4)}}}, {}};
 }
 
-HiddenEffect mean_stress(const LifeSituation& /*situation*/, Dice& dice) {
+HiddenEffect mean_stress(const LifeScales& /*scales*/, Dice& dice) {
   const std::size_t law = dice.below(3);
   HiddenEffect effect{"mean_stress", false, {}, {}};
-  effect.words["law"] = std::array{"walker", "goodman", "swt"}[law];
+  effect.texts["law"] = std::array{"walker", "goodman", "swt"}[law];
   if (law == 0) {
     effect.numbers["walker_exponent"] = {dice.between(0.4, 0.8)};
   }
@@ -161,21 +161,21 @@ HiddenEffect mean_stress(const LifeSituation& /*situation*/, Dice& dice) {
 
 /// A mode that ends about as many specimens of the highest level as the first one does, and fewer
 /// below it; its shape is that of the paper's 540 deg or less.
-HiddenEffect second_mode(const LifeSituation& situation, Dice& dice) {
+HiddenEffect second_mode(const LifeScales& scales, Dice& dice) {
   return {"second_mode",
           false,
-          {{"life_cycles", {situation.highest.life_cycles * dice.log_between(0.5, 1)}},
-           {"reference_N", {situation.highest.effective_N}},
-           {"exponent", {situation.law.ipl_exponent + dice.between(2.5, 5)}},
+          {{"life_cycles", {scales.highest.life_cycles * dice.log_between(0.5, 1)}},
+           {"reference_N", {scales.highest.effective_N}},
+           {"exponent", {scales.law.ipl_exponent + dice.between(2.5, 5)}},
            {"shape", {dice.between(2, 3.5)}}},
           {}};
 }
 
-HiddenEffect rig_bias(const LifeSituation& /*situation*/, Dice& dice) {
+HiddenEffect rig_bias(const LifeScales& /*scales*/, Dice& dice) {
   return {"rig_bias", true, {{"share", {dice.log_between(0.1, 0.35)}}}, {}};
 }
 
-HiddenEffect early_deaths(const LifeSituation& /*situation*/, Dice& dice) {
+HiddenEffect early_deaths(const LifeScales& /*scales*/, Dice& dice) {
   return {"early_deaths",
           true,
           {{"share", {dice.between(0.06, 0.25)}}, {"life_left", {dice.log_between(0.03, 0.3)}}},
@@ -224,14 +224,14 @@ HiddenEffect draw_life_effect(std::string_view id, const TrueLaw& law,
   return effect->draw({law, lowest, highest}, dice);
 }
 
-std::vector<std::string_view> draw_ids(Kind kind, Dice& dice) {
-  if (kind == Kind::none) {
+std::vector<std::string_view> draw_ids(CampaignKind kind, Dice& dice) {
+  if (kind == CampaignKind::none) {
     return {};
   }
   std::vector<std::string_view> all =
-      kind == Kind::outside ? outside_life_effects() : life_effects();
+      kind == CampaignKind::outside ? outside_life_effects() : life_effects();
   std::vector<std::string_view> ids{dice.one_of(all)};
-  if (kind == Kind::two) {
+  if (kind == CampaignKind::two) {
     std::erase(all, ids.front());
     ids.push_back(dice.one_of(all));
   }

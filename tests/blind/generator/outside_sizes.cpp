@@ -5,7 +5,7 @@
 namespace blind {
 namespace {
 
-HiddenEffect sheath_creep(const Situation& /*situation*/, Dice& dice) {
+HiddenEffect sheath_creep(const TensionScales& /*scales*/, Dice& dice) {
   return {"sheath_creep",
           true,
           {{"share", {dice.sign() * dice.log_between(0.03, 0.15)}},
@@ -13,7 +13,7 @@ HiddenEffect sheath_creep(const Situation& /*situation*/, Dice& dice) {
           {}};
 }
 
-HiddenEffect stick_slip(const Situation& /*situation*/, Dice& dice) {
+HiddenEffect stick_slip(const TensionScales& /*scales*/, Dice& dice) {
   return {"stick_slip",
           true,
           {{"share", {dice.log_between(0.3, 1.5)}},
@@ -23,14 +23,14 @@ HiddenEffect stick_slip(const Situation& /*situation*/, Dice& dice) {
           {}};
 }
 
-HiddenEffect load_cell_cross_talk(const Situation& /*situation*/, Dice& dice) {
+HiddenEffect load_cell_cross_talk(const TensionScales& /*scales*/, Dice& dice) {
   return {"load_cell_cross_talk",
           true,
           {{"sensitivity_N_s_rad", {dice.sign() * dice.log_between(4, 20)}}},
           {}};
 }
 
-HiddenEffect humidity_cycle(const Situation& /*situation*/, Dice& dice) {
+HiddenEffect humidity_cycle(const TensionScales& /*scales*/, Dice& dice) {
   return {"humidity_cycle",
           true,
           {{"share", {dice.log_between(0.15, 0.5)}},
@@ -39,15 +39,15 @@ HiddenEffect humidity_cycle(const Situation& /*situation*/, Dice& dice) {
           {}};
 }
 
-HiddenEffect tension_dependent_bend(const Situation& situation, Dice& dice) {
+HiddenEffect tension_dependent_bend(const TensionScales& scales, Dice& dice) {
   return {"tension_dependent_bend",
           true,
           {{"share_1_N", {dice.sign() * dice.log_between(0.004, 0.015)}},
-           {"reference_N", {situation.mean_tension_N}}},
+           {"reference_N", {scales.mean_tension_N}}},
           {}};
 }
 
-HiddenEffect load_cell_thermal_lag(const Situation& /*situation*/, Dice& dice) {
+HiddenEffect load_cell_thermal_lag(const TensionScales& /*scales*/, Dice& dice) {
   return {"load_cell_thermal_lag",
           true,
           {{"drift_N_K", {dice.sign() * dice.log_between(0.05, 0.25)}},
@@ -56,7 +56,7 @@ HiddenEffect load_cell_thermal_lag(const Situation& /*situation*/, Dice& dice) {
           {}};
 }
 
-HiddenEffect rotor_inertia(const Situation& /*situation*/, Dice& dice) {
+HiddenEffect rotor_inertia(const TensionScales& /*scales*/, Dice& dice) {
   return {"rotor_inertia", true, {{"inertia_g_cm2", {dice.log_between(4, 40)}}}, {}};
 }
 

@@ -100,14 +100,13 @@ RecordingsDesign draw_design(const Choice& choice, std::uint64_t seed) {
 }
 
 /// What the design says about sizes; what it does not know stays.
-void add_to(Situation& situation, const RecordingsDesign& design) {
-  situation.mean_tension_N = middle_of(design.output_means_N);
-  situation.shortest_travel_mm =
-      *std::min_element(design.travels_mm.begin(), design.travels_mm.end());
-  situation.last_cycle = most_of(design.start_cycles);
-  situation.fastest_m_s =
+void add_to(TensionScales& scales, const RecordingsDesign& design) {
+  scales.mean_tension_N = middle_of(design.output_means_N);
+  scales.shortest_travel_mm = *std::min_element(design.travels_mm.begin(), design.travels_mm.end());
+  scales.last_cycle = most_of(design.start_cycles);
+  scales.fastest_m_s =
       std::numbers::pi * most_of(design.frequencies_Hz) * most_of(design.travels_mm) * 1e-3;
-  situation.poses = design.bend_angles_deg.size();
+  scales.poses = design.bend_angles_deg.size();
 }
 
 constexpr double kTorqueConstant_Nm_per_A = 0.0325;
@@ -206,17 +205,17 @@ Scenario draw_recordings(std::uint64_t seed) {
   scenario.nominal = nominal_friction_and_drive(seed);
   const RecordingsDesign design = draw_design(choice, seed);
   Dice dice(seed, Purpose::sizes);
-  Situation situation;
-  situation.input = choice.input;
-  situation.friction_coefficient = dice.between(0.09, 0.15);
-  situation.gear_efficiency = kGearEfficiency;
-  situation.rated_torque_Nm = kRatedCurrent_A * kTorqueConstant_Nm_per_A;
-  situation.full_scale_A = kFullScale_A;
-  add_to(situation, design);
-  scenario.plan = model_text(scenario, situation.friction_coefficient) +
+  TensionScales scales;
+  scales.input = choice.input;
+  scales.friction_coefficient = dice.between(0.09, 0.15);
+  scales.gear_efficiency = kGearEfficiency;
+  scales.rated_torque_Nm = kRatedCurrent_A * kTorqueConstant_Nm_per_A;
+  scales.full_scale_A = kFullScale_A;
+  add_to(scales, design);
+  scenario.plan = model_text(scenario, scales.friction_coefficient) +
                   recordings_text(scenario, design) + noise_text(seed);
   for (const SizedEffect& effect : choice.effects) {
-    scenario.hidden.push_back(effect.draw(situation, dice));
+    scenario.hidden.push_back(effect.draw(scales, dice));
     scenario.plan += table_of(scenario.hidden.back());
   }
   return scenario;

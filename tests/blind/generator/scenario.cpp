@@ -5,29 +5,29 @@
 
 namespace blind {
 
-std::string_view word_of(Kind kind) {
+std::string_view name_of(CampaignKind kind) {
   switch (kind) {
-    case Kind::none:
+    case CampaignKind::none:
       return "none";
-    case Kind::one:
+    case CampaignKind::one:
       return "one";
-    case Kind::two:
+    case CampaignKind::two:
       return "two";
-    case Kind::outside:
+    case CampaignKind::outside:
       return "outside";
   }
   return "";
 }
 
-std::string_view word_of(Design design) {
+std::string_view name_of(Design design) {
   return design == Design::crossed ? "crossed" : "one_pose";
 }
 
-std::string_view word_of(Input input) {
+std::string_view name_of(Input input) {
   return input == Input::load_cell ? "load_cell" : "motor_current";
 }
 
-std::string_view word_of(Data data) {
+std::string_view name_of(Data data) {
   return data == Data::recordings ? "recordings" : "lives";
 }
 
@@ -47,8 +47,8 @@ std::string line(std::string_view key, std::string_view word) {
   return fmt::format("{} = \"{}\"\n", key, word);
 }
 
-std::string line(std::string_view key, const std::vector<std::string>& words) {
-  return fmt::format("{} = [\"{}\"]\n", key, fmt::join(words, "\", \""));
+std::string line(std::string_view key, const std::vector<std::string>& texts) {
+  return fmt::format("{} = [\"{}\"]\n", key, fmt::join(texts, "\", \""));
 }
 
 std::string table_of(const HiddenEffect& effect) {
@@ -56,7 +56,7 @@ std::string table_of(const HiddenEffect& effect) {
   for (const auto& [key, values] : effect.numbers) {
     text += values.size() == 1 ? line(key, values.front()) : line(key, values);
   }
-  for (const auto& [key, word] : effect.words) {
+  for (const auto& [key, word] : effect.texts) {
     text += line(key, std::string_view(word));
   }
   return text;

@@ -10,7 +10,7 @@
 namespace blind {
 
 /// How much is hidden in a campaign.
-enum class Kind { none, one, two, outside };
+enum class CampaignKind { none, one, two, outside };
 
 enum class Design {
   crossed,   ///< poses, loads, speeds, temperatures and cycles apart from each other
@@ -22,17 +22,17 @@ enum class Input { load_cell, motor_current };
 
 enum class Data { recordings, lives };
 
-std::string_view word_of(Kind kind);
-std::string_view word_of(Design design);
-std::string_view word_of(Input input);
-std::string_view word_of(Data data);
+std::string_view name_of(CampaignKind kind);
+std::string_view name_of(Design design);
+std::string_view name_of(Input input);
+std::string_view name_of(Data data);
 
 /// A departure from the nominal model, with the values of its table in a plan.
 struct HiddenEffect {
   std::string id;
   bool outside = false;  ///< not of the catalogue
   std::map<std::string, std::vector<double>> numbers;
-  std::map<std::string, std::string> words;
+  std::map<std::string, std::string> texts;
 };
 
 /// Factors on parameters that are no effects and that every analysis refits: the value that
@@ -49,7 +49,7 @@ struct NominalFactors {
 struct Scenario {
   std::uint64_t seed = 0;
   Data data = Data::recordings;
-  Kind kind = Kind::none;
+  CampaignKind kind = CampaignKind::none;
   Design design = Design::crossed;
   Input input = Input::load_cell;  ///< of recordings
   bool temperatures = false;       ///< whether recordings hold them
@@ -74,7 +74,7 @@ std::string table(std::string_view name);
 std::string line(std::string_view key, double value);
 std::string line(std::string_view key, const std::vector<double>& values);
 std::string line(std::string_view key, std::string_view word);
-std::string line(std::string_view key, const std::vector<std::string>& words);
+std::string line(std::string_view key, const std::vector<std::string>& texts);
 
 /// [effects.<id>] or [outside.<id>].
 std::string table_of(const HiddenEffect& effect);

@@ -10,7 +10,7 @@
 namespace blind {
 
 /// What the sizes of effects on tension are scaled by.
-struct Situation {
+struct TensionScales {
   Input input = Input::load_cell;
   double friction_coefficient = 0;
   double gear_efficiency = 0;
@@ -29,7 +29,7 @@ enum class Needs { any_input, load_cell, motor_current };
 struct SizedEffect {
   std::string_view id;
   Needs needs;
-  HiddenEffect (*draw)(const Situation& situation, Dice& dice);
+  HiddenEffect (*draw)(const TensionScales& scales, Dice& dice);
 };
 
 /// Effects of the catalogue on friction, on the transmission, and on drive and sensors; departures

@@ -10,23 +10,23 @@ double change_of_friction(double least, double most, Dice& dice) {
   return dice.chance(0.7) ? dice.log_between(least, most) : -dice.log_between(least, 0.5);
 }
 
-HiddenEffect friction_wear(const Situation& situation, Dice& dice) {
+HiddenEffect friction_wear(const TensionScales& scales, Dice& dice) {
   if (dice.chance(0.35)) {
     return {"friction_wear",
             false,
             {{"change", {dice.log_between(0.1, 1)}},
-             {"reference_cycles", {situation.last_cycle / dice.between(4, 20)}}},
+             {"reference_cycles", {scales.last_cycle / dice.between(4, 20)}}},
             {{"law", "run_in"}}};
   }
   return {"friction_wear",
           false,
           {{"change", {change_of_friction(0.1, 1, dice)}},
-           {"reference_cycles", {situation.last_cycle}},
+           {"reference_cycles", {scales.last_cycle}},
            {"exponent", {dice.between(0.5, 1)}}},
           {{"law", "wear"}}};
 }
 
-HiddenEffect friction_temperature(const Situation& /*situation*/, Dice& dice) {
+HiddenEffect friction_temperature(const TensionScales& /*scales*/, Dice& dice) {
   return {"friction_temperature",
           false,
           {{"slope_1_K", {dice.sign() * dice.log_between(0.001, 0.005)}}, {"reference_C", {20}}},
@@ -34,11 +34,11 @@ HiddenEffect friction_temperature(const Situation& /*situation*/, Dice& dice) {
 }
 
 /// Stribeck's fall, viscous rise, or both.
-HiddenEffect friction_velocity(const Situation& situation, Dice& dice) {
-  const double mu = situation.friction_coefficient;
+HiddenEffect friction_velocity(const TensionScales& scales, Dice& dice) {
+  const double mu = scales.friction_coefficient;
   const std::size_t law = dice.below(3);
   const double rise = dice.log_between(0.15, 1);
-  const double viscous = mu * dice.log_between(0.15, 2) / situation.fastest_m_s;
+  const double viscous = mu * dice.log_between(0.15, 2) / scales.fastest_m_s;
   return {"friction_velocity",
           false,
           {{"static_coefficient", {law == 1 ? mu : mu * (1 + rise)}},
@@ -47,33 +47,33 @@ HiddenEffect friction_velocity(const Situation& situation, Dice& dice) {
           {}};
 }
 
-HiddenEffect friction_load(const Situation& situation, Dice& dice) {
+HiddenEffect friction_load(const TensionScales& scales, Dice& dice) {
   const double sign = dice.chance(0.8) ? 1 : -1;
   return {"friction_load",
           false,
           {{"exponent", {sign * dice.log_between(0.05, 0.3)}},
-           {"reference_N", {situation.mean_tension_N}}},
+           {"reference_N", {scales.mean_tension_N}}},
           {}};
 }
 
-HiddenEffect friction_preload(const Situation& /*situation*/, Dice& dice) {
+HiddenEffect friction_preload(const TensionScales& /*scales*/, Dice& dice) {
   return {"friction_preload", false, {{"force_N", {dice.log_between(0.3, 5)}}}, {}};
 }
 
-HiddenEffect friction_position(const Situation& situation, Dice& dice) {
+HiddenEffect friction_position(const TensionScales& scales, Dice& dice) {
   return {"friction_position",
           false,
           {{"change", {change_of_friction(0.15, 1, dice)}},
-           {"centre_mm", {dice.between(-0.35, 0.35) * situation.shortest_travel_mm}},
-           {"width_mm", {dice.between(0.1, 0.3) * situation.shortest_travel_mm}}},
+           {"centre_mm", {dice.between(-0.35, 0.35) * scales.shortest_travel_mm}},
+           {"width_mm", {dice.between(0.1, 0.3) * scales.shortest_travel_mm}}},
           {}};
 }
 
-HiddenEffect presliding(const Situation& /*situation*/, Dice& dice) {
+HiddenEffect presliding(const TensionScales& /*scales*/, Dice& dice) {
   return {"presliding", false, {{"length_mm", {dice.log_between(0.05, 1)}}}, {}};
 }
 
-HiddenEffect slack(const Situation& /*situation*/, Dice& dice) {
+HiddenEffect slack(const TensionScales& /*scales*/, Dice& dice) {
   return {"slack",
           false,
           {{"dead_zone_mm", {dice.log_between(0.1, 2)}}, {"held_share", {dice.between(0.3, 0.95)}}},
@@ -81,14 +81,14 @@ HiddenEffect slack(const Situation& /*situation*/, Dice& dice) {
 }
 
 /// Stiffness of a metre or two of thin wire in its sheath.
-HiddenEffect compliance(const Situation& /*situation*/, Dice& dice) {
+HiddenEffect compliance(const TensionScales& /*scales*/, Dice& dice) {
   return {"compliance", false, {{"stiffness_N_mm", {dice.log_between(15, 300)}}}, {}};
 }
 
 /// An error of its own for each pose; one of them is the largest, 5 .. 30 deg.
-HiddenEffect bend_angle(const Situation& situation, Dice& dice) {
+HiddenEffect bend_angle(const TensionScales& scales, Dice& dice) {
   const double largest_deg = dice.log_between(5, 30);
-  std::vector<double> errors_deg(situation.poses);
+  std::vector<double> errors_deg(scales.poses);
   for (double& error_deg : errors_deg) {
     error_deg = largest_deg * dice.between(-1, 1);
   }
@@ -96,13 +96,12 @@ HiddenEffect bend_angle(const Situation& situation, Dice& dice) {
   return {"bend_angle", false, {{"error_deg", errors_deg}}, {}};
 }
 
-HiddenEffect current_offset(const Situation& situation, Dice& dice) {
+HiddenEffect current_offset(const TensionScales& scales, Dice& dice) {
   const double share = dice.log_between(0.001, 0.02);
-  return {
-      "current_offset", false, {{"offset_A", {dice.sign() * share * situation.full_scale_A}}}, {}};
+  return {"current_offset", false, {{"offset_A", {dice.sign() * share * scales.full_scale_A}}}, {}};
 }
 
-HiddenEffect torque_gain(const Situation& /*situation*/, Dice& dice) {
+HiddenEffect torque_gain(const TensionScales& /*scales*/, Dice& dice) {
   return {"torque_gain",
           false,
           {{"error", {dice.between(-0.01, 0.01)}},
@@ -113,28 +112,27 @@ HiddenEffect torque_gain(const Situation& /*situation*/, Dice& dice) {
 
 /// Half the difference of the two efficiencies, in proportion, up to twice that of a gear of
 /// 89.0 and 85.3 %.
-HiddenEffect gear_asymmetry(const Situation& situation, Dice& dice) {
+HiddenEffect gear_asymmetry(const TensionScales& scales, Dice& dice) {
   const double share = dice.sign() * dice.log_between(0.005, 0.04);
   return {"gear_asymmetry",
           false,
-          {{"pulling_efficiency", {situation.gear_efficiency * (1 + share)}},
-           {"releasing_efficiency", {situation.gear_efficiency * (1 - share)}}},
+          {{"pulling_efficiency", {scales.gear_efficiency * (1 + share)}},
+           {"releasing_efficiency", {scales.gear_efficiency * (1 - share)}}},
           {}};
 }
 
-HiddenEffect torque_ripple(const Situation& situation, Dice& dice) {
+HiddenEffect torque_ripple(const TensionScales& scales, Dice& dice) {
   const double share = dice.log_between(0.005, 0.05);
   return {"torque_ripple",
           false,
-          {{"amplitude_Nm", {share * situation.rated_torque_Nm}},
+          {{"amplitude_Nm", {share * scales.rated_torque_Nm}},
            {"periods_per_turn", {dice.one_of<double>({1, 2, 4, 6, 7, 12})}},
            {"phase_deg", {dice.between(0, 360)}}},
           {}};
 }
 
-HiddenEffect filter_lag(const Situation& situation, Dice& dice) {
-  const char* const at_drive =
-      situation.input == Input::load_cell ? "input_tension" : "motor_current";
+HiddenEffect filter_lag(const TensionScales& scales, Dice& dice) {
+  const char* const at_drive = scales.input == Input::load_cell ? "input_tension" : "motor_current";
   return {"filter_lag",
           false,
           {{"time_constant_ms", {dice.log_between(1, 20)}}},

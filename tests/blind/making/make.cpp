@@ -16,7 +16,7 @@ Json json_of(const HiddenEffect& effect) {
   return {{"id", effect.id},
           {"outside", effect.outside},
           {"numbers", effect.numbers},
-          {"words", effect.words}};
+          {"words", effect.texts}};
 }
 
 HiddenEffect effect_of(const Json& json) {
@@ -24,7 +24,7 @@ HiddenEffect effect_of(const Json& json) {
   effect.id = json.at("id").get<std::string>();
   effect.outside = json.at("outside").get<bool>();
   effect.numbers = json.at("numbers").get<std::map<std::string, std::vector<double>>>();
-  effect.words = json.at("words").get<std::map<std::string, std::string>>();
+  effect.texts = json.at("words").get<std::map<std::string, std::string>>();
   return effect;
 }
 
@@ -42,7 +42,7 @@ template <class Enum, std::size_t count>
 Enum named(const Json& json, const std::array<Enum, count>& all) {
   const auto word = json.get<std::string>();
   for (const Enum one : all) {
-    if (word_of(one) == word) {
+    if (name_of(one) == word) {
       return one;
     }
   }
@@ -72,10 +72,10 @@ std::string truth_text(const Scenario& scenario, const std::string& made) {
   }
   const NominalFactors& factors = scenario.nominal;
   Json json{{"seed", scenario.seed},
-            {"data", word_of(scenario.data)},
-            {"kind", word_of(scenario.kind)},
-            {"design", word_of(scenario.design)},
-            {"input", word_of(scenario.input)},
+            {"data", name_of(scenario.data)},
+            {"kind", name_of(scenario.kind)},
+            {"design", name_of(scenario.design)},
+            {"input", name_of(scenario.input)},
             {"temperatures", scenario.temperatures},
             {"specimens", scenario.specimens},
             {"hidden", std::move(hidden)},
@@ -97,8 +97,8 @@ Scenario scenario_of(const std::string& truth) {
   Scenario scenario;
   scenario.seed = json.at("seed").get<std::uint64_t>();
   scenario.data = named(json.at("data"), std::array{Data::recordings, Data::lives});
-  scenario.kind =
-      named(json.at("kind"), std::array{Kind::none, Kind::one, Kind::two, Kind::outside});
+  scenario.kind = named(json.at("kind"), std::array{CampaignKind::none, CampaignKind::one,
+                                                    CampaignKind::two, CampaignKind::outside});
   scenario.design = named(json.at("design"), std::array{Design::crossed, Design::one_pose});
   scenario.input = named(json.at("input"), std::array{Input::load_cell, Input::motor_current});
   scenario.temperatures = json.at("temperatures").get<bool>();

@@ -29,7 +29,7 @@ struct Disturbance {
 /// Information on three coefficients: of the effect's trace, gain and friction coefficient.
 using Information = Eigen::Matrix3d;
 
-/// What one session tells: X' V^-1 X, with the columns trace, 1 and -phi s, and with
+/// The information of one session: X' V^-1 X, with the columns trace, 1 and -phi s, and with
 /// V = R + gain_sd^2 1 1' + friction_sd^2 (phi s)(phi s)', R the AR(1) noise.
 /// @param trace of each sample, the effect at its true size
 /// @param signed_bend_rad phi s of each sample
@@ -44,7 +44,7 @@ double sigmas_of(const Information& information);
 /// The same for a campaign of lives: each specimen's logarithm of cycles against that of the same
 /// specimen without the effect, less what scale and exponent of the law take up by least squares,
 /// in standard deviations of one specimen, pi / (sqrt(6) beta). What suspension hides does not
-/// count. Changes of scatter are told as those of these very specimens.
+/// count. Changes of scatter are reported as those of these very specimens.
 /// @param id of a hidden effect
 double life_visibility(const Scenario& scenario, const std::string& id);
 

@@ -78,7 +78,7 @@ Scenario ageing_lives() {
   Scenario scenario;
   scenario.seed = 5;
   scenario.data = Data::lives;
-  scenario.kind = Kind::one;
+  scenario.kind = CampaignKind::one;
   scenario.hidden.push_back({"ageing", false, {{"rate_1_day", {0.01}}}, {}});
   scenario.plan = R"(
 [campaign]

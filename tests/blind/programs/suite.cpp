@@ -121,7 +121,7 @@ void run_all(const Arguments& arguments, const std::vector<Scenario>& todo,
 /// Campaigns that are scored together: recordings by design, lives by how many they are.
 std::string group_of(const Record& record) {
   return record.truth.data == Data::recordings
-             ? std::string(word_of(record.truth.design))
+             ? std::string(name_of(record.truth.design))
              : fmt::format("{} specimens each", record.truth.specimens);
 }
 
@@ -154,7 +154,7 @@ void report(const Arguments& arguments, const std::vector<Record>& records) {
   std::string tables;
   for (const auto& [group, some] : groups_of(records)) {
     const std::string title =
-        fmt::format("{} campaigns of {}, {}", some.size(), word_of(some.front().truth.data), group);
+        fmt::format("{} campaigns of {}, {}", some.size(), name_of(some.front().truth.data), group);
     const Scores scores = scores_of(some);
     const double first_goal = first_goal_of(some.front());
     std::cout << '\n' << title << '\n' << summary_of(scores, first_goal);
@@ -165,7 +165,7 @@ void report(const Arguments& arguments, const std::vector<Record>& records) {
     std::stringstream text;
     text << old.rdbuf();
     hal::files::OutputFile file(arguments.readme);
-    file.write(with_tables(text.str(), word_of(records.front().truth.data), tables));
+    file.write(with_tables(text.str(), name_of(records.front().truth.data), tables));
     file.commit();
   }
 }

@@ -37,15 +37,15 @@ void expect_same(const Scenario& scenario, const Analysis& analysis) {
   options.seed = scenario.seed;
   options.threads = 2;
   const auto expected = analysis(campaign, options);
-  const nlohmann::json told = answer_of_program(campaign, scenario.seed);
-  EXPECT_EQ(told.at("verdict").get<std::string>(), verdict_word(expected.verdict));
-  ASSERT_EQ(told.at("candidates").size(), expected.candidates.size());
+  const nlohmann::json reported = answer_of_program(campaign, scenario.seed);
+  EXPECT_EQ(reported.at("verdict").get<std::string>(), verdict_name(expected.verdict));
+  ASSERT_EQ(reported.at("candidates").size(), expected.candidates.size());
   for (std::size_t i = 0; i < expected.candidates.size(); ++i) {
-    EXPECT_EQ(told["candidates"][i].at("id").get<std::string>(), expected.candidates[i].id);
-    EXPECT_EQ(told["candidates"][i].at("probability").get<double>(),
+    EXPECT_EQ(reported["candidates"][i].at("id").get<std::string>(), expected.candidates[i].id);
+    EXPECT_EQ(reported["candidates"][i].at("probability").get<double>(),
               expected.candidates[i].probability);
   }
-  EXPECT_EQ(told.at("credible_set").get<std::vector<std::string>>(), expected.credible_set);
+  EXPECT_EQ(reported.at("credible_set").get<std::vector<std::string>>(), expected.credible_set);
   fs::remove_all(folder);
 }
 

@@ -58,7 +58,7 @@ Scenario next_hiding(Scenario (*draft)(std::uint64_t seed), Scenario (*draw)(std
                      std::string_view id, std::uint64_t& seed) {
   for (;; ++seed) {
     const Scenario scenario = draft(seed);
-    if (scenario.kind == Kind::one && scenario.design == Design::crossed &&
+    if (scenario.kind == CampaignKind::one && scenario.design == Design::crossed &&
         scenario.hidden.front().id == id) {
       return draw(seed++);
     }

@@ -29,8 +29,8 @@ class Values {
 
   double operator()(const std::string& name) const { return effect_.numbers.at(name).front(); }
   [[nodiscard]] bool says(const std::string& name, const std::string& word) const {
-    const auto found = effect_.words.find(name);
-    return found != effect_.words.end() && found->second == word;
+    const auto found = effect_.texts.find(name);
+    return found != effect_.texts.end() && found->second == word;
   }
 
  private:

@@ -72,7 +72,7 @@ Json json_of(const Findings& findings) {
   for (const Metric& metric : findings.gain.metrics) {
     gain.push_back({{"name", metric.name}, {"before", metric.before}, {"after", metric.after}});
   }
-  return {{"verdict", verdict_word(findings.verdict)},
+  return {{"verdict", verdict_name(findings.verdict)},
           {"effects", std::move(effects)},
           {"candidates", std::move(candidates)},
           {"credible_set", findings.credible_set},
@@ -114,7 +114,7 @@ std::vector<std::string> sorted_ids(const Scenario& truth) {
 
 }  // namespace
 
-std::string_view verdict_word(Verdict verdict) {
+std::string_view verdict_name(Verdict verdict) {
   for (const auto& [one, word] : kVerdicts) {
     if (one == verdict) {
       return word;
@@ -158,12 +158,12 @@ Record record_of(const std::string& line) {
 
 std::string answer_of(const Scenario& truth) {
   switch (truth.kind) {
-    case Kind::none:
+    case CampaignKind::none:
       return "none";
-    case Kind::outside:
+    case CampaignKind::outside:
       return "unknown";
-    case Kind::one:
-    case Kind::two:
+    case CampaignKind::one:
+    case CampaignKind::two:
       break;
   }
   return fmt::format("{}", fmt::join(sorted_ids(truth), "+"));
@@ -177,15 +177,15 @@ std::string short_line_of(const Record& record) {
     shown.push_back(
         fmt::format("{} {:.3f}", findings.candidates[i].id, findings.candidates[i].probability));
   }
-  const bool outside = record.truth.kind == Kind::outside;
+  const bool outside = record.truth.kind == CampaignKind::outside;
   const std::string truth =
       outside ? "outside:" + record.truth.hidden.front().id : answer_of(record.truth);
   const std::string design =
       record.truth.data == Data::lives
           ? fmt::format("lives {}", record.truth.specimens)
-          : fmt::format("{} {}", word_of(record.truth.design), word_of(record.truth.input));
+          : fmt::format("{} {}", name_of(record.truth.design), name_of(record.truth.input));
   return fmt::format("{} {} z=[{:.1f}] {} -> {} | {} | {:.1f} s{}", record.truth.seed, design,
-                     fmt::join(record.visibility, ", "), truth, verdict_word(findings.verdict),
+                     fmt::join(record.visibility, ", "), truth, verdict_name(findings.verdict),
                      fmt::join(shown, ", "), record.seconds,
                      record.error.empty() ? "" : " | " + record.error);
 }

@@ -14,7 +14,7 @@
 namespace blind {
 
 /// The records keep their words even if those of the program change.
-std::string_view verdict_word(host_sim::diagnose::Verdict verdict);
+std::string_view verdict_name(host_sim::diagnose::Verdict verdict);
 
 /// @throws std::runtime_error
 host_sim::diagnose::Verdict verdict_named(const std::string& word);
@@ -44,7 +44,7 @@ std::string short_line_of(const Record& record);
 std::string answer_of(const Scenario& truth);
 
 /// Records of a run, a line each. Lines are only added, so that a run can be cut into parts and
-/// gone on with; a last line that was cut off is dropped.
+/// continued; a last line that was cut off is dropped.
 class RecordsFile {
  public:
   /// Reads what is there. @throws OutputError, std::runtime_error with the line that is not right

@@ -38,21 +38,21 @@ void add_one(const Record& record, const Judgement& judgement, Scores& scores) {
 
 void add_by_kind(const Record& record, const Judgement& judgement, Scores& scores) {
   switch (record.truth.kind) {
-    case Kind::none:
+    case CampaignKind::none:
       scores.none_named.add(judgement.named());
       scores.none_alarmed.add(record.findings.verdict != host_sim::diagnose::Verdict::none);
       break;
-    case Kind::one:
+    case CampaignKind::one:
       add_one(record, judgement, scores);
       break;
-    case Kind::two:
+    case CampaignKind::two:
       scores.two_first.add(judgement.right_first());
       if (judgement.visible_at(kPlainly)) {
         scores.two_first_at_5.add(judgement.right_first());
       }
       scores.two_named.add(judgement.named_all());
       break;
-    case Kind::outside:
+    case CampaignKind::outside:
       scores.outside_unknown.add(judgement.unknown());
       scores.outside_named.add(judgement.named());
       scores.outside[record.truth.hidden.front().id].add(judgement.unknown());
@@ -87,9 +87,9 @@ void add_gain(const Record& record, Scores& scores) {
 }
 
 std::string truth_in_table(const Record& record) {
-  return record.truth.kind == Kind::outside ? "outside: " + record.truth.hidden.front().id
-         : record.truth.kind == Kind::two   ? "two"
-                                            : answer_of(record.truth);
+  return record.truth.kind == CampaignKind::outside ? "outside: " + record.truth.hidden.front().id
+         : record.truth.kind == CampaignKind::two   ? "two"
+                                                    : answer_of(record.truth);
 }
 
 }  // namespace

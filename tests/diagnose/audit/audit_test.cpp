@@ -38,8 +38,8 @@ TEST(Audit, OnePoseLeavesNothingOfGearAsymmetryAndBendAngle) {
     for (const char* id : {"gear_asymmetry", "bend_angle"}) {
       EXPECT_EQ(found.of(id).verdict, Verdict::nothing_left) << id;
       EXPECT_LT(found.of(id).share, 1e-4) << id;
-      EXPECT_THAT(found.of(id).words, HasSubstr("0.0 %")) << id;
-      EXPECT_THAT(found.of(id).words, HasSubstr("four or more bend angles")) << id;
+      EXPECT_THAT(found.of(id).prose, HasSubstr("0.0 %")) << id;
+      EXPECT_THAT(found.of(id).prose, HasSubstr("four or more bend angles")) << id;
     }
     EXPECT_TRUE(found.of("friction_position").visible());
     EXPECT_EQ(found.pair("gear_asymmetry", "slack"), nullptr);
@@ -52,7 +52,7 @@ TEST(Audit, WearLooksLikeTemperatureWhereTheSheathWarmsWithCycles) {
   ASSERT_NE(pair, nullptr);
   EXPECT_GT(pair->cosine, 0.95);
   EXPECT_THAT(pair->experiment, HasSubstr("heat the sheath alone"));
-  EXPECT_THAT(found.words, HasSubstr("friction_temperature, friction_wear look the same"));
+  EXPECT_THAT(found.prose, HasSubstr("friction_temperature, friction_wear look the same"));
 }
 
 /// |cos| of the two columns in nine values, one a session, by least squares written out: with a
@@ -94,8 +94,8 @@ TEST(Audit, CosineIsThatOfTheSessionMeansWhereScatterRules) {
 TEST(Audit, ACrossedDesignTellsAllEffectsApart) {
   const Audit found = audit_of(testing::sessions_of(testing::crossed()));
   for (const EffectAudit& effect : found.effects) {
-    EXPECT_TRUE(effect.visible()) << effect.effect->id() << ": " << effect.words;
-    EXPECT_THAT(effect.words, HasSubstr("standard deviations"));
+    EXPECT_TRUE(effect.visible()) << effect.effect->id() << ": " << effect.prose;
+    EXPECT_THAT(effect.prose, HasSubstr("standard deviations"));
   }
   EXPECT_EQ(found.pairs.size(), found.effects.size() * (found.effects.size() - 1) / 2);
   for (const PairAudit& pair : found.pairs) {
@@ -108,7 +108,7 @@ TEST(Audit, ACrossedDesignTellsAllEffectsApart) {
     EXPECT_EQ(alone.members.size(), 1U);
     EXPECT_TRUE(alone.experiments.empty());
   }
-  EXPECT_EQ(found.words, "");
+  EXPECT_EQ(found.prose, "");
 }
 
 TEST(Audit, AnAsymmetryIsAMemberOfTheBendAngleErrorsButNotTheirEqual) {
@@ -124,8 +124,8 @@ TEST(Audit, AMissingChannelIsSaidWithItsName) {
   sessions[4].covariates.winding_temperature_C.clear();
   const Audit found = audit_of(sessions);
   EXPECT_EQ(found.of("torque_gain").verdict, Verdict::missing_channel);
-  EXPECT_THAT(found.of("torque_gain").words, HasSubstr("winding_temperature_C"));
-  EXPECT_THAT(found.words, HasSubstr("torque_gain cannot be shown: no winding temperature"));
+  EXPECT_THAT(found.of("torque_gain").prose, HasSubstr("winding_temperature_C"));
+  EXPECT_THAT(found.prose, HasSubstr("torque_gain cannot be shown: no winding temperature"));
 }
 
 TEST(Audit, AConstantSheathTemperatureLeavesNothing) {

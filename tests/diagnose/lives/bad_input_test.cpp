@@ -21,7 +21,7 @@ std::string row(int number, double tension_N, double cycles, const char* status)
 void expect_nothing_asked(const std::string& specimens, const std::string& why) {
   const LifeDiagnosis diagnosis = diagnose_lives(campaign_of(specimens), {});
   EXPECT_EQ(diagnosis.findings.verdict, Verdict::none);
-  EXPECT_THAT(diagnosis.findings.words, HasSubstr(why));
+  EXPECT_THAT(diagnosis.findings.prose, HasSubstr(why));
   EXPECT_EQ(diagnosis.findings.invisible.size(), effects::life_effects().size());
   EXPECT_TRUE(diagnosis.findings.effects.empty());
   EXPECT_EQ(diagnosis.ipl_scale, 1.53e5);

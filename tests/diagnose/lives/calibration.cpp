@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/diagnose/lives/climb.hpp"
 #include "host_sim/diagnose/lives/decision.hpp"
+#include "host_sim/diagnose/lives/maximize.hpp"
 #include "host_sim/statistics/parallel.hpp"
 
 namespace host_sim::test {
@@ -102,7 +102,7 @@ Calibration best_of(const std::vector<Weighed>& campaigns) {
   const auto score = [&](const Eigen::VectorXd& at) {
     return sum_of_scores(campaigns, calibration_at(at)) - at.tail(weights).squaredNorm() / 2;
   };
-  return calibration_at(climb(score, Eigen::VectorXd::Zero(4 + weights)));
+  return calibration_at(maximize(score, Eigen::VectorXd::Zero(4 + weights)));
 }
 
 void print(const char* name, const Calibration& used, const std::vector<Weighed>& campaigns) {

@@ -49,7 +49,7 @@ TEST(DiagnoseLives, NamesTheLimitOfTheExample) {
   std::stringstream text;
   text << file.rdbuf();
   const Findings findings = diagnose_lives(simulated(text.str(), 1), {.without = {}}).findings;
-  ASSERT_EQ(findings.verdict, Verdict::named) << findings.words;
+  ASSERT_EQ(findings.verdict, Verdict::named) << findings.prose;
   ASSERT_EQ(findings.effects.size(), 1U);
   EXPECT_EQ(findings.effects[0].id, "endurance_limit");
   const Estimate& log_sd = findings.effects[0].parameters.at(0);
@@ -105,7 +105,7 @@ TEST(DiagnoseLives, DoesNotDependOnThreads) {
     EXPECT_EQ(one.findings.candidates[i].id, three.findings.candidates[i].id);
     EXPECT_EQ(one.findings.candidates[i].probability, three.findings.candidates[i].probability);
   }
-  EXPECT_EQ(one.findings.words, three.findings.words);
+  EXPECT_EQ(one.findings.prose, three.findings.prose);
   EXPECT_EQ(one.b10_ratio, three.b10_ratio);
 }
 

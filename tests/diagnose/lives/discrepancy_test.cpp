@@ -17,14 +17,14 @@ LifeSample hidden(const std::string& id, std::uint64_t seed) {
   return sample_of(host_sim::test::simulated({96, id, seed}), Campaign::Role::fit);
 }
 
-const Look& look(const Omnibus& omnibus, const std::string& covariate) {
-  return *std::ranges::find(omnibus.looks, covariate, &Look::covariate);
+const CovariateTest& look(const Omnibus& omnibus, const std::string& covariate) {
+  return *std::ranges::find(omnibus.tests, covariate, &CovariateTest::covariate);
 }
 
 TEST(LifeLooks, WeighExcessByGroup) {
   LifeSample sample = hidden("none", 20005);
-  const std::vector<LookAt> looks = looks_of(sample);
-  const auto group = std::ranges::find(looks, "group", &LookAt::covariate);
+  const std::vector<CovariateStatistic> looks = covariate_statistics(sample);
+  const auto group = std::ranges::find(looks, "group", &CovariateStatistic::covariate);
   ASSERT_NE(group, looks.end());
   std::vector<CoxSnell> residuals(sample.size(), {1, true});
   EXPECT_NEAR(group->statistic(residuals), 0, 1e-12);
@@ -39,20 +39,20 @@ TEST(LifeLooks, WeighExcessByGroup) {
 TEST(LifeOmnibus, IsSeldomSmallWhereNothingIsHidden) {
   int small = 0;
   for (std::uint64_t seed = 20010; seed < 20030; ++seed) {
-    small += look_at(hidden("none", seed), kQuick).p < 0.05 ? 1 : 0;
+    small += omnibus_test(hidden("none", seed), kQuick).p < 0.05 ? 1 : 0;
   }
   EXPECT_LT(small, 5);
 }
 
 TEST(LifeOmnibus, LooksAtWhatIsHidden) {
-  EXPECT_LT(look(look_at(hidden("rig_bias", 20006), kQuick), "group").p, 0.01);
-  EXPECT_LT(look(look_at(hidden("lot_frailty", 20006), kQuick), "lot").p, 0.01);
-  EXPECT_LT(look(look_at(hidden("ageing", 20006), kQuick), "days").p, 0.01);
+  EXPECT_LT(look(omnibus_test(hidden("rig_bias", 20006), kQuick), "group").p, 0.01);
+  EXPECT_LT(look(omnibus_test(hidden("lot_frailty", 20006), kQuick), "lot").p, 0.01);
+  EXPECT_LT(look(omnibus_test(hidden("ageing", 20006), kQuick), "days").p, 0.01);
 }
 
 // The least p is that of one campaign, the observed one, among 201.
 TEST(LifeOmnibus, IsNeverZero) {
-  const Omnibus omnibus = look_at(hidden("lot_frailty", 20006), kQuick);
+  const Omnibus omnibus = omnibus_test(hidden("lot_frailty", 20006), kQuick);
   EXPECT_GE(omnibus.p, 1.0 / 201);
   EXPECT_LT(omnibus.p, 0.02);
 }
@@ -63,7 +63,7 @@ TEST(LifeOmnibus, DoesNotDependOnThreads) {
   one.threads = 1;
   OmnibusOptions four = kQuick;
   four.threads = 4;
-  EXPECT_EQ(look_at(sample, one).p, look_at(sample, four).p);
+  EXPECT_EQ(omnibus_test(sample, one).p, omnibus_test(sample, four).p);
 }
 
 TEST(LifeOmnibus, LivesWithoutEffectsHaveTheResidualsGiven) {

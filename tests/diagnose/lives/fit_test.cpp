@@ -4,9 +4,9 @@
 
 #include <cmath>
 
-#include "host_sim/diagnose/lives/climb.hpp"
 #include "host_sim/diagnose/lives/estimates.hpp"
 #include "host_sim/diagnose/lives/hypotheses.hpp"
+#include "host_sim/diagnose/lives/maximize.hpp"
 #include "host_sim/diagnose/lives/terms.hpp"
 #include "tests/diagnose/lives/scenario.hpp"
 
@@ -19,7 +19,7 @@ double hill(const Eigen::VectorXd& at) {
 
 // Zero slopes 2 (x - 1) + y = 0 and 4 (y + 1/2) + x = 0: x = 10/7, y = -6/7.
 TEST(Climb, FindsTheTopOfAHill) {
-  const Eigen::VectorXd top = climb(hill, Eigen::VectorXd::Zero(2));
+  const Eigen::VectorXd top = maximize(hill, Eigen::VectorXd::Zero(2));
   EXPECT_NEAR(top[0], 10.0 / 7, 1e-4);
   EXPECT_NEAR(top[1], -6.0 / 7, 1e-4);
 }

@@ -69,8 +69,8 @@ const LifeDiagnosis& of_the_paper() {
 /// Table 4 of the paper: at 540 deg a shape of 3.34 against 5.94, left out as another mechanism.
 TEST(DiagnosePaper, SuspectsASecondModeAt540Degrees) {
   const Findings& findings = of_the_paper().findings;
-  EXPECT_THAT(findings.words, HasSubstr("99.4 N have a Weibull shape of 3.34 against 5.94"));
-  EXPECT_THAT(findings.words, HasSubstr("(p = 0.002"));
+  EXPECT_THAT(findings.prose, HasSubstr("99.4 N have a Weibull shape of 3.34 against 5.94"));
+  EXPECT_THAT(findings.prose, HasSubstr("(p = 0.002"));
   const auto effect = std::ranges::find_if(findings.candidates, [](const Candidate& candidate) {
     return candidate.id != "none" && candidate.id != "unknown";
   });
@@ -80,8 +80,8 @@ TEST(DiagnosePaper, SuspectsASecondModeAt540Degrees) {
 
 /// Section 4.1: ten specimens of the application are too few to decide on their deviation.
 TEST(DiagnosePaper, SaysHowManySpecimensWouldDecide) {
-  EXPECT_THAT(of_the_paper().findings.words, HasSubstr("not decidable with 10"));
-  EXPECT_THAT(of_the_paper().findings.words,
+  EXPECT_THAT(of_the_paper().findings.prose, HasSubstr("not decidable with 10"));
+  EXPECT_THAT(of_the_paper().findings.prose,
               HasSubstr("would find such a deviation at 5 % in 80 %"));
 }
 

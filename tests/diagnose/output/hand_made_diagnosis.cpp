@@ -29,7 +29,7 @@ TensionDiagnosis wear_in_recordings() {
   findings.extensions = {
       {"friction_wear",
        {{"wear_coefficient", {0.152}}, {"wear_exponent", {0.5}}, {"run_in_cycles", {0}}}}};
-  findings.words = "Friction grows.";
+  findings.prose = "Friction grows.";
   tension.damage_ratio = 0.8;
   tension.friction_coefficient = 0.131;
   tension.log_gain = 0.0198026272961797;  // ln 1.02
@@ -53,7 +53,7 @@ LifeDiagnosis lots_in_lives() {
   findings.gain = {"level", {{"log_predictive_density", -0.2, 0.1}, {"b10_coverage", 0.21, 0.1}}};
   findings.discrepancies = {{"lot", 21, 0.0006, 0.52}};
   findings.extensions = {{"lot_frailty", {{"lot_log_sd", {0.24}}}}};
-  findings.words = "Lots differ.";
+  findings.prose = "Lots differ.";
   lives.picture.shape_before = 3.9;
   lives.picture.shape_after = 5.8;
   lives.b10_ratio = 1.25;

@@ -7,7 +7,7 @@
 namespace host_sim::diagnose {
 namespace {
 
-TEST(MetricWords, KnowWhatIsBetter) {
+TEST(MetricDescription, KnowWhatIsBetter) {
   EXPECT_TRUE(improved({"rmse_N", 1.5, 0.5}));
   EXPECT_FALSE(improved({"rmse_N", 0.5, 1.5}));
   EXPECT_TRUE(improved({"log_predictive_density", -1, 1}));
@@ -18,29 +18,29 @@ TEST(MetricWords, KnowWhatIsBetter) {
   EXPECT_FALSE(improved({"b10_coverage", 0.12, 0.02}));
 }
 
-TEST(MetricWords, AnUnknownNameStandsForItself) {
-  EXPECT_EQ(words_of("new_thing").name, "new_thing");
-  EXPECT_EQ(words_of("rmse_N").unit, "N");
+TEST(MetricDescription, AnUnknownNameStandsForItself) {
+  EXPECT_EQ(description_of("new_thing").name, "new_thing");
+  EXPECT_EQ(description_of("rmse_N").unit, "N");
 }
 
 TEST(CostWords, TellTheLifeThatIsPromisedTooMuch) {
   TensionDiagnosis tension = host_sim_test::wear_in_recordings();
   EXPECT_NE(
-      cost_words(tension).find("0.8 times what the extended one does: it promises 1.25 times"),
+      cost_prose(tension).find("0.8 times what the extended one does: it promises 1.25 times"),
       std::string::npos);
   tension.damage_ratio = 1;
-  EXPECT_EQ(cost_words(tension), "The extension does not change the damage of the recordings.");
+  EXPECT_EQ(cost_prose(tension), "The extension does not change the damage of the recordings.");
   tension.findings.extensions.clear();
-  EXPECT_EQ(cost_words(tension).rfind("Nothing was extended", 0), 0U);
+  EXPECT_EQ(cost_prose(tension).rfind("Nothing was extended", 0), 0U);
   LifeDiagnosis lives = host_sim_test::lots_in_lives();
-  EXPECT_NE(cost_words(lives).find("promises 1.25 times the B10"), std::string::npos);
+  EXPECT_NE(cost_prose(lives).find("promises 1.25 times the B10"), std::string::npos);
   lives.findings.extensions.clear();
-  EXPECT_EQ(cost_words(lives).rfind("Nothing was extended", 0), 0U);
+  EXPECT_EQ(cost_prose(lives).rfind("Nothing was extended", 0), 0U);
 }
 
 TEST(CandidateWords, TellTwoAtOnce) {
-  EXPECT_EQ(candidate_words("slack"), "slack");
-  EXPECT_EQ(candidate_words("compliance+slack"), "compliance and slack");
+  EXPECT_EQ(candidate_prose("slack"), "slack");
+  EXPECT_EQ(candidate_prose("compliance+slack"), "compliance and slack");
 }
 
 TEST(TermOf, IsTheWordOfTheField) {

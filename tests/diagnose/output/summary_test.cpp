@@ -65,7 +65,7 @@ TEST(DiagnosisSummary, SaysWhereTheExtensionIsNoBetter) {
 
 TEST(DiagnosisSummary, NamesDoNotMoveTheTerminal) {
   Diagnosis diagnosis = host_sim_test::both_parts();
-  diagnosis.tension->findings.words = "\x1b[2J";
+  diagnosis.tension->findings.prose = "\x1b[2J";
   diagnosis.tension->findings.effects[0].id = "\x1b]0;";
   diagnosis.warnings = {"a\rb\nc"};
   const std::string text = summary_of(diagnosis, "c\x1b[1m");

@@ -71,7 +71,7 @@ TEST(DiagnoseCableDrive, TellsPreloadAndPositionApartFromCapstan) {
     ASSERT_NE(step, nullptr) << id;
     EXPECT_GT(step->effect.probability, 0.95) << id;
     EXPECT_GE(step->sessions_better, 33) << id;  // of 50: more is chance in one of 60
-    EXPECT_THAT(findings.words, HasSubstr(id));
+    EXPECT_THAT(findings.prose, HasSubstr(id));
   }
   const double ratio_mNm = constant_ratio_rmse_mNm(recorded.sessions);
   EXPECT_NEAR(ratio_mNm, 62, 4);

@@ -175,7 +175,7 @@ TEST_F(DiagnoseTension, NamesWhatIsHiddenAndMeasuresWhatMendingItGains) {
   EXPECT_NE(diagnosis.damage_ratio, 1);
   EXPECT_THAT(diagnosis.traces, ::testing::Not(IsEmpty()));
   EXPECT_THAT(diagnosis.residuals, ::testing::Not(IsEmpty()));
-  EXPECT_THAT(findings.words, HasSubstr("friction_preload"));
+  EXPECT_THAT(findings.prose, HasSubstr("friction_preload"));
 }
 
 TEST_F(DiagnoseTension, CallsUnknownWhatTheCatalogueDoesNotHave) {
@@ -198,7 +198,7 @@ TEST_F(DiagnoseTension, NamesNothingOfOneSession) {
       diagnose_tension(make({.sessions = 1, .hidden = kPreload}), {});
   EXPECT_NE(diagnosis.findings.verdict, Verdict::named);
   EXPECT_THAT(diagnosis.findings.extensions, IsEmpty());
-  EXPECT_THAT(diagnosis.findings.words, HasSubstr("1 of 4 sessions"));
+  EXPECT_THAT(diagnosis.findings.prose, HasSubstr("1 of 4 sessions"));
 }
 
 TEST_F(DiagnoseTension, SaysThatNothingMoved) {
@@ -206,7 +206,7 @@ TEST_F(DiagnoseTension, SaysThatNothingMoved) {
   overwrite("tendon_velocity_m_s", "0");
   const TensionDiagnosis diagnosis = diagnose_tension(read_campaign(folder()), {});
   EXPECT_EQ(diagnosis.findings.verdict, Verdict::none);
-  EXPECT_THAT(diagnosis.findings.words, HasSubstr("nothing can be shown"));
+  EXPECT_THAT(diagnosis.findings.prose, HasSubstr("nothing can be shown"));
   EXPECT_EQ(diagnosis.findings.invisible.size(), 15U);
 }
 
@@ -225,7 +225,7 @@ TEST_F(DiagnoseTension, NamesNothingOfAnOutputThatIsStuck) {
   overwrite("output_tension_N", "20");
   const TensionDiagnosis diagnosis = diagnose_tension(read_campaign(folder()), {});
   EXPECT_EQ(diagnosis.findings.verdict, Verdict::none);
-  EXPECT_THAT(diagnosis.findings.words, HasSubstr("nothing can be shown"));
+  EXPECT_THAT(diagnosis.findings.prose, HasSubstr("nothing can be shown"));
 }
 
 TEST_F(DiagnoseTension, AsksForTheNominalSheath) {

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kPreload_N = 3;
 
-const Metric& metric(const Gain& gain, std::string_view name) {
+const Metric& metric(const HeldOutGain& gain, std::string_view name) {
   for (const Metric& metric : gain.metrics) {
     if (metric.name == name) {
       return metric;
@@ -30,8 +30,8 @@ TEST(Gain, OfAPerfectModelLeavesNoErrorOnSessionsHeldOut) {
                                                         .session_friction_sd = 0,
                                                         .effect = preload(kPreload_N)},
                                                        1);
-  const Gain gain = measure_gain(evidence_of(sessions, 1e-3),
-                                 std::vector{component("friction_preload", {kPreload_N})}, kWire);
+  const HeldOutGain gain = measure_gain(
+      evidence_of(sessions, 1e-3), std::vector{component("friction_preload", {kPreload_N})}, kWire);
   EXPECT_EQ(gain.held_out_by, "session");
   EXPECT_GT(metric(gain, "rmse_N").before, 0.5);
   EXPECT_NEAR(metric(gain, "rmse_N").after, 0, 1e-6);
@@ -56,7 +56,7 @@ TEST(Gain, RmseIsInNewtonsOverAllSamples) {
       samples += 1;
     }
   }
-  const Gain gain = measure_gain(evidence_of(sessions, 0.02), {}, kWire);
+  const HeldOutGain gain = measure_gain(evidence_of(sessions, 0.02), {}, kWire);
   EXPECT_NEAR(metric(gain, "rmse_N").before, std::sqrt(square_N2 / samples), 2e-3);
   EXPECT_EQ(metric(gain, "rmse_N").before, metric(gain, "rmse_N").after);
 }
@@ -75,7 +75,7 @@ TEST(Gain, IsOfSessionsThatTheFitNeverSaw) {
       samples += 1;
     }
   }
-  const Gain gain = measure_gain(evidence_of(sessions, 0.01), {}, kWire);
+  const HeldOutGain gain = measure_gain(evidence_of(sessions, 0.01), {}, kWire);
   const double expected_N = std::sqrt(square_N2 / samples);
   EXPECT_NEAR(metric(gain, "rmse_N").before, expected_N, 0.01 * expected_N);
 }
@@ -87,7 +87,7 @@ TEST(Gain, LogDensityIsThatOfTheNoise) {
   const double expected =
       -std::log(2 * std::numbers::pi * std::numbers::e * kSample_sd * kSample_sd) / 2;
   for (const double assumed_sd : {0.01, 0.02, 0.03}) {
-    const Gain gain = measure_gain(evidence_of(sessions, assumed_sd), {}, kWire);
+    const HeldOutGain gain = measure_gain(evidence_of(sessions, assumed_sd), {}, kWire);
     // 2400 samples: the mean of e^2/2sd^2 has a standard error of 1/sqrt(4800).
     EXPECT_NEAR(metric(gain, "log_predictive_density").before, expected, 4 / std::sqrt(4800.0));
   }
@@ -95,8 +95,8 @@ TEST(Gain, LogDensityIsThatOfTheNoise) {
 
 TEST(Gain, OfAnEffectThatIsNotThereIsNone) {
   const std::vector<Session> sessions = noisy_sessions(small_design(), {}, 1);
-  const Gain gain = measure_gain(evidence_of(sessions, 0.01),
-                                 std::vector{component("friction_temperature")}, kWire);
+  const HeldOutGain gain = measure_gain(evidence_of(sessions, 0.01),
+                                        std::vector{component("friction_temperature")}, kWire);
   EXPECT_LT(metric(gain, "log_predictive_density").after,
             metric(gain, "log_predictive_density").before + 0.005);
 }

@@ -28,7 +28,7 @@ Findings ambiguous_between(std::vector<std::string> ids) {
 }
 
 TEST(VerdictWords, OfNoneSayHowManyRecordings) {
-  EXPECT_THAT(verdict_words({}, 12), HasSubstr("12 recordings"));
+  EXPECT_THAT(verdict_prose({}, 12), HasSubstr("12 recordings"));
 }
 
 TEST(VerdictWords, NameEachEffectWithItsProbability) {
@@ -41,12 +41,12 @@ TEST(VerdictWords, NameEachEffectWithItsProbability) {
   findings.effects[1].id = "friction_wear";
   findings.effects[1].term = "wear";
   findings.effects[1].probability = 1;
-  EXPECT_THAT(verdict_words(findings, 8),
+  EXPECT_THAT(verdict_prose(findings, 8),
               HasSubstr("backlash (slack, 98.7 %) and wear (friction_wear, 100.0 %)."));
 }
 
 TEST(VerdictWords, ListWhatMayBe) {
-  EXPECT_THAT(verdict_words(ambiguous_between({"slack", "compliance"}), 8),
+  EXPECT_THAT(verdict_prose(ambiguous_between({"slack", "compliance"}), 8),
               HasSubstr("slack, compliance."));
 }
 
@@ -54,7 +54,7 @@ TEST(VerdictWords, OfUnknownSayWhereItShowsMost) {
   Findings findings;
   findings.verdict = Verdict::unknown;
   findings.discrepancies = {{"speed", 30, 0.01, 0.01}, {"tendon position", 70, 0.001, 0.001}};
-  EXPECT_THAT(verdict_words(findings, 8), HasSubstr("against tendon position"));
+  EXPECT_THAT(verdict_prose(findings, 8), HasSubstr("against tendon position"));
   EXPECT_THAT(next_experiment(findings, {}), HasSubstr("tendon position"));
   findings.discrepancies.clear();
   EXPECT_THAT(next_experiment(findings, {}), IsEmpty());

@@ -133,7 +133,7 @@ TEST(ScatterScore, DevianceIsThatOfTheRestrictedLikelihood) {
 TEST(ScatterScore, StatisticIsWhatTheProbeExplainsBesideTheModel) {
   const Whole whole = three_sessions();
   ScatterScore score(whole.grams, kNoise, kRefitted);
-  score.look_at_probes(whole.grams);
+  score.prepare_probes(whole.grams);
   const auto statistics = score.statistics(whole.grams, whole.products);
   ASSERT_EQ(statistics.size(), 1U);
   EXPECT_EQ(score.freedom(0), 2);

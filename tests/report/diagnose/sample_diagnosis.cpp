@@ -37,7 +37,7 @@ TensionDiagnosis recordings(double wear) {
 void name_wear(TensionDiagnosis& tension) {
   Findings& findings = tension.findings;
   findings.verdict = Verdict::named;
-  findings.words =
+  findings.prose =
       "Friction grows with the cycles, in proportion to the bend angle. With wear in the model the "
       "residual is noise again.";
   findings.effects = {
@@ -71,7 +71,7 @@ LifeDiagnosis lots() {
   add_points(lives, 0.25);
   Findings& findings = lives.findings;
   findings.verdict = Verdict::named;
-  findings.words = "Lots differ by more than the scatter of specimens.";
+  findings.prose = "Lots differ by more than the scatter of specimens.";
   findings.effects = {{"lot_frailty",
                        "batch-to-batch scatter",
                        "ln alpha of a lot is normal with standard deviation sigma",
@@ -115,7 +115,7 @@ Diagnosis nothing_wrong() {
   Diagnosis diagnosis;
   diagnosis.tension = recordings(0);
   Findings& findings = diagnosis.tension->findings;
-  findings.words = "The residual is what noise and the scatter of sessions give.";
+  findings.prose = "The residual is what noise and the scatter of sessions give.";
   findings.candidates = {{"none", 0.991}, {"friction_wear", 0.005}, {"unknown", 0.004}};
   findings.credible_set = {"none"};
   findings.discrepancies = {{"cycle", 1.9, 0.43, 0.43}};
@@ -127,7 +127,7 @@ Diagnosis ambiguous_pair() {
   diagnosis.tension = recordings(0.15);
   Findings& findings = diagnosis.tension->findings;
   findings.verdict = Verdict::ambiguous;
-  findings.words = "Pulling and letting go differ. At one pose two causes give the same.";
+  findings.prose = "Pulling and letting go differ. At one pose two causes give the same.";
   findings.candidates = {{"gear_asymmetry", 0.56},
                          {"bend_angle", 0.41},
                          {"friction_preload+gear_asymmetry", 0.02},
@@ -149,7 +149,7 @@ Diagnosis unexplained() {
   Diagnosis diagnosis = ambiguous_pair();
   Findings& findings = diagnosis.tension->findings;
   findings.verdict = Verdict::unknown;
-  findings.words = "A structure at 7 Hz is left by every candidate and pair of candidates.";
+  findings.prose = "A structure at 7 Hz is left by every candidate and pair of candidates.";
   findings.effects.clear();
   findings.candidates = {{"unknown", 0.98}, {"torque_ripple", 0.02}};
   findings.credible_set = {"unknown"};
@@ -174,7 +174,7 @@ Diagnosis hostile_diagnosis() {
   const std::string name = hostile_name();
   diagnosis.warnings = {name};
   for (Findings* findings : {&diagnosis.tension->findings, &diagnosis.lives->findings}) {
-    findings->words = name;
+    findings->prose = name;
     findings->next_experiment = name;
     findings->effects[0].id = name;
     findings->effects[0].term = name;

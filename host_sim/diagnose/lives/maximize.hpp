@@ -9,7 +9,7 @@ using Function = std::function<double(const Eigen::VectorXd&)>;
 
 /// Where a smooth function of a few variables, all of the order of 1, is largest near `start`:
 /// sequential quadratic programming of NLopt with gradients by central differences.
-Eigen::VectorXd climb(const Function& function, const Eigen::VectorXd& start);
+Eigen::VectorXd maximize(const Function& function, const Eigen::VectorXd& start);
 
 /// Second derivatives by central differences.
 Eigen::MatrixXd hessian(const Function& function, const Eigen::VectorXd& at);

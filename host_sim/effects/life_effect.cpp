@@ -1,4 +1,4 @@
-#include "host_sim/effects/life_covariates.hpp"
+#include "host_sim/effects/life_effect.hpp"
 
 #include <algorithm>
 #include <cmath>

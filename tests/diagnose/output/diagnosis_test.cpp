@@ -9,41 +9,42 @@ namespace host_sim::diagnose {
 namespace {
 
 TEST(Gain, IsOneOfTheErrorElseOfTheDensity) {
-  EXPECT_TRUE(gains({"session", {{"rmse_N", 1.5, 1.4}, {"log_predictive_density", 3, 2}}}));
-  EXPECT_FALSE(gains({"session", {{"rmse_N", 1.5, 1.5}}}));
-  EXPECT_FALSE(gains({"session", {{"log_predictive_density", 2, 3}, {"rmse_N", 1.5, 1.6}}}));
-  EXPECT_FALSE(gains({"session", {{"rmse_N", 1.5, std::nan("")}}}));
-  EXPECT_TRUE(gains({"level", {{"log_predictive_density", -2, -1}, {"b10_coverage", 0.1, 0.3}}}));
-  EXPECT_FALSE(gains({"level", {{"log_predictive_density", -1, -2}}}));
-  EXPECT_FALSE(gains({}));
+  EXPECT_TRUE(improves({"session", {{"rmse_N", 1.5, 1.4}, {"log_predictive_density", 3, 2}}}));
+  EXPECT_FALSE(improves({"session", {{"rmse_N", 1.5, 1.5}}}));
+  EXPECT_FALSE(improves({"session", {{"log_predictive_density", 2, 3}, {"rmse_N", 1.5, 1.6}}}));
+  EXPECT_FALSE(improves({"session", {{"rmse_N", 1.5, std::nan("")}}}));
+  EXPECT_TRUE(
+      improves({"level", {{"log_predictive_density", -2, -1}, {"b10_coverage", 0.1, 0.3}}}));
+  EXPECT_FALSE(improves({"level", {{"log_predictive_density", -1, -2}}}));
+  EXPECT_FALSE(improves({}));
 }
 
 TEST(Gain, WhatDoesNotGainIsNotNamedAndNotWritten) {
   Findings findings = host_sim_test::wear_in_recordings().findings;
-  EXPECT_FALSE(withdraw_what_does_not_gain(findings));
+  EXPECT_FALSE(withdraw_unless_improved(findings));
   EXPECT_EQ(findings.verdict, Verdict::named);
   EXPECT_EQ(findings.extensions.size(), 1U);
-  EXPECT_EQ(no_gain_words(findings), "");
+  EXPECT_EQ(no_gain_prose(findings), "");
 
   findings.gain.metrics = {{"rmse_N", 0.5, 1.5}};
-  EXPECT_TRUE(withdraw_what_does_not_gain(findings));
+  EXPECT_TRUE(withdraw_unless_improved(findings));
   EXPECT_EQ(findings.verdict, Verdict::ambiguous);
   EXPECT_TRUE(findings.extensions.empty());
-  EXPECT_NE(no_gain_words(findings).find("nothing was extended"), std::string::npos);
+  EXPECT_NE(no_gain_prose(findings).find("nothing was extended"), std::string::npos);
 
   Findings none;
-  EXPECT_FALSE(withdraw_what_does_not_gain(none));
-  EXPECT_EQ(no_gain_words(none), "");
+  EXPECT_FALSE(withdraw_unless_improved(none));
+  EXPECT_EQ(no_gain_prose(none), "");
 }
 
 TEST(Parts, RecordingsComeFirst) {
   const Diagnosis diagnosis = host_sim_test::both_parts();
-  const auto parts = parts_of(diagnosis);
+  const auto parts = findings_by_data(diagnosis);
   ASSERT_EQ(parts.size(), 2U);
   EXPECT_EQ(parts[0].name, "recordings");
   EXPECT_EQ(parts[0].findings, &diagnosis.tension->findings);
   EXPECT_EQ(parts[1].findings, &diagnosis.lives->findings);
-  EXPECT_TRUE(parts_of({}).empty());
+  EXPECT_TRUE(findings_by_data({}).empty());
 }
 
 TEST(Parts, MergedHoldAllOfBoth) {
@@ -59,11 +60,11 @@ TEST(Parts, MergedHoldAllOfBoth) {
   EXPECT_EQ(all.discrepancies.size(), 2U);
   EXPECT_EQ(all.refitted.size(), 1U);
   EXPECT_EQ(all.extensions.size(), 2U);
-  EXPECT_EQ(all.words, "Friction grows. Lots differ.");
+  EXPECT_EQ(all.prose, "Friction grows. Lots differ.");
 }
 
 TEST(Parts, AMetricOfBothKeepsBothValues) {
-  const Gain gain = merged(host_sim_test::both_parts()).gain;
+  const HeldOutGain gain = merged(host_sim_test::both_parts()).gain;
   EXPECT_EQ(gain.held_out_by, "session, level");
   ASSERT_EQ(gain.metrics.size(), 4U);
   EXPECT_EQ(gain.metrics[1].name, "log_predictive_density");

@@ -1,4 +1,4 @@
-#include "host_sim/diagnose/lives/climb.hpp"
+#include "host_sim/diagnose/lives/maximize.hpp"
 
 #include <nlopt.hpp>
 #include <vector>
@@ -38,7 +38,7 @@ double call(const std::vector<double>& x, std::vector<double>& gradient, void* d
 
 }  // namespace
 
-Eigen::VectorXd climb(const Function& function, const Eigen::VectorXd& start) {
+Eigen::VectorXd maximize(const Function& function, const Eigen::VectorXd& start) {
   constexpr double kFarthest = 11;
   constexpr double kLastGain = 1e-7;
   constexpr int kMostCalls = 200;
