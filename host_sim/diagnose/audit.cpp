@@ -164,7 +164,7 @@ std::string names_of(const EquivalenceClass& members, const std::vector<EffectAu
 
 std::string sentence_for(const EquivalenceClass& members, const std::vector<EffectAudit>& effects) {
   std::string text = names_of(members, effects);
-  text += " look the same in this campaign; to tell them apart:";
+  text += " cannot be distinguished in this campaign; to distinguish them:";
   for (const std::string& experiment : members.experiments) {
     text += &experiment == &members.experiments.front() ? " " : "; ";
     text += experiment;
@@ -185,11 +185,13 @@ std::string prose_of(const EffectAudit& effect) {
           100 * effect.share, advice(*effect.effect));
     case EffectAudit::Verdict::too_weak:
       return fmt::format(
-          "even the largest that physics allows makes {:.1f} standard deviations: what it depends "
+          "even the largest effect that physics allows would stand out by {:.1f} standard "
+          "deviations: what it depends "
           "on hardly changes, or the noise is too large",
           effect.sigmas_at_bound);
     case EffectAudit::Verdict::visible:
-      return fmt::format("a usual one makes {} standard deviations", sigmas_text(effect.sigmas));
+      return fmt::format("an effect of typical size would stand out by {} standard deviations",
+                         sigmas_text(effect.sigmas));
   }
   return {};
 }
@@ -199,7 +201,7 @@ std::string prose_of(const Audit& audit) {
   std::string text;
   for (const EffectAudit& effect : audit.effects) {
     if (!effect.visible()) {
-      text += fmt::format("{} cannot be shown: {}.\n", effect.effect->id(), effect.prose);
+      text += fmt::format("{} is not detectable: {}.\n", effect.effect->id(), effect.prose);
     }
   }
   for (const EquivalenceClass& members : audit.classes) {

@@ -10,7 +10,7 @@
 
 namespace host_sim::diagnose {
 
-/// What a campaign can show of one effect, before any response is looked at.
+/// What a campaign can show of one effect, before any response is used.
 struct EffectAudit {
   enum class Verdict {
     visible,

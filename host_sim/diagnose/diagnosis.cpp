@@ -66,8 +66,9 @@ bool withdraw_unless_improved(Findings& findings) {
 std::string no_gain_prose(const Findings& findings) {
   return findings.gain.metrics.empty() || improves(findings.gain)
              ? ""
-             : " In the model it would not gain on data that the fit never saw: nothing was "
-               "extended.";
+             : " In the model it would not improve predictions of data that the fit did not use: "
+               "nothing "
+               "was extended.";
 }
 
 Verdict Diagnosis::verdict() const {

@@ -30,7 +30,7 @@ struct GramColumn {
   std::size_t column = 0;  ///< index in Signature::columns, or the bin of a probe
 };
 
-/// An effect with the shapes that it is looked at in.
+/// An effect with the shapes that it is tried in.
 struct Wanted {
   const effects::TensionEffect* effect = nullptr;
   std::vector<std::vector<double>> shapes;  ///< as TensionEffect::shapes()

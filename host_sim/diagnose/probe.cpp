@@ -9,7 +9,7 @@ namespace host_sim::diagnose {
 namespace {
 
 constexpr std::size_t kBins = 6;
-constexpr std::size_t kSamplesLooked = 20'000;
+constexpr std::size_t kSortedSamples = 20'000;
 
 constexpr std::array kAll{Probe::Of::cycle,
                           Probe::Of::bend_angle,
@@ -38,13 +38,13 @@ double within_turn(double angle_rad) {
   return angle_rad - turn * std::floor(angle_rad / turn);
 }
 
-/// Every n-th value of all sessions, so that no more than kSamplesLooked are sorted.
+/// Every n-th value of all sessions, so that no more than kSortedSamples are sorted.
 std::vector<double> sorted_sample(std::span<const Session> sessions, Probe::Of of) {
   std::size_t samples = 0;
   for (const Session& session : sessions) {
     samples += session.covariates.samples();
   }
-  const std::size_t stride = samples / kSamplesLooked + 1;
+  const std::size_t stride = samples / kSortedSamples + 1;
   std::vector<double> sample;
   for (const Session& session : sessions) {
     const std::vector<double> values = values_of(of, session.covariates);

@@ -8,7 +8,7 @@
 
 namespace host_sim::diagnose {
 
-/// Looks at the residual against one covariate without a cause in mind: one column for each bin of
+/// Tests the residual against one covariate without a cause in mind: one column for each bin of
 /// the covariate and each direction, 1 in the samples that fall there.
 struct Probe {
   enum class Of {

@@ -42,7 +42,7 @@ class Auditor {
       view = view_of(effect, result);
       if (result.share < LifeAudit::kLeastShare) {
         result.why =
-            fmt::format("nothing is left of it once A and gamma are refitted{}", advice(effect));
+            fmt::format("its signature vanishes once A and gamma are refitted{}", advice(effect));
       } else if (result.sigmas < LifeAudit::kLeastSigmas) {
         result.why =
             fmt::format("too weak here: {:.1f} standard deviations at the bounds of physics{}",

@@ -7,8 +7,8 @@ namespace host_sim::diagnose::lives {
 namespace {
 
 constexpr double kSurelyNone = 0.8;
-constexpr double kLooksLikeNone_p = 0.05;
-/// Nothing is named where the residuals look more like nothing than this.
+constexpr double kAgrees_p = 0.05;
+/// Nothing is named where residuals are as large by chance more often than this.
 constexpr double kNameable_p = 0.1;
 
 /// Probability that an effect takes part.
@@ -80,7 +80,7 @@ Decision decide(const std::vector<Hypothesis>& hypotheses, double p) {
   if (decision.best != nullptr && !decision.effects.empty() && p <= kNameable_p) {
     decision.verdict = Verdict::named;
   } else if (decision.candidates.front().id == "none" &&
-             (decision.candidates.front().probability >= kSurelyNone || p > kLooksLikeNone_p)) {
+             (decision.candidates.front().probability >= kSurelyNone || p > kAgrees_p)) {
     decision.verdict = Verdict::none;
   } else if (decision.candidates.front().id == "unknown") {
     decision.verdict = Verdict::unknown;

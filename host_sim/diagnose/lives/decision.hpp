@@ -8,7 +8,7 @@
 
 namespace host_sim::diagnose::lives {
 
-/// What the probabilities say, before the residual of the extended model was looked at.
+/// What the probabilities say, before the residual of the extended model was tested.
 struct Decision {
   Verdict verdict = Verdict::none;
   std::vector<std::string> effects;   ///< named, or the most probable, each with its own
@@ -22,8 +22,8 @@ struct Decision {
 std::vector<Candidate> candidates_of(const std::vector<Hypothesis>& hypotheses);
 
 /// An effect is named where the explanations that it takes part in hold kNamed together and the
-/// residuals do not look like nothing, by the p of all looks at them. Where nothing wrong is the
-/// most probable, that is the answer if it is probable enough or the residuals look like it; else
+/// residuals hold more than chance, by the p of all tests. Where nothing wrong is the
+/// most probable, that is the answer if it is probable enough or the residuals agree; else
 /// it is one of the candidates.
 /// @pre hypotheses by falling probability
 Decision decide(const std::vector<Hypothesis>& hypotheses, double p);

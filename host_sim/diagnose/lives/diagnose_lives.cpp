@@ -83,7 +83,7 @@ std::string hindrance(const LifeSample& sample, const NominalFit& nominal) {
 LifeDiagnosis undiagnosed(const Campaign& campaign, const std::string& why) {
   LifeDiagnosis diagnosis;
   Findings& findings = diagnosis.findings;
-  findings.prose = "Nothing can be asked of these lives: " + why + ".";
+  findings.prose = "These lives cannot be diagnosed: " + why + ".";
   findings.next_experiment = why;
   findings.candidates = {{"none", 1}, {"unknown", 0}};
   findings.credible_set = {"none"};
@@ -152,7 +152,7 @@ class Diagnostician {
 
   [[nodiscard]] const Hypothesis::Form& extended() const { return decision_.best->best(); }
 
-  /// Named effects must leave nothing; nothing wrong must look like it.
+  /// Named effects must leave no discrepancy; nor may there be one where nothing is wrong.
   void check_what_is_left() {
     double doubt = 1;
     if (decision_.verdict == Verdict::named && decision_.best != nullptr) {
@@ -217,13 +217,13 @@ class Diagnostician {
 
   void write_discrepancies() {
     for (std::size_t i = 0; i < before_.tests.size(); ++i) {
-      const CovariateTest& look = before_.tests[i];
-      const auto same = std::ranges::find(after_.tests, look.covariate, &CovariateTest::covariate);
+      const CovariateTest& test = before_.tests[i];
+      const auto same = std::ranges::find(after_.tests, test.covariate, &CovariateTest::covariate);
       diagnosis_.findings.discrepancies.push_back(
-          {.covariate = look.covariate,
-           .statistic = look.statistic,
-           .p = look.p,
-           .p_after = same == after_.tests.end() ? look.p : same->p});
+          {.covariate = test.covariate,
+           .statistic = test.statistic,
+           .p = test.p,
+           .p_after = same == after_.tests.end() ? test.p : same->p});
     }
   }
 

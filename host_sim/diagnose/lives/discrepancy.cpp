@@ -159,7 +159,7 @@ std::vector<CoxSnell> residuals_under(const life_law::LifeLaw& law,
   return residuals;
 }
 
-/// Statistics of all looks: the observed ones first, then those of each replicate.
+/// All statistics: the observed ones first, then those of each replicate.
 using Table = std::vector<std::vector<double>>;
 
 Table simulated(const life_law::LifeData& data, const life_law::LifeFit& fit,
@@ -188,14 +188,15 @@ Table simulated(const life_law::LifeData& data, const life_law::LifeFit& fit,
   return table;
 }
 
-/// Share of the rows, the first among them, that are not below the first in this look.
+/// Share of the rows, the first among them, that are not below the first in this test.
 double p_of(const Table& table, std::size_t test) {
   const auto not_below = std::ranges::count_if(
       table, [&](const std::vector<double>& row) { return row[test] >= table.front()[test]; });
   return static_cast<double>(not_below) / static_cast<double>(table.size());
 }
 
-/// A look in units of its replicates, cube roots of which are nearly normal (Wilson and Hilferty).
+/// A statistic in units of its replicates, cube roots of which are nearly normal (Wilson and
+/// Hilferty).
 struct Scale {
   double mean = 0, sd = 1;
 

@@ -19,16 +19,17 @@ struct CoxSnell {
   [[nodiscard]] double excess() const { return (failed ? 1 : 0) - value; }
 };
 
+/// A score of the residuals against one covariate.
 struct CovariateStatistic {
   std::string covariate;
   /// Large where the residuals depend on the covariate.
   std::function<double(std::span<const CoxSnell>)> statistic;
 };
 
-/// What a sample can be looked at for. The sample must outlive this.
+/// Those that a sample allows. The sample must outlive this.
 std::vector<CovariateStatistic> covariate_statistics(const LifeSample& sample);
 
-/// One look at the residual lives, with how seldom the nominal law shows as much.
+/// Its value, with how seldom the nominal law gives as much.
 struct CovariateTest {
   std::string covariate;
   double statistic = 0;
@@ -37,7 +38,7 @@ struct CovariateTest {
 
 struct Omnibus {
   std::vector<CovariateTest> tests;
-  double p = 1;  ///< of the largest of all looks, each in units of its own replicates
+  double p = 1;  ///< of the largest of all, each in units of its own replicates
 };
 
 struct OmnibusOptions {
@@ -46,13 +47,13 @@ struct OmnibusOptions {
   std::size_t replicates = 1000;
 };
 
-/// Looks at the Cox-Snell residuals of the nominal law, refitted, against each covariate: rest of
+/// Tests the Cox-Snell residuals of the nominal law, refitted, against each covariate: rest of
 /// the scatter between loads, lots and groups, curvature, shape by level, days, ratio of wire to
 /// bend, mean tension, order of blocks, and the distribution of the residuals. p by the parametric
 /// bootstrap: lives drawn from the fit under the campaign's own plan of suspension, refitted.
 Omnibus omnibus_test(const LifeSample& sample, const OmnibusOptions& options);
 
-/// The lives as they would be without what a model adds to the nominal law, for another look: each
+/// The lives as they would be without what a model adds to the nominal law, for another test: each
 /// at one load, with damage cox_snell^(1/shape) by the nominal law.
 LifeSample without_effects(const LifeSample& sample, const std::vector<double>& cox_snell);
 

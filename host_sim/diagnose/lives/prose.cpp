@@ -100,26 +100,26 @@ std::string verdict_prose(const Findings& findings, const Omnibus& before, const
   switch (findings.verdict) {
     case Verdict::none:
       return fmt::format(
-          "Nothing that this campaign could show is wrong with the nominal law (p = {:.2g} for the "
-          "largest residual).",
+          "The lives show no discrepancy from the nominal law (p = {:.2g} for the largest "
+          "residual).",
           before.p);
     case Verdict::named:
       return fmt::format(
-          "The nominal law is wrong (p = {:.2g}); {} explains it, and nothing is left (p = "
+          "The nominal law is wrong (p = {:.2g}); {} explains it, and no discrepancy remains (p = "
           "{:.2g}).",
           before.p, named_prose(findings), after.p);
     case Verdict::ambiguous:
       return fmt::format(
           "Something may be wrong with the nominal law (p = {:.2g}, most against {}), and these "
-          "lives do not say what: {} hold 95 % together.",
+          "lives do not determine what: {} have a probability of 95 % together.",
           before.p, most_significant(before), fmt::join(findings.credible_set, ", "));
     case Verdict::unknown:
       break;
   }
   if (!after.tests.empty()) {
     return fmt::format(
-        "The nominal law is wrong (p = {:.2g}), and with the best of the catalogue structure is "
-        "left against {} (p = {:.2g}).",
+        "The nominal law is wrong (p = {:.2g}), and with the best effect of the catalogue a "
+        "discrepancy remains against {} (p = {:.2g}).",
         before.p, most_significant(after), after.p);
   }
   return fmt::format(

@@ -14,7 +14,7 @@ namespace host_sim::diagnose::lives {
 /// side; for one effect against another that the set does not hold, its first; empty for none.
 std::string experiment_for(const std::vector<std::string>& credible_set);
 
-/// The verdict in sentences. `after` has no looks where nothing was extended.
+/// The verdict in sentences. `after` has no tests where nothing was extended.
 std::string verdict_prose(const Findings& findings, const Omnibus& before, const Omnibus& after);
 
 struct ShapeTestOptions {
@@ -24,7 +24,7 @@ struct ShapeTestOptions {
 
 /// A sentence on the level whose Weibull shape is least like that of the others, by the likelihood
 /// ratio of (17) and (18) for one level against the rest; empty where none differs at 5 % for all
-/// levels that were looked at.
+/// levels that were tested.
 std::string shape_prose(const Campaign& campaign, const ShapeTestOptions& options);
 
 }  // namespace host_sim::diagnose::lives

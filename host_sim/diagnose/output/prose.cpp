@@ -93,15 +93,15 @@ bool improved(const Metric& metric) {
 
 std::string cost_prose(const TensionDiagnosis& tension) {
   if (tension.findings.extensions.empty()) {
-    return "Nothing was extended, so that the damage of the recordings stays as it was booked.";
+    return "Nothing was extended, so that the damage of the recordings stays as it was computed.";
   }
   const double ratio = tension.damage_ratio;
   if (of_no_account(ratio)) {
     return "The extension does not change the damage of the recordings.";
   }
   return fmt::format(
-      "Of the damage of a recording, in the geometric mean, the nominal model books {} what the "
-      "extended one does: it promises {} the life.",
+      "In the geometric mean over recordings the nominal model computes {} the damage of the "
+      "extended one, and so predicts {} the life.",
       times(ratio), times(1 / ratio));
 }
 
@@ -113,7 +113,7 @@ std::string cost_prose(const LifeDiagnosis& lives) {
     return "The extension does not change B10 at the lowest level.";
   }
   return fmt::format(
-      "At the lowest level the nominal model promises {} the B10 of the extended one.",
+      "At the lowest level the nominal model predicts {} the B10 of the extended one.",
       times(lives.b10_ratio));
 }
 
@@ -127,10 +127,10 @@ std::string candidate_prose(std::string_view id) {
 
 std::string term_of(std::string_view id) {
   if (id == "none") {
-    return "nothing is wrong";
+    return "no effect";
   }
   if (id == "unknown") {
-    return "something that is not in the catalogue";
+    return "an effect outside the catalogue";
   }
   if (const std::size_t plus = id.find('+'); plus != std::string_view::npos) {
     return term_of(id.substr(0, plus)) + " and " + term_of(id.substr(plus + 1));

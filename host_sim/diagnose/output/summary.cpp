@@ -47,6 +47,11 @@ void write_effects(std::ostream& out, const Findings& findings) {
   }
 }
 
+/// "no effect", "compliance and slack".
+std::string candidate_label(const std::string& id) {
+  return id == "none" || id == "unknown" ? term_of(id) : candidate_prose(id);
+}
+
 /// What it may be, where it is not one thing alone.
 void write_candidates(std::ostream& out, const Findings& findings) {
   if (findings.verdict != Verdict::ambiguous && findings.verdict != Verdict::unknown) {
@@ -54,8 +59,8 @@ void write_candidates(std::ostream& out, const Findings& findings) {
   }
   for (const Candidate& candidate : findings.candidates) {
     if (candidate.probability >= kLeastReported) {
-      fmt::print(out, "  may be {:.3f}  {}\n", candidate.probability,
-                 printable(candidate_prose(candidate.id)));
+      fmt::print(out, "  {}: probability {:.3f}\n", printable(candidate_label(candidate.id)),
+                 candidate.probability);
     }
   }
 }
@@ -64,7 +69,7 @@ void write_gain(std::ostream& out, const HeldOutGain& gain) {
   if (gain.metrics.empty()) {
     return;
   }
-  fmt::print(out, "  gain on data that the fit never saw{}\n",
+  fmt::print(out, "  improvement on data that the fit did not use{}\n",
              gain.held_out_by.empty() ? "" : ", held out by " + printable(gain.held_out_by));
   for (const Metric& metric : gain.metrics) {
     const MetricDescription description = description_of(metric.name);
@@ -76,7 +81,7 @@ void write_gain(std::ostream& out, const HeldOutGain& gain) {
 
 void write_steps(std::ostream& out, const std::vector<Step>& steps) {
   if (!steps.empty()) {
-    out << "  as far as the catalogue goes, error on sessions that the fit never saw\n";
+    out << "  best models of the catalogue, error on sessions that the fit did not use\n";
   }
   for (const Step& step : steps) {
     fmt::print(
@@ -88,7 +93,7 @@ void write_steps(std::ostream& out, const std::vector<Step>& steps) {
 
 void write_invisible(std::ostream& out, const Findings& findings) {
   for (const Invisible& one : findings.invisible) {
-    fmt::print(out, "  cannot be seen here: {}: {}\n", printable(one.id), printable(one.why));
+    fmt::print(out, "  not detectable here: {}: {}\n", printable(one.id), printable(one.why));
   }
 }
 
@@ -99,8 +104,8 @@ void write_same(std::ostream& out, const Findings& findings) {
       ids += (ids.empty() ? "" : ", ") + printable(id);
     }
     const std::string experiments = experiments_for(set);
-    fmt::print(out, "  cannot be told apart here: {}{}{}\n", ids, experiments.empty() ? "" : ": ",
-               experiments);
+    fmt::print(out, "  not distinguishable here: {}{}{}\n", ids,
+               experiments.empty() ? "" : "; to distinguish them: ", experiments);
   }
 }
 

@@ -155,24 +155,24 @@ void write_foresight(std::ostream& out, const Foresight& foresight) {
              foresight.samples);
   for (const EffectAudit* effect : clearest_first(foresight.audit)) {
     fmt::print(out, "  {:<22}{}{}\n", effect->effect->id(),
-               effect->visible() ? "" : "invisible: ", effect->prose);
+               effect->visible() ? "detectable: " : "not detectable: ", effect->prose);
   }
   bool all_apart = true;
   for (const EquivalenceClass& same : foresight.audit.classes) {
     if (same.members.size() > 1) {
       all_apart = false;
-      fmt::print(out, "looks the same:");
+      fmt::print(out, "not distinguishable:");
       for (const std::size_t member : same.members) {
         fmt::print(out, " {}", foresight.audit.effects[member].effect->id());
       }
       fmt::print(out, "\n");
       for (const std::string& experiment : same.experiments) {
-        fmt::print(out, "  to tell them apart: {}\n", experiment);
+        fmt::print(out, "  to distinguish them: {}\n", experiment);
       }
     }
   }
   if (all_apart) {
-    fmt::print(out, "each of the visible ones can be told from the others\n");
+    fmt::print(out, "all detectable effects can be distinguished from each other\n");
   }
 }
 

@@ -156,7 +156,7 @@ class Diagnoser {
     findings.prose +=
         entangled(model)
             ? " Two effects at reversals do not add up, and one may stand for another of them."
-            : " Two effects that are hard to tell apart may together stand for one that the "
+            : " Two effects that are hard to distinguish may together stand for one that the "
               "catalogue does not have.";
     findings.next_experiment = experiment_for(*model.front().effect, *model.back().effect);
   }
@@ -287,9 +287,10 @@ TensionDiagnosis nothing_to_see(const RecordedSessions& recorded) {
   diagnosis.findings.credible_set = {"none"};
   diagnosis.findings.prose =
       recorded.faults.empty()
-          ? "The recordings hold no motion from which friction could be told: nothing can be shown."
+          ? "The recordings contain no motion from which friction could be determined: nothing can "
+            "be diagnosed."
           : "Nothing is left of the recordings once the faults of their sensors are taken out: "
-            "nothing can be shown.";
+            "nothing can be diagnosed.";
   for (const auto& effect : effects::tension_effects()) {
     diagnosis.findings.invisible.push_back(
         {std::string(effect->id()), "no recording with motion and both tensions"});

@@ -33,7 +33,7 @@ std::string how_far(const std::vector<Step>& steps) {
     effects += fmt::format("{} ({})", steps[i].effect.term, steps[i].effect.id);
   }
   return fmt::format(
-      " As far as the catalogue goes, Capstan friction alone misses sessions held out by {:.3g} N "
+      " On sessions held out, Capstan friction alone has an error of {:.3g} N "
       "of output and {:.3g} N of input tension; with {} that is {:.3g} N and {:.3g} N.",
       steps.front().output_rmse_N, steps.front().input_rmse_N, effects, steps.back().output_rmse_N,
       steps.back().input_rmse_N);
@@ -48,7 +48,7 @@ const effects::TensionEffect* effect_of(const Audit& audit, std::string_view id)
   return nullptr;
 }
 
-std::set<std::string> parts_of(const std::string& id) {
+std::set<std::string> effects_in(const std::string& id) {
   const std::size_t plus = id.find('+');
   if (plus == std::string::npos) {
     return {id};
@@ -59,8 +59,8 @@ std::set<std::string> parts_of(const std::string& id) {
 /// The first effect of one candidate that the other does not hold; null where there is none.
 const effects::TensionEffect* other_than(const Audit& audit, const std::string& one,
                                          const std::string& other) {
-  const std::set<std::string> known = parts_of(other);
-  for (const std::string& id : parts_of(one)) {
+  const std::set<std::string> known = effects_in(other);
+  for (const std::string& id : effects_in(one)) {
     if (!known.contains(id)) {
       return effect_of(audit, id);
     }
@@ -91,11 +91,12 @@ std::string verdict_prose(const Findings& findings, std::size_t sessions) {
     }
     case Verdict::unknown: {
       std::string prose =
-          "The recordings hold structure that no effect of the catalogue, and no two, explain.";
+          "The recordings contain structure that no effect or pair of effects of the catalogue "
+          "explains.";
       const auto strongest =
           std::ranges::max_element(findings.discrepancies, {}, &Discrepancy::statistic);
       if (strongest != findings.discrepancies.end()) {
-        prose += fmt::format(" It shows most against {}.", strongest->covariate);
+        prose += fmt::format(" It is strongest against {}.", strongest->covariate);
       }
       return prose + how_far(findings.steps);
     }

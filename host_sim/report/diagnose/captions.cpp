@@ -120,8 +120,8 @@ std::string steps() {
 
 std::string gain(const diagnose::HeldOutGain& gain) {
   return gain.held_out_by.empty()
-             ? std::string("On data that the fit never saw.")
-             : fmt::format("On data that the fit never saw, held out by {}.", gain.held_out_by);
+             ? std::string("On data that the fit did not use.")
+             : fmt::format("On data that the fit did not use, held out by {}.", gain.held_out_by);
 }
 
 }  // namespace host_sim::diagnose_page::captions

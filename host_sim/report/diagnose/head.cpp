@@ -41,7 +41,7 @@ std::string ambiguous(const Findings& findings) {
     terms.push_back(diagnose::term_of(id));
   }
   const std::string causes = terms.empty() ? "" : ": " + listed(terms, "or");
-  return "the model does not fit, and the data cannot tell which cause it is" + causes;
+  return "the model does not fit, and the data do not determine the cause" + causes;
 }
 
 std::string unknown(const Findings& findings) {
@@ -59,7 +59,7 @@ std::string unknown(const Findings& findings) {
 std::string sentence_of(const Findings& findings) {
   switch (findings.verdict) {
     case Verdict::none:
-      return "nothing is wrong with the model that this campaign could show";
+      return "the campaign shows no discrepancy from the model";
     case Verdict::named:
       return named(findings);
     case Verdict::ambiguous:

@@ -113,7 +113,7 @@ void add_causes(Slots& slots, const Findings& findings) {
                         html_escape(findings.next_experiment));
   slots["equivalents"] =
       findings.equivalent_sets.empty()
-          ? paragraph("caption", "Each effect that is visible here can be told from the others.")
+          ? paragraph("caption", "All detectable effects can be distinguished from each other.")
           : tables::equivalents(findings);
 }
 

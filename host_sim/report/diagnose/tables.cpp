@@ -142,8 +142,9 @@ std::string refitted(const Findings& findings) {
 }
 
 std::string equivalents(const Findings& findings) {
-  Table table("Effects that look the same here",
-              {"Look the same in this campaign", "What they are", "What tells them apart"},
+  Table table("Effects that cannot be distinguished here",
+              {"Not distinguishable in this campaign", "What they are",
+               "Experiment that distinguishes them"},
               Table::Cells::texts);
   for (const auto& set : findings.equivalent_sets) {
     std::vector<std::string> terms;

@@ -11,9 +11,9 @@
 namespace blind {
 namespace {
 
-/// What a score has to reach. Without words there is no goal.
+/// What a score has to reach. Without a caption there is no goal.
 struct Goal {
-  std::string words = {};
+  std::string caption = {};
   double low = -std::numeric_limits<double>::infinity();
   double high = std::numeric_limits<double>::infinity();
 };
@@ -26,7 +26,7 @@ struct Row {
 };
 
 std::string_view met_or_missed(double value, const Goal& goal) {
-  if (goal.words.empty() || std::isnan(value)) {
+  if (goal.caption.empty() || std::isnan(value)) {
     return "";
   }
   return value >= goal.low && value <= goal.high ? "met" : "missed";
@@ -40,12 +40,12 @@ Row number(std::string_view score, const std::string& reached, double value, con
   return {score, reached, value, goal};
 }
 
-Goal at_least(std::string_view words, double low) {
-  return {.words = std::string(words), .low = low};
+Goal at_least(std::string_view caption, double low) {
+  return {.caption = std::string(caption), .low = low};
 }
 
-Goal at_most(std::string_view words, double high) {
-  return {.words = std::string(words), .high = high};
+Goal at_most(std::string_view caption, double high) {
+  return {.caption = std::string(caption), .high = high};
 }
 
 Goal goal_of_each_effect() {
@@ -53,7 +53,7 @@ Goal goal_of_each_effect() {
 }
 
 std::vector<Row> rows_of(const Scores& scores, double first_goal) {
-  const std::string first_words = fmt::format(">= {:.0f} %", 100 * first_goal);
+  const std::string first_caption = fmt::format(">= {:.0f} %", 100 * first_goal);
   const double error = scores.calibration.error();
   const double parameter_error = quantile(scores.parameter_errors, 0.5);
   const auto refused = static_cast<double>(scores.refused);
@@ -62,7 +62,7 @@ std::vector<Row> rows_of(const Scores& scores, double first_goal) {
             at_most("<= 0.4 %", 0.004)),
       share("any alarm where nothing is hidden", scores.none_alarmed),
       share("one effect, right first, over all", scores.one.first,
-            at_least(first_words, first_goal)),
+            at_least(first_caption, first_goal)),
       share("the same, a class of equivalent causes counted as one", scores.one.of_class),
       share("where an oracle sees it at 3 sigma", scores.one_at_3.first),
       share("where an oracle sees it at 5 sigma", scores.one_at_5.first, at_least(">= 98 %", 0.98)),
@@ -89,7 +89,7 @@ std::vector<Row> rows_of(const Scores& scores, double first_goal) {
 std::string effects_table(const Scores& scores) {
   const Goal goal = goal_of_each_effect();
   std::string text = fmt::format(
-      "\n| hidden | right first | by class | goal {} |\n|---|---|---|---|\n", goal.words);
+      "\n| hidden | right first | by class | goal {} |\n|---|---|---|---|\n", goal.caption);
   for (const auto& [id, detection] : scores.effects) {
     text +=
         fmt::format("| {} | {} | {} | {} |\n", id, text_of(detection.first),
@@ -135,7 +135,7 @@ std::string markdown_of(const Scores& scores, std::string_view title, double fir
   std::string text =
       fmt::format("\n**{}**\n\n| score | reached | goal | |\n|---|---|---|---|\n", title);
   for (const Row& row : rows_of(scores, first_goal)) {
-    text += fmt::format("| {} | {} | {} | {} |\n", row.score, row.reached, row.goal.words,
+    text += fmt::format("| {} | {} | {} | {} |\n", row.score, row.reached, row.goal.caption,
                         met_or_missed(row.value, row.goal));
   }
   return text + effects_table(scores) + reliability_table(scores) + confusion_table(scores);
@@ -145,7 +145,7 @@ std::string summary_of(const Scores& scores, double first_goal) {
   std::string text;
   for (const Row& row : rows_of(scores, first_goal)) {
     fmt::format_to(std::back_inserter(text), "{:<56} {:<34} {:<10} {}\n", row.score, row.reached,
-                   row.goal.words, met_or_missed(row.value, row.goal));
+                   row.goal.caption, met_or_missed(row.value, row.goal));
   }
   for (const auto& [id, detection] : scores.effects) {
     fmt::format_to(std::back_inserter(text), "  {:<54} {:<34} class {}\n", id,

@@ -13,7 +13,7 @@
 
 namespace blind {
 
-/// The records keep their words even if those of the program change.
+/// The records keep their names even if those of the program change.
 std::string_view verdict_name(host_sim::diagnose::Verdict verdict);
 
 /// @throws std::runtime_error
@@ -30,7 +30,7 @@ struct Record {
   double seconds = 0;
 };
 
-/// One line of JSON without its end; the answer's words and extensions are left out.
+/// One line of JSON without its end; the answer's prose and extensions are left out.
 std::string line_of(const Record& record);
 
 /// @throws nlohmann::json::exception, std::runtime_error

@@ -52,7 +52,8 @@ TEST(Audit, WearLooksLikeTemperatureWhereTheSheathWarmsWithCycles) {
   ASSERT_NE(pair, nullptr);
   EXPECT_GT(pair->cosine, 0.95);
   EXPECT_THAT(pair->experiment, HasSubstr("heat the sheath alone"));
-  EXPECT_THAT(found.prose, HasSubstr("friction_temperature, friction_wear look the same"));
+  EXPECT_THAT(found.prose,
+              HasSubstr("friction_temperature, friction_wear cannot be distinguished"));
 }
 
 /// |cos| of the two columns in nine values, one a session, by least squares written out: with a
@@ -125,7 +126,7 @@ TEST(Audit, AMissingChannelIsSaidWithItsName) {
   const Audit found = audit_of(sessions);
   EXPECT_EQ(found.of("torque_gain").verdict, Verdict::missing_channel);
   EXPECT_THAT(found.of("torque_gain").prose, HasSubstr("winding_temperature_C"));
-  EXPECT_THAT(found.prose, HasSubstr("torque_gain cannot be shown: no winding temperature"));
+  EXPECT_THAT(found.prose, HasSubstr("torque_gain is not detectable: no winding temperature"));
 }
 
 TEST(Audit, AConstantSheathTemperatureLeavesNothing) {

@@ -17,15 +17,15 @@ LifeSample hidden(const std::string& id, std::uint64_t seed) {
   return sample_of(host_sim::test::simulated({96, id, seed}), Campaign::Role::fit);
 }
 
-const CovariateTest& look(const Omnibus& omnibus, const std::string& covariate) {
+const CovariateTest& test_of(const Omnibus& omnibus, const std::string& covariate) {
   return *std::ranges::find(omnibus.tests, covariate, &CovariateTest::covariate);
 }
 
 TEST(LifeLooks, WeighExcessByGroup) {
   LifeSample sample = hidden("none", 20005);
-  const std::vector<CovariateStatistic> looks = covariate_statistics(sample);
-  const auto group = std::ranges::find(looks, "group", &CovariateStatistic::covariate);
-  ASSERT_NE(group, looks.end());
+  const std::vector<CovariateStatistic> statistics = covariate_statistics(sample);
+  const auto group = std::ranges::find(statistics, "group", &CovariateStatistic::covariate);
+  ASSERT_NE(group, statistics.end());
   std::vector<CoxSnell> residuals(sample.size(), {1, true});
   EXPECT_NEAR(group->statistic(residuals), 0, 1e-12);
   // The 64 of rig 1, two of three rounds of lots, with an excess of 1/2: 64 (1/2)^2.
@@ -45,9 +45,9 @@ TEST(LifeOmnibus, IsSeldomSmallWhereNothingIsHidden) {
 }
 
 TEST(LifeOmnibus, LooksAtWhatIsHidden) {
-  EXPECT_LT(look(omnibus_test(hidden("rig_bias", 20006), kQuick), "group").p, 0.01);
-  EXPECT_LT(look(omnibus_test(hidden("lot_frailty", 20006), kQuick), "lot").p, 0.01);
-  EXPECT_LT(look(omnibus_test(hidden("ageing", 20006), kQuick), "days").p, 0.01);
+  EXPECT_LT(test_of(omnibus_test(hidden("rig_bias", 20006), kQuick), "group").p, 0.01);
+  EXPECT_LT(test_of(omnibus_test(hidden("lot_frailty", 20006), kQuick), "lot").p, 0.01);
+  EXPECT_LT(test_of(omnibus_test(hidden("ageing", 20006), kQuick), "days").p, 0.01);
 }
 
 // The least p is that of one campaign, the observed one, among 201.

@@ -25,15 +25,15 @@ TEST(MetricDescription, AnUnknownNameStandsForItself) {
 
 TEST(CostWords, TellTheLifeThatIsPromisedTooMuch) {
   TensionDiagnosis tension = host_sim_test::wear_in_recordings();
-  EXPECT_NE(
-      cost_prose(tension).find("0.8 times what the extended one does: it promises 1.25 times"),
-      std::string::npos);
+  EXPECT_NE(cost_prose(tension).find(
+                "0.8 times the damage of the extended one, and so predicts 1.25 times"),
+            std::string::npos);
   tension.damage_ratio = 1;
   EXPECT_EQ(cost_prose(tension), "The extension does not change the damage of the recordings.");
   tension.findings.extensions.clear();
   EXPECT_EQ(cost_prose(tension).rfind("Nothing was extended", 0), 0U);
   LifeDiagnosis lives = host_sim_test::lots_in_lives();
-  EXPECT_NE(cost_prose(lives).find("promises 1.25 times the B10"), std::string::npos);
+  EXPECT_NE(cost_prose(lives).find("predicts 1.25 times the B10"), std::string::npos);
   lives.findings.extensions.clear();
   EXPECT_EQ(cost_prose(lives).rfind("Nothing was extended", 0), 0U);
 }
@@ -48,12 +48,12 @@ TEST(TermOf, IsTheWordOfTheField) {
   EXPECT_EQ(term_of("second_mode"), "competing failure mode");
   EXPECT_EQ(term_of("friction_wear+second_mode"),
             "wear or run-in of the sheath and competing failure mode");
-  EXPECT_EQ(term_of("none"), "nothing is wrong");
+  EXPECT_EQ(term_of("none"), "no effect");
   EXPECT_EQ(term_of("never_heard_of"), "never_heard_of");
 }
 
 TEST(ExperimentsFor, AreThoseOfTheCatalogueFromEitherSide) {
-  // EFFECTS.md: wear and temperature are told apart by cold restarts at several n.
+  // EFFECTS.md: wear and temperature are distinguished by cold restarts at several n.
   const std::string experiment = "start from cold at several cycle numbers";
   EXPECT_EQ(experiments_for({"friction_wear", "friction_temperature"}), experiment);
   EXPECT_EQ(experiments_for({"gear_asymmetry", "friction_wear"}), "");

@@ -24,36 +24,39 @@ TEST(DiagnosisSummary, TellsAllOfAPart) {
   Diagnosis diagnosis;
   diagnosis.tension = host_sim_test::wear_in_recordings();
   diagnosis.warnings = {"session s4: saturated"};
-  EXPECT_EQ(
-      summary_of(diagnosis),
-      "crossed: named\n"
-      "recordings: named\n"
-      "  Friction grows.\n"
-      "  friction_wear         probability 0.987  wear of the sheath\n"
-      "    wear_coefficient          0.152  (95 %: 0.139 .. 0.166)\n"
-      "  refitted friction_coefficient      0.131  (95 %: 0.127 .. 0.135)\n"
-      "  gain on data that the fit never saw, held out by session\n"
-      "    error of the output tension (RMSE)  1.5 -> 0.5 N\n"
-      "    log predictive density              2 -> 3\n"
-      "  cost in life: Of the damage of a recording, in the geometric mean, the nominal model "
-      "books 0.8 times what the extended one does: it promises 1.25 times the life.\n"
-      "  cannot be told apart here: compliance, filter_lag: change the frequency at the same "
-      "speed\n"
-      "  cannot be seen here: torque_ripple: record the motor angle\n"
-      "  next experiment: sweep the frequency\n"
-      "warning: session s4: saturated\n");
+  EXPECT_EQ(summary_of(diagnosis),
+            "crossed: named\n"
+            "recordings: named\n"
+            "  Friction grows.\n"
+            "  friction_wear         probability 0.987  wear of the sheath\n"
+            "    wear_coefficient          0.152  (95 %: 0.139 .. 0.166)\n"
+            "  refitted friction_coefficient      0.131  (95 %: 0.127 .. 0.135)\n"
+            "  improvement on data that the fit did not use, held out by session\n"
+            "    error of the output tension (RMSE)  1.5 -> 0.5 N\n"
+            "    log predictive density              2 -> 3\n"
+            "  cost in life: In the geometric mean over recordings the nominal model computes 0.8 "
+            "times the "
+            "damage of the extended one, and so predicts 1.25 times the life.\n"
+            "  not distinguishable here: compliance, filter_lag; to distinguish them: change the "
+            "frequency "
+            "at the same speed\n"
+            "  not detectable here: torque_ripple: record the motor angle\n"
+            "  next experiment: sweep the frequency\n"
+            "warning: session s4: saturated\n");
 }
 
 TEST(DiagnosisSummary, TellsTheCandidatesWhereNoneIsNamed) {
   Diagnosis diagnosis;
   diagnosis.tension = host_sim_test::wear_in_recordings();
-  EXPECT_THAT(summary_of(diagnosis), Not(HasSubstr("may be")));
+  EXPECT_THAT(summary_of(diagnosis), Not(HasSubstr(": probability")));
   Findings& findings = diagnosis.tension->findings;
   findings.verdict = Verdict::ambiguous;
   findings.effects.clear();
   findings.candidates = {{"slack", 0.6}, {"compliance+slack", 0.399}, {"none", 0.001}};
-  EXPECT_THAT(summary_of(diagnosis),
-              HasSubstr("  may be 0.600  slack\n  may be 0.399  compliance and slack\n  refitted"));
+  EXPECT_THAT(
+      summary_of(diagnosis),
+      HasSubstr(
+          "  slack: probability 0.600\n  compliance and slack: probability 0.399\n  refitted"));
 }
 
 TEST(DiagnosisSummary, SaysWhereTheExtensionIsNoBetter) {
@@ -89,7 +92,7 @@ TEST(DiagnosisSummary, BothPartsInTheirOrder) {
   const std::string text = summary_of(host_sim_test::both_parts());
   EXPECT_THAT(text, StartsWith("crossed: named\nrecordings: named\n"));
   EXPECT_THAT(text, HasSubstr("\nlives: named\n  Lots differ.\n"));
-  EXPECT_THAT(text, HasSubstr("the nominal model promises 1.25 times the B10"));
+  EXPECT_THAT(text, HasSubstr("the nominal model predicts 1.25 times the B10"));
 }
 
 }  // namespace

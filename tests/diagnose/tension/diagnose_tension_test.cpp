@@ -206,7 +206,7 @@ TEST_F(DiagnoseTension, SaysThatNothingMoved) {
   overwrite("tendon_velocity_m_s", "0");
   const TensionDiagnosis diagnosis = diagnose_tension(read_campaign(folder()), {});
   EXPECT_EQ(diagnosis.findings.verdict, Verdict::none);
-  EXPECT_THAT(diagnosis.findings.prose, HasSubstr("nothing can be shown"));
+  EXPECT_THAT(diagnosis.findings.prose, HasSubstr("nothing can be diagnosed"));
   EXPECT_EQ(diagnosis.findings.invisible.size(), 15U);
 }
 
@@ -225,7 +225,7 @@ TEST_F(DiagnoseTension, NamesNothingOfAnOutputThatIsStuck) {
   overwrite("output_tension_N", "20");
   const TensionDiagnosis diagnosis = diagnose_tension(read_campaign(folder()), {});
   EXPECT_EQ(diagnosis.findings.verdict, Verdict::none);
-  EXPECT_THAT(diagnosis.findings.prose, HasSubstr("nothing can be shown"));
+  EXPECT_THAT(diagnosis.findings.prose, HasSubstr("nothing can be diagnosed"));
 }
 
 TEST_F(DiagnoseTension, AsksForTheNominalSheath) {

@@ -76,9 +76,9 @@ TEST(DiagnosisPage, HasTheNumbersAsTables) {
 
 TEST(DiagnosisPage, TellsTheCostInLife) {
   const std::string page = page_of(samples::both_named());
-  EXPECT_THAT(page, HasSubstr("books 0.88 times what the extended one does: it promises 1.14 times "
-                              "the life."));
-  EXPECT_THAT(page, HasSubstr("promises 1.31 times the B10 of the extended one."));
+  EXPECT_THAT(page, HasSubstr("computes 0.88 times the damage of the extended one, and so predicts "
+                              "1.14 times the life."));
+  EXPECT_THAT(page, HasSubstr("predicts 1.31 times the B10 of the extended one."));
   EXPECT_THAT(page_of(samples::nothing_wrong()), HasSubstr("Nothing was extended"));
 }
 

@@ -16,7 +16,7 @@ struct DiagnosisSample {
 };
 
 /// Wear of the sheath is named with 0.987: six sessions, residuals over two covariates, one of them
-/// mended; a warning, two invisible effects and one pair that looks the same.
+/// mended; a warning, two invisible effects and one pair that cannot be distinguished.
 [[nodiscard]] diagnose::Diagnosis wear_named();
 
 /// Nothing is wrong: six sessions, no extension.
