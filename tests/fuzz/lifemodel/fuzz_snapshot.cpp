@@ -1,5 +1,5 @@
 // Any bytes, and any words in a snapshot whose CRC fits: either refused with the state as it was,
-// or taken up, and then counting goes on and the state comes back as the same snapshot.
+// or taken up, and then counting continues and the state comes back as the same snapshot.
 #include <algorithm>
 #include <array>
 #include <cstdint>

@@ -3,7 +3,7 @@
 // reached.
 //
 // Input: one request after another. Each begins with a byte: how many bytes follow in the low 7
-// bits. Its high bit tells that the last 12 bytes of a start request are replaced by the counter
+// bits. Its high bit says that the last 12 bytes of a start request are replaced by the counter
 // and a valid code over what was asked; then, and only then, may something change.
 #include <algorithm>
 #include <array>

@@ -71,7 +71,7 @@ std::vector<std::byte> framed(Bytes bytes) {
 
 }  // namespace
 
-/// Two bytes tell where to cut the rest into the newest file, the one before and the log.
+/// Two bytes say where to cut the rest into the newest file, the one before and the log.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size < 2) {
     return 0;

@@ -47,7 +47,7 @@ std::array<storage::LifeRecord, kTendons> next_of(const Store& store) {
 
 }  // namespace
 
-/// One byte tells which units are spoilt, the rest is the image; the end of it stays erased.
+/// One byte says which units are spoilt, the rest is the image; the end of it stays erased.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   if (size == 0) {
     return 0;

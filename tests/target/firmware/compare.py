@@ -2,7 +2,7 @@
 agree byte for byte, and say what the scenario is there to bring about.
 
 The recording is made by a live host against one more build of the same firmware, which has to agree
-too. The last scenario goes on with the flash of the one before.
+too. The last scenario continues with the flash of the one before.
 
 usage: compare.py RECORD PROGRAM_A PROGRAM_B      the programs are called as PROGRAM SERIAL NAME=VALUE...
 """
@@ -39,13 +39,13 @@ def check_every(name, lines, summary, duration_s):
     require(abs(len(beats) - duration_s - 1) <= 1 or name == "gaps", f"{name}: {len(beats)} heartbeats")
     # Damage of the last status, little-endian behind CRC and counter, against the exact one.
     status = bytes.fromhex(messages(lines, 0x180)[-1])
-    told_ppb = int.from_bytes(status[2:6], "little")
+    reported_ppb = int.from_bytes(status[2:6], "little")
     words = re.findall(r" damage ([0-9a-f]{32})", summary)
     exact_ppb = max((int(word, 16) * 10**9) >> 104 for word in words)
-    require(told_ppb <= min(exact_ppb, 2**32 - 1), f"{name}: told {told_ppb} ppb of {exact_ppb}")
-    require(told_ppb >= exact_ppb * 0.97 or told_ppb == 2**32 - 1,
-            f"{name}: told only {told_ppb} ppb of {exact_ppb}")
-    return told_ppb
+    require(reported_ppb <= min(exact_ppb, 2**32 - 1), f"{name}: reported {reported_ppb} ppb of {exact_ppb}")
+    require(reported_ppb >= exact_ppb * 0.97 or reported_ppb == 2**32 - 1,
+            f"{name}: reported only {reported_ppb} ppb of {exact_ppb}")
+    return reported_ppb
 
 
 def emergencies(lines):
@@ -65,10 +65,10 @@ def check_overload(lines, serial, summary):
 
 
 def check_commands(lines, serial, summary):
-    require("V0001\r" in serial, "commands: the version was not told")
+    require("V0001\r" in serial, "commands: the version was not reported")
     # No command, a line that is too long, and half a line that another one was added to.
     require(serial.count("\a") == 3, f"commands: {serial.count(chr(7))} refusals")
-    require("F08\r" in serial, "commands: the lines that were too long are not told")
+    require("F08\r" in serial, "commands: the lines that were too long are not reported")
     pages = "".join(line[2] for line in messages(lines, 0x280))
     require(re.search("[3-8]2", pages), f"commands: page 2 was not selected in {pages}")
 
@@ -117,11 +117,11 @@ def play(name, record, programs, folder, before):
             require(other[what] == first[what], f"{name}: {what} of {who} differs from the recording's")
     serial, summary = first["serial"].decode("ascii"), first["summary"].decode("ascii")
     lines = frames(serial)
-    told_ppb = check_every(name, lines, summary, DURATIONS_S[name])
+    reported_ppb = check_every(name, lines, summary, DURATIONS_S[name])
     if name in CHECKS:
         CHECKS[name](lines, serial, summary)
     print(f"{name}: {len(lines)} frames, {len(serial)} bytes, lives and flash are identical; "
-          f"damage {told_ppb} ppb")
+          f"damage {reported_ppb} ppb")
     return {who: outcome["flash"] for who, outcome in zip(["record", *programs], outcomes)}
 
 
