@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <variant>
 
-#include "hal/linux/file_store.hpp"
+#include "firmware/storage/file_store.hpp"
 #include "tests/storage/memory_files.hpp"
 #include "tests/storage/model.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kTendons = 2;
 constexpr std::uint32_t kSteps = 40;
-using MemoryStore = hal::linux_os::FileStore<kTendons, MemoryCalls>;
+using MemoryStore = storage::FileStore<kTendons, MemoryCalls>;
 using Expected = Model<kTendons>;
 using Fault = MemoryFiles::Fault;
 
@@ -47,7 +47,7 @@ struct Life {
     {
       auto opened = MemoryStore::open("/store", MemoryCalls(files));
       ASSERT_TRUE(std::holds_alternative<MemoryStore>(opened))
-          << to_string(std::get<hal::linux_os::FileError>(opened));
+          << to_string(std::get<storage::FileError>(opened));
       MemoryStore& store = std::get<MemoryStore>(opened);
       expected.check(store);
       for (std::uint32_t i = from; i < from + 10; ++i) {

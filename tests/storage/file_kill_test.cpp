@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <variant>
 
+#include "firmware/storage/file_store.hpp"
 #include "hal/fake/random.hpp"
-#include "hal/linux/file_store.hpp"
 #include "tests/storage/folder.hpp"
 #include "tests/storage/lives.hpp"
 
@@ -16,7 +16,7 @@ namespace storage_test {
 namespace {
 
 using hal::Error;
-using Store = hal::linux_os::FileStore<2>;
+using Store = storage::FileStore<2>;
 
 /// Saves without end; tells each step that was committed.
 [[noreturn]] void child(const Folder& folder, std::uint32_t step, int committed) {

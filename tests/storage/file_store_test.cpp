@@ -1,4 +1,4 @@
-#include "hal/linux/file_store.hpp"
+#include "firmware/storage/file_store.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -17,8 +17,8 @@ namespace storage_test {
 namespace {
 
 using hal::Error;
-using hal::linux_os::FileError;
-using Store = hal::linux_os::FileStore<2>;
+using storage::FileError;
+using Store = storage::FileStore<2>;
 
 Store opened(const Folder& folder) {
   return std::get<Store>(Store::open(folder.path()));
@@ -148,8 +148,8 @@ TEST_F(FileStore, AFileThatHasGrownGivesWayToTheSaveBefore) {
 TEST_F(FileStore, TheLifeOfTheMostTendonsIsAnotherConfigurationAndNotDamaged) {
   const Folder folder;
   {
-    auto many = hal::linux_os::FileStore<32>::open(folder.path());
-    ASSERT_EQ(std::get<hal::linux_os::FileStore<32>>(many).save(records_of<32>(1)), Error::none);
+    auto many = storage::FileStore<32>::open(folder.path());
+    ASSERT_EQ(std::get<storage::FileStore<32>>(many).save(records_of<32>(1)), Error::none);
   }
   EXPECT_EQ(refusal(folder.path()),
             folder.file("life") +
@@ -157,12 +157,12 @@ TEST_F(FileStore, TheLifeOfTheMostTendonsIsAnotherConfigurationAndNotDamaged) {
 }
 
 TEST_F(FileStore, TheLastSequenceIsNotFollowedByTheFirst) {
-  using Image = hal::linux_os::FileImage<2>;
+  using Image = storage::FileImage<2>;
   const auto whole = folder_.read("life");
-  const auto decoded = hal::linux_os::decode_image<2>(std::as_bytes(std::span(whole)));
+  const auto decoded = storage::decode_image<2>(std::as_bytes(std::span(whole)));
   Image image = std::get<Image>(decoded);
   image.sequence = 0xffff'ffff;
-  const auto bytes = hal::linux_os::encode(image);
+  const auto bytes = storage::encode(image);
   const auto* first = reinterpret_cast<const char*>(bytes.data());
   folder_.write("life.previous", {first, first + bytes.size()});
   folder_.flip("life", 100);
@@ -239,7 +239,7 @@ TEST_F(FileStore, AMissingFileThatTheLogTellsOfIsALoss) {
 
 TEST_F(FileStore, TheLifeOfAnotherConfigurationIsRefusedAndLeftAlone) {
   const auto before = folder_.read("life");
-  EXPECT_EQ(refusal<hal::linux_os::FileStore<3>>(folder_.path()),
+  EXPECT_EQ(refusal<storage::FileStore<3>>(folder_.path()),
             folder_.file("life") +
                 ": it holds the life of 2 tendons; accepted: as many as are configured, 3");
   auto other = before;

@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "firmware/storage/file_io.hpp"
 #include "hal/fake/random.hpp"
-#include "hal/linux/file_io.hpp"
 
 namespace storage_test {
 
@@ -256,6 +256,6 @@ class MemoryCalls {
   MemoryFiles* files_ = nullptr;
 };
 
-static_assert(hal::linux_os::FileCalls<MemoryCalls>);
+static_assert(storage::FileCalls<MemoryCalls>);
 
 }  // namespace storage_test

@@ -7,8 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "firmware/storage/file_store.hpp"
 #include "firmware/storage/store.hpp"
-#include "hal/linux/file_store.hpp"
 #include "tests/storage/folder.hpp"
 #include "tests/storage/lives.hpp"
 #include "tests/storage/memory_files.hpp"
@@ -30,14 +30,14 @@ struct InFlash {
 };
 
 struct InFiles {
-  using Store = hal::linux_os::FileStore<kContractTendons>;
+  using Store = storage::FileStore<kContractTendons>;
   Store open() { return std::get<Store>(Store::open(folder.path())); }
 
   Folder folder;
 };
 
 struct InMemoryFiles {
-  using Store = hal::linux_os::FileStore<kContractTendons, MemoryCalls>;
+  using Store = storage::FileStore<kContractTendons, MemoryCalls>;
   Store open() { return std::get<Store>(Store::open("/store", MemoryCalls(files))); }
 
   MemoryFiles files{"/store"};

@@ -19,9 +19,9 @@
 #include "firmware/boards/linux/config.hpp"
 #include "firmware/boards/linux/devices.hpp"
 #include "firmware/boards/linux/sensors.hpp"
+#include "firmware/storage/file_store.hpp"
 #include "hal/linux/device_error.hpp"
 #include "hal/linux/entropy.hpp"
-#include "hal/linux/file_store.hpp"
 #include "hal/linux/loop.hpp"
 #include "hal/linux/service_manager.hpp"
 
@@ -31,13 +31,13 @@ namespace {
 /// Opens the store of a configuration, and warns of files that were found damaged. Throws
 /// std::runtime_error with one line: path, what is wrong, what is accepted.
 template <std::size_t kTendons>
-hal::linux_os::FileStore<kTendons> open_store(const std::filesystem::path& folder) {
-  auto store = hal::linux_os::FileStore<kTendons>::open(folder.string());
-  if (const auto* const error = std::get_if<hal::linux_os::FileError>(&store)) {
+storage::FileStore<kTendons> open_store(const std::filesystem::path& folder) {
+  auto store = storage::FileStore<kTendons>::open(folder.string());
+  if (const auto* const error = std::get_if<storage::FileError>(&store)) {
     throw std::runtime_error(to_string(*error));
   }
-  auto& opened = std::get<hal::linux_os::FileStore<kTendons>>(store);
-  for (const hal::linux_os::FileError& notice : opened.notices()) {
+  auto& opened = std::get<storage::FileStore<kTendons>>(store);
+  for (const storage::FileError& notice : opened.notices()) {
     std::cerr << "tendonlife_controller: WARNING: " << to_string(notice) << '\n';
   }
   return std::move(opened);
@@ -126,7 +126,7 @@ class Controller {
   /// So many periods in time, one after the other, let the drive go.
   static constexpr std::uint32_t kPeriodsInTime = 10;
   using Lock = Interlock<SafetyLines, kPeriodsInTime>;
-  using Store = hal::linux_os::FileStore<kTendons>;
+  using Store = storage::FileStore<kTendons>;
   using Devices =
       app::Devices<BoardCan, SensorT, BoardClock, Store, Lock::Drive, Lock::Brake, OptionalOutput,
                    Lock::Stop, Watchdog, hal::linux_os::KernelEntropy, SettleTurn>;

@@ -6,14 +6,14 @@
 #include <variant>
 #include <vector>
 
-#include "hal/linux/file_store.hpp"
+#include "firmware/storage/file_store.hpp"
 #include "tests/storage/memory_files.hpp"
 
 namespace {
 
 using storage_test::MemoryCalls;
 using storage_test::MemoryFiles;
-using Store = hal::linux_os::FileStore<2, MemoryCalls>;
+using Store = storage::FileStore<2, MemoryCalls>;
 using Bytes = std::span<const std::byte>;
 
 void require(bool holds) {
@@ -32,7 +32,7 @@ void put(MemoryFiles& files, const char* name, Bytes content) {
 
 void open_and_save(MemoryFiles& files) {
   auto opened = Store::open("/store", MemoryCalls(files));
-  if (const auto* error = std::get_if<hal::linux_os::FileError>(&opened)) {
+  if (const auto* error = std::get_if<storage::FileError>(&opened)) {
     require(!error->path.empty() && !error->what.empty());
     return;
   }
@@ -62,7 +62,7 @@ void open_and_save(MemoryFiles& files) {
 std::vector<std::byte> framed(Bytes bytes) {
   std::vector<std::byte> result(bytes.begin(), bytes.end());
   if (result.size() >= 8) {
-    lifemodel::ByteWriter(result).u32(hal::linux_os::file_image::kMagic);
+    lifemodel::ByteWriter(result).u32(storage::file_image::kMagic);
     lifemodel::ByteWriter(std::span(result).last(4))
         .u32(lifemodel::crc32(std::span(result).first(result.size() - 4)));
   }

@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
+#include "firmware/storage/file_store.hpp"
 #include "firmware/storage/flash_store.hpp"
 #include "hal/fake/flash.hpp"
-#include "hal/linux/file_store.hpp"
 #include "tests/storage/lives.hpp"
 #include "tests/storage/memory_files.hpp"
 
@@ -17,7 +17,7 @@ namespace {
 using namespace storage_test;
 using Flash = hal::fake::Flash<8, 640, 8>;
 constexpr storage::FlashLayout kLayout{{0, 4}, {4, 2}, {6, 2}};
-using FileStore = hal::linux_os::FileStore<2, MemoryCalls>;
+using FileStore = storage::FileStore<2, MemoryCalls>;
 
 void write(const std::filesystem::path& path, std::span<const std::byte> bytes) {
   std::filesystem::create_directories(path.parent_path());

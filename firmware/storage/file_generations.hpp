@@ -15,19 +15,19 @@
 #include <variant>
 #include <vector>
 
+#include "firmware/storage/file_io.hpp"
 #include "firmware/storage/life_record.hpp"
-#include "hal/linux/file_io.hpp"
 #include "lifemodel/block/parameter_block.hpp"
 #include "lifemodel/support/bytes.hpp"
 #include "lifemodel/support/saturating.hpp"
 
-namespace hal::linux_os {
+namespace storage {
 
 /// All that is known of `kTendons` tendons, as one generation of the file of a FileStore.
 template <std::size_t kTendons>
 struct FileImage {
   std::uint32_t sequence = 0;  ///< of the last save; 0 if there was none
-  storage::Lives<kTendons> lives;
+  Lives<kTendons> lives;
   std::array<std::optional<lifemodel::ParameterBlock>, kTendons> parameters;
   std::array<bool, kTendons> lost{};  ///< as LifeRecord::past_lost, also without a record
 
@@ -39,7 +39,7 @@ namespace file_image {
 inline constexpr std::uint32_t kMagic = 0x46534c54;  ///< "TLSF"
 inline constexpr std::uint32_t kSchema = 1;
 inline constexpr std::size_t kHeaderBytes = 16;
-inline constexpr std::size_t kTendonBytes = 4 + storage::kRecordBytes + lifemodel::kBlockBytes;
+inline constexpr std::size_t kTendonBytes = 4 + kRecordBytes + lifemodel::kBlockBytes;
 inline constexpr std::uint32_t kHasLife = 1;
 inline constexpr std::uint32_t kHasParameters = 2;
 inline constexpr std::uint32_t kLost = 4;
@@ -71,10 +71,10 @@ std::array<std::byte, file_image::size(kTendons)> encode(const FileImage<kTendon
     lifemodel::ByteWriter(part).u32((life ? kHasLife : 0) | (block ? kHasParameters : 0) |
                                     (image.lost[tendon] ? kLost : 0));
     if (life) {
-      std::ranges::copy(storage::encode(*life), part.begin() + 4);
+      std::ranges::copy(encode(*life), part.begin() + 4);
     }
     if (block) {
-      std::ranges::copy(*block, part.begin() + 4 + storage::kRecordBytes);
+      std::ranges::copy(*block, part.begin() + 4 + kRecordBytes);
     }
   }
   const auto covered = std::span(bytes).first(bytes.size() - 4);
@@ -127,10 +127,10 @@ std::variant<FileImage<kTendons>, ImageFault> decode_image(std::span<const std::
     const std::uint32_t what = lifemodel::ByteReader(part).u32();
     image.lost[tendon] = (what & kLost) != 0;
     if ((what & kHasLife) != 0) {
-      const auto life = storage::decode(part.subspan(4, storage::kRecordBytes));
+      const auto life = decode(part.subspan(4, kRecordBytes));
       if (!life || life->tendon != tendon || life->sequence > image.sequence) {
         return ImageFault{false, "the record of tendon " + std::to_string(tendon) + " is " +
-                                     (life ? "of another" : storage::to_string(life.error())) +
+                                     (life ? "of another" : to_string(life.error())) +
                                      "; accepted: a record of this tendon"};
       }
       image.lives[tendon] = *life;
@@ -279,4 +279,4 @@ class FileGenerations {
   bool damaged_ = false;
 };
 
-}  // namespace hal::linux_os
+}  // namespace storage

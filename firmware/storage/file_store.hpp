@@ -15,14 +15,14 @@
 #include <variant>
 #include <vector>
 
+#include "firmware/storage/file_generations.hpp"
+#include "firmware/storage/file_io.hpp"
 #include "firmware/storage/life_record.hpp"
 #include "firmware/storage/log_entry.hpp"
 #include "firmware/storage/store.hpp"
 #include "hal/error.hpp"
-#include "hal/linux/file_generations.hpp"
-#include "hal/linux/file_io.hpp"
 
-namespace hal::linux_os {
+namespace storage {
 
 /// The log as a file of entries, each synced. What an append that was cut has left at the end,
 /// never more than an entry, is ignored, and the next append overwrites it; a damaged entry before
@@ -43,7 +43,7 @@ class FileLog {
     if (log.file_.error() != 0) {
       return FileError{path, std::string("cannot open it: ") + std::strerror(log.file_.error())};
     }
-    const auto read = read_up_to(calls, log.file_.get(), kCapacity * storage::kEntryBytes + 1);
+    const auto read = read_up_to(calls, log.file_.get(), kCapacity * kEntryBytes + 1);
     if (const Errno* error = std::get_if<Errno>(&read)) {
       return FileError{path, std::string("cannot read it: ") + std::strerror(*error)};
     }
@@ -51,12 +51,12 @@ class FileLog {
     return log;
   }
 
-  hal::Error append(storage::LogEntry entry) {
-    if (static_cast<std::size_t>(end_) / storage::kEntryBytes >= kCapacity) {
+  hal::Error append(LogEntry entry) {
+    if (static_cast<std::size_t>(end_) / kEntryBytes >= kCapacity) {
       return hal::Error::full;
     }
     entry.number = entries_.empty() ? 0 : entries_.back().number + 1;
-    const auto bytes = storage::encode(entry);
+    const auto bytes = encode(entry);
     if (write_all(calls_, file_.get(), bytes, end_) != 0 || calls_.fsync(file_.get()) != 0) {
       return hal::Error::failed;
     }
@@ -65,7 +65,7 @@ class FileLog {
     return hal::Error::none;
   }
 
-  [[nodiscard]] std::optional<storage::LogEntry> entry(std::uint32_t i) const {
+  [[nodiscard]] std::optional<LogEntry> entry(std::uint32_t i) const {
     return i < entries_.size() ? std::optional(entries_[i]) : std::nullopt;
   }
   /// Whether an entry was made after a save.
@@ -76,13 +76,12 @@ class FileLog {
  private:
   void take(std::span<const std::byte> bytes, const std::string& path,
             std::vector<FileError>& notices) {
-    constexpr std::size_t kEntry = storage::kEntryBytes;
+    constexpr std::size_t kEntry = kEntryBytes;
     const bool grown = bytes.size() > kCapacity * kEntry;
     std::size_t places = bytes.size() / kEntry;
     std::vector<std::size_t> damaged;
     for (std::size_t place = 0; place < places; ++place) {
-      const auto entry =
-          storage::decode_entry(bytes.subspan(place * kEntry).template first<kEntry>());
+      const auto entry = decode_entry(bytes.subspan(place * kEntry).template first<kEntry>());
       if (entry) {
         entries_.push_back(*entry);
       } else {
@@ -122,11 +121,11 @@ class FileLog {
 
   Calls calls_{};
   FileHandle<Calls> file_;
-  std::vector<storage::LogEntry> entries_;
+  std::vector<LogEntry> entries_;
   off_t end_ = 0;  ///< of the last whole entry
 };
 
-/// The life of `kTendons` tendons in a folder; a storage::Store. See FileGenerations and FileLog
+/// The life of `kTendons` tendons in a folder; a Store. See FileGenerations and FileLog
 /// for what a power cut leaves.
 ///
 /// The folder holds `life`, `life.previous`, `authority.log`, and `lock`, by which one controller
@@ -179,7 +178,7 @@ class FileStore {
   /// Why the last save failed, of records or parameters; nothing if it did not.
   [[nodiscard]] const std::optional<FileError>& problem() const { return problem_; }
 
-  [[nodiscard]] std::optional<storage::LifeRecord> load(std::size_t tendon) const {
+  [[nodiscard]] std::optional<LifeRecord> load(std::size_t tendon) const {
     return tendon < kTendons ? image_.lives[tendon] : std::nullopt;
   }
   [[nodiscard]] bool past_lost() const {
@@ -192,8 +191,8 @@ class FileStore {
   }
   [[nodiscard]] std::uint32_t sequence() const { return image_.sequence; }
 
-  hal::Error save(std::span<const storage::LifeRecord> records) {
-    if (!storage::may_follow<kTendons>(records, image_.lives)) {
+  hal::Error save(std::span<const LifeRecord> records) {
+    if (!may_follow<kTendons>(records, image_.lives)) {
       return hal::Error::out_of_range;
     }
     if (attempted_ == std::numeric_limits<std::uint32_t>::max()) {
@@ -203,8 +202,8 @@ class FileStore {
     auto next = image_;
     next.sequence = attempted_;
     for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-      const auto record = storage::successor(records[tendon], image_.lives[tendon],
-                                             image_.lost[tendon], attempted_);
+      const auto record =
+          successor(records[tendon], image_.lives[tendon], image_.lost[tendon], attempted_);
       next.lives[tendon] = record;
       next.lost[tendon] = record.past_lost;
     }
@@ -223,10 +222,8 @@ class FileStore {
     return commit(next);
   }
 
-  hal::Error append(const storage::LogEntry& entry) { return log_.append(entry); }
-  [[nodiscard]] std::optional<storage::LogEntry> log(std::uint32_t i) const {
-    return log_.entry(i);
-  }
+  hal::Error append(const LogEntry& entry) { return log_.append(entry); }
+  [[nodiscard]] std::optional<LogEntry> log(std::uint32_t i) const { return log_.entry(i); }
 
  private:
   FileStore(Calls calls, FileHandle<Calls> lock, FileHandle<Calls> directory,
@@ -273,4 +270,4 @@ class FileStore {
   std::uint32_t attempted_;  ///< the highest sequence that may have been written
 };
 
-}  // namespace hal::linux_os
+}  // namespace storage

@@ -17,7 +17,7 @@
 #include <variant>
 #include <vector>
 
-namespace hal::linux_os {
+namespace storage {
 
 /// What is wrong with a file: where, what, and what is accepted.
 struct FileError {
@@ -128,4 +128,4 @@ std::variant<std::vector<std::byte>, Errno> read_up_to(Calls& calls, int fd, std
   }
 }
 
-}  // namespace hal::linux_os
+}  // namespace storage
