@@ -97,6 +97,19 @@ std::string TomlTable::text(std::string_view key) const {
   return value->get();
 }
 
+bool TomlTable::flag(std::string_view key) const {
+  if (!has(key)) {
+    return false;
+  }
+  const std::string accepted = fmt::format("{} as true or false", key);
+  const toml::node& found = node(key, accepted);
+  const auto* const value = found.as_boolean();
+  if (value == nullptr) {
+    fail(place_of(key), fmt::format("{} is {}", key, describe(found)), accepted);
+  }
+  return value->get();
+}
+
 TomlTable TomlTable::table(std::string_view key) const {
   const std::string name = name_of(key);
   const toml::node* const found = values_->get(key);

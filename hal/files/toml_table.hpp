@@ -47,6 +47,9 @@ class TomlTable {
   /// A text that is not empty and has no hidden characters. @throws InputError
   std::string text(std::string_view key) const;
 
+  /// true or false; false where the key is not there. @throws InputError
+  bool flag(std::string_view key) const;
+
   /// A table in this one. @throws InputError where it is no table
   TomlTable table(std::string_view key) const;
 

@@ -157,6 +157,7 @@ Campaign assemble(CampaignFile file, std::vector<SpecimenRow> specimens,
   std::sort(campaign.specimens.begin(), campaign.specimens.end(),
             [](const auto& a, const auto& b) { return a.name < b.name; });
   campaign.name = std::move(file.name);
+  campaign.two_sided = file.two_sided;
   campaign.nominal = file.nominal;
   campaign.uses = std::move(file.uses);
   return campaign;

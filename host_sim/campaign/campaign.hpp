@@ -67,6 +67,9 @@ struct Campaign {
 
   std::string name;
   std::filesystem::path folder;
+  /// Motor, gear and joint work in both directions, as an antagonistic pair does: forces have
+  /// signs.
+  bool two_sided = false;
   std::vector<Use> uses;  ///< [[use]] of campaign.toml
   Nominal nominal;
   /// In order of their names, whatever the order in the file; none where the campaign holds

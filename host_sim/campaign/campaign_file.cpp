@@ -163,7 +163,7 @@ Campaign::Nominal nominal_in(const TomlTable& model) {
 
 CampaignFile parse_campaign_file(std::string_view text, std::string_view file) {
   constexpr std::array<std::string_view, 4> kTop{"campaign", "model", "use", kSchema};
-  constexpr std::array<std::string_view, 1> kCampaign{"name"};
+  constexpr std::array<std::string_view, 2> kCampaign{"name", "two_sided"};
   const toml::table values = parse_toml(text, file);
   const TomlTable top(file, values, "", {});
   check_schema(top);
@@ -172,6 +172,7 @@ CampaignFile parse_campaign_file(std::string_view text, std::string_view file) {
   campaign.refuse_unknown_keys({}, kCampaign);
   CampaignFile result;
   result.name = campaign.text("name");
+  result.two_sided = campaign.flag("two_sided");
   const toml::source_position place = top.place_of("model");
   result.model = {std::string(file), place.line, place.column};
   if (top.has("model")) {

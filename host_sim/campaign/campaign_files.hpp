@@ -16,6 +16,7 @@ namespace host_sim {
 /// What campaign.toml holds.
 struct CampaignFile {
   std::string name;
+  bool two_sided = false;
   Campaign::Nominal nominal;
   Place model;  ///< of [model]; the file where there is none
   std::vector<Campaign::Use> uses;

@@ -20,7 +20,7 @@ double mean_of(const std::vector<double>& values) {
 RecordedSessions recorded_sessions(const Campaign& campaign) {
   RecordedSessions recorded;
   const auto recordings = recording::read_recordings(campaign.folder);
-  recorded.faults = recording::faults_of(recordings);
+  recorded.faults = recording::faults_of(recordings, campaign.two_sided);
   for (const recording::Recording& recording : recordings) {
     auto covariates = recording::covariates_of(recording, recorded.faults, campaign.nominal);
     if (covariates.samples() > 0) {

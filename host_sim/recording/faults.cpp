@@ -93,7 +93,8 @@ using Words = std::string (*)(const Recording&, const LiveChannel&, const Stretc
 /// Collects the faults of one session.
 class Session {
  public:
-  explicit Session(const Recording& recording) : recording_(recording) {
+  Session(const Recording& recording, bool two_sided)
+      : recording_(recording), two_sided_(two_sided) {
     for (unsigned id = kInputTensionColumn; id < kProfileColumnCount; ++id) {
       const auto channel = static_cast<ProfileColumnId>(id);
       if (recording.has(channel)) {
@@ -150,12 +151,13 @@ class Session {
     const SessionView session{recording_[kTime], channels_, slips_};
     add_all(channel, Fault::Kind::stuck, stuck_in(channel, session), stuck_words);
     add_all(channel, Fault::Kind::saturated, saturated_in(channel, session), saturated_words);
-    if (is_load(channel.id)) {
+    if (!two_sided_ && is_load(channel.id)) {
       add_all(channel, Fault::Kind::not_positive, not_positive_in(channel), not_positive_words);
     }
   }
 
   const Recording& recording_;
+  bool two_sided_;
   std::vector<LiveChannel> channels_;
   std::vector<Stretch> slips_;
   std::vector<Fault> faults_;
@@ -163,10 +165,10 @@ class Session {
 
 }  // namespace
 
-std::vector<Fault> faults_of(const std::vector<Recording>& recordings) {
+std::vector<Fault> faults_of(const std::vector<Recording>& recordings, bool two_sided) {
   std::vector<Fault> faults;
   for (const Recording& recording : recordings) {
-    for (Fault& fault : Session(recording).faults()) {
+    for (Fault& fault : Session(recording, two_sided).faults()) {
       faults.push_back(std::move(fault));
     }
   }

@@ -451,10 +451,10 @@ void import_columns(std::unique_ptr<ByteSource> source, std::string_view name,
   }
 }
 
-std::string unknown_campaign(std::string_view name) {
+std::string unknown_campaign(std::string_view name, bool two_sided) {
   return fmt::format(R"([campaign]
 name = "{}"
-
+{}
 # Of sheath and drive nothing was known when this was imported. Only the product of friction and angle
 # counts; the radius turns the angle of the motor into travel, and the torque constant, ratio and
 # efficiency turn a current into a tension.
@@ -469,7 +469,7 @@ gear_efficiency = 1.0
 spool_radius_mm = 5.0
 current_offset_A = 0.0
 )",
-                     session_name(name));
+                     session_name(name), two_sided ? "two_sided = true\n" : "");
 }
 
 }  // namespace host_sim::recording

@@ -47,6 +47,7 @@ void import_columns(std::unique_ptr<hal::files::ByteSource> source, std::string_
                     RecordedCampaign& campaign);
 
 /// campaign.toml of a campaign whose drive and sheath are not known: to be filled in.
-std::string unknown_campaign(std::string_view name);
+/// @param two_sided whether the drive works in both directions
+std::string unknown_campaign(std::string_view name, bool two_sided);
 
 }  // namespace host_sim::recording

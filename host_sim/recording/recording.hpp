@@ -51,7 +51,7 @@ struct Fault {
     stuck,         ///< it stands still for long while others of its kind move
     saturated,     ///< it stays at its largest or smallest value
     gap,           ///< five samples or more are missing; the sample behind the jump
-    not_positive,  ///< a tension or current that has no logarithm
+    not_positive,  ///< a tension or current that has no logarithm, of a drive that only pulls
   };
   std::string session;
   hal::files::ProfileColumnId channel = hal::files::kTime;
@@ -65,7 +65,8 @@ struct Fault {
 /// sample. The rules with their thresholds are in fault_rules.hpp. A temperature or a bend angle
 /// may be constant or stand still. Without a fault a recording may still hold too little:
 /// covariates leave out what they cannot use.
-std::vector<Fault> faults_of(const std::vector<Recording>& recordings);
+/// @param two_sided whether the drive works in both directions: forces of either sign are sound
+std::vector<Fault> faults_of(const std::vector<Recording>& recordings, bool two_sided = false);
 
 /// All faults of one kind in one channel, over all sessions.
 struct FaultSummary {

@@ -35,9 +35,9 @@ struct ImportArguments {
   std::string out;
   recording::DavinciOptions davinci;
   std::vector<std::string> maps;
-  recording::ColumnsOptions columns;
   double rate_Hz = 0;
   std::string session_column;
+  bool two_sided = false;
 };
 
 void check(const ImportArguments& arguments) {
@@ -83,7 +83,8 @@ void import_columns(const ImportArguments& arguments) {
   check(arguments);
   recording::RecordedCampaign campaign;
   const std::filesystem::path out = std::filesystem::path(arguments.out + "/.").lexically_normal();
-  campaign.campaign_toml = recording::unknown_campaign(out.parent_path().filename().string());
+  campaign.campaign_toml =
+      recording::unknown_campaign(out.parent_path().filename().string(), arguments.two_sided);
   for (const std::string& file : arguments.files) {
     recording::import_columns(open_source(file, "a table with a line of names"), source_name(file),
                               std::filesystem::path(file).stem().string(), options, campaign);
@@ -147,6 +148,8 @@ void add_import(CLI::App& app, int&) {
       ->add_option("--session-column", arguments->session_column,
                    "Rows with the same value in it are a session")
       ->type_name("COLUMN");
+  columns->add_flag("--two-sided", arguments->two_sided,
+                    "The drive works in both directions (antagonistic pair, gear, joint)");
   columns->callback([arguments] { import_columns(*arguments); });
 }
 

@@ -95,6 +95,15 @@ TEST(CampaignFile, NeedsOnlyAName) {
   EXPECT_TRUE(file.uses.empty());
 }
 
+TEST(CampaignFile, SaysWhetherTheDriveWorksInBothDirections) {
+  const auto two_sided = [](const std::string& line) {
+    return parse_campaign_file("[campaign]\nname = 'x'\n" + line, "c.toml").two_sided;
+  };
+  EXPECT_FALSE(two_sided(""));
+  EXPECT_FALSE(two_sided("two_sided = false\n"));
+  EXPECT_TRUE(two_sided("two_sided = true\n"));
+}
+
 // A tension that is given stands for an amplitude around zero: Gerber's (11) has it unchanged.
 TEST(CampaignFile, TakesAnEffectiveTensionAsAmplitudeAroundZero) {
   const CampaignFile file = parse_campaign_file(
@@ -149,7 +158,9 @@ const std::vector<BadFile> kBadFiles{
     {"NameOfWrongType", "\"wires\"", "7",
      ":3:1: name is 7; accepted: name as a text of visible characters"},
     {"UnknownKey", "name = \"wires\"", "name = \"wires\"\nlab = 1",
-     ":4:1: unknown key 'lab' in [campaign]; accepted: name"},
+     ":4:1: unknown key 'lab' in [campaign]; accepted: name, two_sided"},
+    {"TwoSidedOfWrongType", "name = \"wires\"", "name = \"wires\"\ntwo_sided = 1",
+     ":4:1: two_sided is 1; accepted: two_sided as true or false"},
     {"UnknownTableOfModel", "[model.cable]", "[model.rope]\n[model.cable]",
      ":4:8: unknown table 'rope' in [model]; accepted: cable, sheath, drive, counting, life"},
     {"OtherUnitOfModel", "ultimate_tension_N = 177.4", "ultimate_tension_kN = 0.1774",

@@ -205,6 +205,18 @@ TEST(Faults, AskForTheSignWhereATensionIsNeverPositive) {
   EXPECT_THAT(faults[0].words, testing::HasSubstr("is its sign the other way round?"));
 }
 
+TEST(Faults, AreNoneOfForcesOfADriveThatWorksInBothDirections) {
+  Recording recording = test::recording_of({});
+  for (const ProfileColumnId id :
+       {kInputTensionColumn, kMotorCurrentColumn, kOutputTensionColumn}) {
+    const auto [low, high] = std::ranges::minmax_element(recording.channels[id]);
+    const double middle = (*low + *high) / 2;
+    change(recording, id, 0, 20, [middle](double value) { return value - middle; });
+  }
+  EXPECT_EQ(summary_of(faults_of({recording})).size(), 3U);
+  EXPECT_EQ(all_words(faults_of({recording}, true)), "");
+}
+
 TEST(Faults, ComeInOrderOfSessionAndChannel) {
   Recording first = test::recording_of({});
   change(first, kOutputTensionColumn, 0, 20, [](double) { return 3; });

@@ -28,6 +28,7 @@ namespace {
 using testing::DoubleNear;
 using testing::Each;
 using testing::HasSubstr;
+using testing::StartsWith;
 
 std::string complaint_of_map(const std::string& text) {
   try {
@@ -215,12 +216,25 @@ TEST(ImportColumns, SaysWhereATableIsWrong) {
 TEST(ImportColumns, WritesACampaignThatIsReadAsItWasMapped) {
   const test::TemporaryFolder folder;
   RecordedCampaign campaign = imported(log_text(), options());
-  campaign.campaign_toml = unknown_campaign("my drive");
+  campaign.campaign_toml = unknown_campaign("my drive", false);
   write_campaign(campaign, folder / "drive");
   const auto recordings = read_recordings(folder / "drive");
   ASSERT_EQ(recordings.size(), 1U);
   EXPECT_EQ(recordings[0].channels, campaign.recordings[0].channels);
   EXPECT_EQ(read_campaign(folder / "drive").name, "my_drive");
+  EXPECT_FALSE(read_campaign(folder / "drive").two_sided);
+}
+
+TEST(ImportColumns, WritesWhetherTheDriveWorksInBothDirections) {
+  const test::TemporaryFolder folder;
+  RecordedCampaign campaign = imported(log_text(), options());
+  campaign.campaign_toml = unknown_campaign("joint", true);
+  write_campaign(campaign, folder / "joint");
+  EXPECT_TRUE(read_campaign(folder / "joint").two_sided);
+  EXPECT_THAT(unknown_campaign("joint", true),
+              StartsWith("[campaign]\nname = \"joint\"\ntwo_sided = true\n\n# Of sheath"));
+  EXPECT_THAT(unknown_campaign("joint", false),
+              StartsWith("[campaign]\nname = \"joint\"\n\n# Of sheath"));
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ LifePlan lives_in(const TomlTable& table) {
   plan.lots_by = static_cast<LifePlan::LotsBy>(word(table, "lots_by", kLotsBy));
   plan.rigs = whole_or(table, kRigs, 1);
   plan.storage_days = numbers_or(table, kStorage, 0);
-  plan.record_days = flag(table, "record_days");
+  plan.record_days = table.flag("record_days");
   for (const TomlTable& level : tables(table, "level")) {
     plan.levels.push_back(level_in(level));
   }

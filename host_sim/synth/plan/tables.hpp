@@ -30,9 +30,6 @@ std::vector<double> numbers_or(const hal::files::TomlTable& table, const hal::fi
 std::size_t word(const hal::files::TomlTable& table, std::string_view key,
                  std::span<const std::string_view> words);
 
-/// true or false; false where the table leaves it out. @throws InputError
-bool flag(const hal::files::TomlTable& table, std::string_view key);
-
 /// The tables of an array of tables, none where the table leaves it out. @throws InputError
 std::vector<hal::files::TomlTable> tables(const hal::files::TomlTable& above, std::string_view key);
 

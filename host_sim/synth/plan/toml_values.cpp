@@ -85,19 +85,6 @@ std::size_t word(const TomlTable& table, std::string_view key,
   return static_cast<std::size_t>(found - words.begin());
 }
 
-bool flag(const TomlTable& table, std::string_view key) {
-  if (!table.has(key)) {
-    return false;
-  }
-  const std::string accepted = fmt::format("{} as true or false", key);
-  const toml::node& node = table.node(key, accepted);
-  const auto* const value = node.as_boolean();
-  if (value == nullptr) {
-    table.fail(table.place_of(key), fmt::format("{} is {}", key, describe(node)), accepted);
-  }
-  return value->get();
-}
-
 std::vector<TomlTable> tables(const TomlTable& above, std::string_view key) {
   return above.has(key) ? above.tables(key, fmt::format("tables [[{}.{}]]", above.name(), key))
                         : std::vector<TomlTable>();
