@@ -152,8 +152,8 @@ class Estimator {
     return out.first(size + 4);
   }
 
-  /// Takes up the state of a snapshot, so that counting goes on as if it had never stopped. Refuses
-  /// what it cannot trust and then keeps the state it had. push() must not interrupt it.
+  /// Takes up the state of a snapshot, so that counting continues as if it had never stopped.
+  /// Refuses what it cannot trust and then keeps the state it had. push() must not interrupt it.
   SnapshotError restore(std::span<const std::byte> bytes,
                         ModelChange change = ModelChange::refuse) {
     const SnapshotError framed = check_snapshot(bytes, static_cast<std::uint32_t>(kTendons));
@@ -216,7 +216,7 @@ class Estimator {
     Tendon<Layout> state;
   };
 
-  // With one tendon its queue tells how much waits. With more, these do: turning points that push()
+  // With one tendon its queue knows how much waits. With more, these do: turning points that push()
   // has left, and that were taken in. A hint, mended where it is off.
   SharedWord<std::uint32_t> arrived_;
   std::uint32_t taken_ = 0;

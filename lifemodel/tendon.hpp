@@ -85,8 +85,8 @@ class Tendon {
     });
   }
 
-  /// Producer and consumer at once: many samples, each pushed and settled. Precondition: nothing is
-  /// pending.
+  /// Producer and consumer at once: many samples, each pushed and settled.
+  /// @pre nothing is pending
   template <class Observer>
   void replay(std::span<const Tension> samples, const Model& parameters, Observer observer) {
     while (!samples.empty()) {
@@ -102,7 +102,7 @@ class Tendon {
     }
   }
 
-  /// Producer: a gap of `samples` that are missing. The count goes on across it with the next
+  /// Producer: a gap of `samples` that are missing. The count continues across it with the next
   /// sample.
   void push_missing(std::uint32_t samples) { intake_.miss(samples); }
 
@@ -157,8 +157,9 @@ class Tendon {
   [[nodiscard]] bool pending() const { return !queue_.empty(); }
 
   /// Consumer: reads; `observer` hears of the cycles that are in the reading but not counted for
-  /// good. Precondition: nothing was pending. False, and no reading, where push() came in between.
-  /// Time is bounded by the places of the residue.
+  /// good. False, and no reading, where push() came in between. Time is bounded by the places of
+  /// the residue.
+  /// @pre nothing was pending
   template <class Observer>
   [[nodiscard]] bool read(const Model& parameters, Reading& r, Observer observer) const {
     const std::uint32_t started = filter_.lock().start();

@@ -60,7 +60,7 @@ class App {
         safety_(devices_),
         bus_(devices_.can),
         listener_(config.node),
-        reporter_(book_, bins_, conditions_),
+        reporter_(book_, bins_, node_state_),
         speaker_(devices_.can, config.node),
         node_(devices_, config_, book_, keeper_, intake_, estimator_),
         endpoint_(node_, config.node, config.key) {}
@@ -112,7 +112,7 @@ class App {
     }
     judge(now);
     keeper_.keep(now, book_.records(), state_changed());
-    fill_conditions();
+    fill_node_state();
     speaker_.speak(now, reporter_, emergencies_, endpoint_);
     keeper_.prepare();
     show(now);
@@ -122,7 +122,7 @@ class App {
   }
 
   /// Figures of the control loop, for the timing page.
-  void timing(const protocol::detail::Timing& timing) { conditions_.timing = timing; }
+  void timing(const protocol::detail::Timing& timing) { node_state_.timing = timing; }
 
   /// The controller is going down: drive off, and the lives saved. Nothing may interrupt it.
   hal::Error stop() {
@@ -133,7 +133,7 @@ class App {
   }
 
   [[nodiscard]] const LifeBook<kTendons>& lives() const { return book_; }
-  [[nodiscard]] const Conditions& conditions() const { return conditions_; }
+  [[nodiscard]] const NodeState& node_state() const { return node_state_; }
   /// For a sensor whose samples are converted on the board.
   lifemodel::Flags& input_flags(std::size_t tendon) { return estimator_.input_flags(tendon); }
 
@@ -165,7 +165,7 @@ class App {
     if constexpr (ExtendingSensor<typename Devices::Sensor>) {
       devices_.sensor.start_at(tendon, book_.records()[tendon].epoch_cycles);
     }
-    conditions_.configuration = combined(conditions_.configuration, configuration);
+    node_state_.configuration = combined(node_state_.configuration, configuration);
   }
 
   /// CRC-32 over the configurations of all tendons in turn.
@@ -186,7 +186,7 @@ class App {
         return;
       case BusWatch<typename Devices::Can>::Turn::came_back:
         // What was on its way when the bus went off may be lost.
-        emergencies_.tell_again();
+        emergencies_.report_again();
         emergencies_.set(Code::bus, false);
         return;
     }
@@ -261,17 +261,17 @@ class App {
     return changed;
   }
 
-  void fill_conditions() {
-    conditions_.trusted = book_.whole();
-    conditions_.sensor_ok = intake_.sensor_ok();
-    conditions_.storage_ok = keeper_.ok();
-    conditions_.locked = safety_.locked();
-    conditions_.sequence = devices_.store.sequence();
-    conditions_.unsaved_ppb = keeper_.unsaved_ppb();
-    conditions_.worst_unsaved_ppb = keeper_.worst_unsaved_ppb();
-    conditions_.bus = bus_.status();
-    conditions_.dropped = speaker_.dropped();
-    conditions_.refused = refused();
+  void fill_node_state() {
+    node_state_.trusted = book_.whole();
+    node_state_.sensor_ok = intake_.sensor_ok();
+    node_state_.storage_ok = keeper_.ok();
+    node_state_.locked = safety_.locked();
+    node_state_.sequence = devices_.store.sequence();
+    node_state_.unsaved_ppb = keeper_.unsaved_ppb();
+    node_state_.worst_unsaved_ppb = keeper_.worst_unsaved_ppb();
+    node_state_.bus = bus_.status();
+    node_state_.dropped = speaker_.dropped();
+    node_state_.refused = refused();
   }
 
   /// Frames and commands; stops.
@@ -303,7 +303,7 @@ class App {
   typename Reporter<kTendons>::Bins bins_{};
   Intake<kTendons, LayoutT> intake_;
   LifeBook<kTendons> book_;
-  Conditions conditions_;
+  NodeState node_state_;
   Emergencies emergencies_;
   Keeper<kTendons, typename Devices::Store> keeper_;
   Safety<Devices> safety_;

@@ -46,7 +46,7 @@ class BusBudget {
   [[nodiscard]] bool allows_urgent(std::uint32_t bits) const {
     return credit_us_ >= bits * kBit_us;
   }
-  /// Precondition: allows_urgent(bits).
+  /// @pre allows_urgent(bits)
   void spend(std::uint32_t bits) { credit_us_ -= bits * kBit_us; }
 
  private:

@@ -28,7 +28,7 @@ using ParameterSet = std::array<std::optional<lifemodel::Parameters>, kTendons>;
 
 /// The parameters to start with: for each tendon the block that was loaded under authority, else
 /// the one that came with the configuration. Nothing where the loaded block is not valid: a life
-/// must not go on under other parameters unseen.
+/// must not continue under other parameters unseen.
 template <std::size_t kTendons, storage::Store StoreT>
 ParameterSet<kTendons> stored_parameters(StoreT& store, const ParameterSet<kTendons>& configured) {
   ParameterSet<kTendons> result = configured;

@@ -18,10 +18,11 @@ inline constexpr std::uint8_t kDeviceProfile = 1u << 5;
 inline constexpr std::uint8_t kManufacturer = 1u << 7;
 }  // namespace error_register
 
-/// What the bus has still to be told of events that begin and end.
+/// What is still to be reported on the bus of events that begin and end.
 ///
-/// None is forgotten: an event waits until it is told, and one that ended before is told all the
-/// same, followed by its end. There is a place for each event, so that there always is room.
+/// None is forgotten: an event waits until it is reported, and one that ended before is reported
+/// all the same, followed by its end. There is a place for each event, so that there always is
+/// room.
 class Emergencies {
  public:
   using Code = protocol::EmergencyCode;
@@ -37,13 +38,13 @@ class Emergencies {
       ended_ = true;
     }
   }
-  /// Forgets that what is active was told.
-  void tell_again() { begun_ |= active_; }
+  /// Forgets that what is active was reported.
+  void report_again() { begun_ |= active_; }
 
   [[nodiscard]] bool active(Code code) const { return (active_ & bit_of(code)) != 0; }
   [[nodiscard]] bool waiting() const { return begun_ != 0 || ended_; }
 
-  /// What to tell next, without the damage; nothing if all is told. told() when it has left.
+  /// What to report next, without the damage; nothing if all is. Call reported() when it has left.
   [[nodiscard]] std::optional<protocol::Emergency> next() const {
     for (std::size_t i = 0; i < kCodes.size(); ++i) {
       if ((begun_ & (1u << i)) != 0) {
@@ -55,7 +56,7 @@ class Emergencies {
     }
     return std::nullopt;
   }
-  void told() {
+  void reported() {
     if (begun_ != 0) {
       begun_ &= begun_ - 1;
     } else {

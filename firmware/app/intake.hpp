@@ -14,7 +14,7 @@
 
 namespace app {
 
-/// What the application tells a sensor that extends the model, and asks of it.
+/// What the application gives a sensor that extends the model, and asks of it.
 template <class T>
 concept ExtendingSensor = requires(T& sensor, std::size_t tendon) {
   sensor.isr_missed();
@@ -30,7 +30,7 @@ struct OutputTension {
 };
 
 /// Takes the samples of all tendons into the estimator, in the interrupt of the control loop, and
-/// tells the rest of the application how that goes.
+/// reports to the rest of the application how that goes.
 template <std::size_t kTendons, class LayoutT = lifemodel::DefaultLayout>
 class Intake {
  public:

@@ -50,7 +50,7 @@ constexpr protocol::Quality quality(lifemodel::Flags flags, bool trusted) {
 /// counted since the start.
 ///
 /// A restart ends a history: the residue of the old one stays as the half cycles that were stored,
-/// and the count begins anew. A new epoch begins at the reading of the moment.
+/// and the count begins anew. A new epoch begins at the present reading.
 class TendonLife {
  public:
   /// Before the first reading. `record` is null where there is none; `lost` where there was one.
@@ -91,7 +91,7 @@ class TendonLife {
   }
 
   /// The record with which the next epoch begins. The wire is new, its flags are gone, the
-  /// lifetime goes on.
+  /// lifetime continues.
   [[nodiscard]] storage::LifeRecord next_epoch() const {
     storage::LifeRecord next = record();
     next.epoch = static_cast<std::uint16_t>(next.epoch + 1);
@@ -120,7 +120,7 @@ class TendonLife {
   lifemodel::Flags flags_;
 };
 
-/// The lives of all tendons as of the last reading, which is what is told and what is saved.
+/// The lives of all tendons as of the last reading, which is what is reported and saved.
 template <std::size_t kTendons>
 class LifeBook {
  public:

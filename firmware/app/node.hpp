@@ -84,7 +84,7 @@ class Node {
     return error;
   }
 
-  /// Takes effect at the next start: what is counted now goes on under the parameters under which
+  /// Takes effect at the next start: what is counted now continues under the parameters under which
   /// it began.
   hal::Error load_parameters(std::uint8_t tendon, const lifemodel::ParameterBlock& block,
                              const lifemodel::Parameters&) {

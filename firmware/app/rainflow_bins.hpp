@@ -27,8 +27,9 @@ class RainflowBins {
   void begin_reading() { read_ = counted_; }
   void count_read(lifemodel::Tension from, lifemodel::Tension to) { add(read_, from, to); }
 
-  /// At the last reading. Precondition: bin < kBins; its range class is bin / kClasses, its mean
-  /// class bin % kClasses.
+  /// At the last reading. The range class of a bin is bin / kClasses, its mean class bin %
+  /// kClasses.
+  /// @pre bin < kBins
   [[nodiscard]] std::uint32_t cycles(std::uint32_t bin) const { return read_[bin]; }
 
   static constexpr std::uint32_t range_class(lifemodel::Tension from, lifemodel::Tension to) {

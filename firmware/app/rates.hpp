@@ -54,7 +54,7 @@ class Rates {
                : DamageRate::kUnknownRate;
   }
   /// Tenths of an hour until `end` at this rate; the highest value where there is no rate, or
-  /// longer than can be told.
+  /// longer than the field holds.
   [[nodiscard]] std::uint16_t remaining_dh(const lifemodel::Damage& used,
                                            lifemodel::LifePoint end) const {
     constexpr std::uint16_t kUnknown = protocol::detail::RemainingLife::kUnknown;

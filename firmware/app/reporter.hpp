@@ -17,7 +17,7 @@
 namespace app {
 
 /// How the node is, apart from the lives.
-struct Conditions {
+struct NodeState {
   std::uint32_t configuration = 0;  ///< CRC-32 over the configurations of all tendons
   bool trusted = false;             ///< no record of the past was lost
   bool sensor_ok = false;
@@ -38,23 +38,23 @@ class Reporter {
  public:
   using Bins = std::array<RainflowBins, kTendons>;
 
-  Reporter(const LifeBook<kTendons>& book, const Bins& bins, const Conditions& conditions)
-      : book_(book), bins_(bins), conditions_(conditions) {}
+  Reporter(const LifeBook<kTendons>& book, const Bins& bins, const NodeState& node_state)
+      : book_(book), bins_(bins), node_state_(node_state) {}
 
   [[nodiscard]] protocol::LifeStatus status() const {
     using lifemodel::Flag;
     const std::size_t worst = book_.worst();
     const lifemodel::Flags flags = book_.flags();
-    return {.state = conditions_.trusted ? book_.state() : protocol::LifeState::unknown,
+    return {.state = node_state_.trusted ? book_.state() : protocol::LifeState::unknown,
             .damage_ppb = book_.damage_ppb(worst),
             .worst_tendon = static_cast<std::uint8_t>(worst),
-            .quality = quality(flags, conditions_.trusted && conditions_.sensor_ok),
-            .storage_ok = conditions_.storage_ok,
-            .sensor_ok = conditions_.sensor_ok,
+            .quality = quality(flags, node_state_.trusted && node_state_.sensor_ok),
+            .storage_ok = node_state_.storage_ok,
+            .sensor_ok = node_state_.sensor_ok,
             .gap = flags.has(Flag::gap),
             .saturated = flags.has(Flag::saturated),
             .overrun = flags.has(Flag::overrun),
-            .locked = conditions_.locked};
+            .locked = node_state_.locked};
   }
 
   /// Damage of the worst tendon, rounded down.
@@ -63,7 +63,7 @@ class Reporter {
   /// True while a status would show a damage that is further ahead of the store than the last
   /// storage page said, and the page could say more.
   [[nodiscard]] bool unsaved_to_publish() const {
-    return conditions_.worst_unsaved_ppb > published_unsaved_ppb_ &&
+    return node_state_.worst_unsaved_ppb > published_unsaved_ppb_ &&
            published_unsaved_ppb_ < kMostPublished_ppb;
   }
 
@@ -74,7 +74,7 @@ class Reporter {
     switch (page) {
       case Identity::kPage:
         return send(Identity{protocol::schema::kSchemaVersion, kFirmwareVersion,
-                             conditions_.configuration});
+                             node_state_.configuration});
       case Cycles::kPage:
         return send(Cycles{book_.cycles(), book_.cycles_per_min()});
       case DamageRate::kPage:
@@ -88,7 +88,7 @@ class Reporter {
       case Storage::kPage:
         return send_storage(send);
       case Timing::kPage:
-        return send(conditions_.timing);
+        return send(node_state_.timing);
       default:
         return send(bus());
     }
@@ -97,7 +97,7 @@ class Reporter {
  private:
   [[nodiscard]] protocol::detail::DamageRate damage_rate() const {
     constexpr std::uint32_t kHighest = std::numeric_limits<std::uint16_t>::max();
-    const std::uint32_t unsaved_ppb = conditions_.unsaved_ppb;
+    const std::uint32_t unsaved_ppb = node_state_.unsaved_ppb;
     return {book_.rates(book_.worst()).damage_ppb_per_h(),
             static_cast<std::uint16_t>(unsaved_ppb < kHighest ? unsaved_ppb : kHighest)};
   }
@@ -116,23 +116,23 @@ class Reporter {
   template <class Send>
   bool send_bin(Send& send) {
     constexpr std::uint32_t kAll = kTendons * RainflowBins::kBins;
-    std::uint32_t place = bin_;
-    for (std::uint32_t seen = 0; seen < kAll && cycles(place) == 0; ++seen) {
-      place = place + 1 < kAll ? place + 1 : 0;
+    std::uint32_t position = bin_;
+    for (std::uint32_t seen = 0; seen < kAll && cycles(position) == 0; ++seen) {
+      position = position + 1 < kAll ? position + 1 : 0;
     }
-    const std::uint32_t bin = place % RainflowBins::kBins;
+    const std::uint32_t bin = position % RainflowBins::kBins;
     const bool left = send(protocol::detail::RainflowBin{
-        .tendon = static_cast<std::uint8_t>(place / RainflowBins::kBins),
+        .tendon = static_cast<std::uint8_t>(position / RainflowBins::kBins),
         .range_class = static_cast<std::uint8_t>(bin / RainflowBins::kClasses),
         .mean_class = static_cast<std::uint8_t>(bin % RainflowBins::kClasses),
-        .cycles = cycles(place)});
+        .cycles = cycles(position)});
     if (left) {
-      bin_ = place + 1 < kAll ? place + 1 : 0;
+      bin_ = position + 1 < kAll ? position + 1 : 0;
     }
     return left;
   }
-  [[nodiscard]] std::uint32_t cycles(std::uint32_t place) const {
-    return bins_[place / RainflowBins::kBins].cycles(place % RainflowBins::kBins);
+  [[nodiscard]] std::uint32_t cycles(std::uint32_t position) const {
+    return bins_[position / RainflowBins::kBins].cycles(position % RainflowBins::kBins);
   }
 
   /// Of the tendon that has the least left.
@@ -159,24 +159,24 @@ class Reporter {
   template <class Send>
   bool send_storage(Send& send) {
     std::uint32_t bound_ppb = published_unsaved_ppb_;
-    if (conditions_.worst_unsaved_ppb > bound_ppb) {
-      const std::uint32_t worst_ppb = std::min(conditions_.worst_unsaved_ppb, kMostPublished_ppb);
+    if (node_state_.worst_unsaved_ppb > bound_ppb) {
+      const std::uint32_t worst_ppb = std::min(node_state_.worst_unsaved_ppb, kMostPublished_ppb);
       bound_ppb = std::max(worst_ppb + worst_ppb / 4, storage::SavePolicy::kStep_ppb);
       bound_ppb = std::min(bound_ppb, kMostPublished_ppb);
     }
-    const bool left = send(protocol::detail::Storage{conditions_.sequence, bound_ppb});
+    const bool left = send(protocol::detail::Storage{node_state_.sequence, bound_ppb});
     published_unsaved_ppb_ = left ? bound_ppb : published_unsaved_ppb_;
     return left;
   }
 
   [[nodiscard]] protocol::detail::Bus bus() const {
     constexpr std::uint32_t kHighest = std::numeric_limits<std::uint8_t>::max();
-    const std::uint32_t bus_offs = conditions_.bus.bus_offs;
-    return {.transmit_errors = conditions_.bus.transmit_errors,
-            .receive_errors = conditions_.bus.receive_errors,
+    const std::uint32_t bus_offs = node_state_.bus.bus_offs;
+    return {.transmit_errors = node_state_.bus.transmit_errors,
+            .receive_errors = node_state_.bus.receive_errors,
             .bus_offs = static_cast<std::uint8_t>(bus_offs < kHighest ? bus_offs : kHighest),
-            .dropped = conditions_.dropped,
-            .refused = conditions_.refused};
+            .dropped = node_state_.dropped,
+            .refused = node_state_.refused};
   }
 
   /// What the field of the storage page holds.
@@ -184,7 +184,7 @@ class Reporter {
 
   const LifeBook<kTendons>& book_;
   const Bins& bins_;
-  const Conditions& conditions_;
+  const NodeState& node_state_;
   std::size_t tendon_ = 0;
   std::uint32_t bin_ = 0;
   std::uint32_t published_unsaved_ppb_ = 0;

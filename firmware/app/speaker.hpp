@@ -70,7 +70,7 @@ class Speaker {
     if (!send_protected(message, emergency_protector_, true)) {
       return false;
     }
-    emergencies.told();
+    emergencies.reported();
     next_emergency_ = now + kEmergencyInhibit;
     return true;
   }
@@ -92,7 +92,7 @@ class Speaker {
   template <class Reporter>
   bool speak_status(hal::Time now, Reporter& reporter) {
     const protocol::LifeStatus status = reporter.status();
-    const bool changed = !same_but_for_damage(status, told_status_);
+    const bool changed = !same_but_for_damage(status, reported_status_);
     if (now < next_status_ && !(changed && now >= last_status_ + kInhibit)) {
       return true;
     }
@@ -103,7 +103,7 @@ class Speaker {
     if (!send_protected(status, status_protector_, false)) {
       return false;
     }
-    told_status_ = status;
+    reported_status_ = status;
     last_status_ = now;
     next_status_ = changed ? now + kStatusPeriod : after(next_status_, kStatusPeriod, now);
     return true;
@@ -209,7 +209,7 @@ class Speaker {
   hal::Time next_detail_{};
   hal::Time last_detail_{};
   hal::Time next_emergency_{};
-  protocol::LifeStatus told_status_;
+  protocol::LifeStatus reported_status_;
   std::optional<hal::CanFrame> answer_;
   std::uint8_t page_ = 0;
   bool selected_ = false;  ///< by a command, and not yet sent

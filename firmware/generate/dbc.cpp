@@ -28,14 +28,14 @@ constexpr std::string_view kAttributes =
     "BA_ \"BusType\" \"CAN\";\n";
 
 /// A signal as one frame has it: of the frame itself, or of one of its pages.
-struct Placed {
+struct FrameSignal {
   Signal signal;
   std::string multiplexing;  ///< "", "M" or "m" and the page
   std::string_view page;     ///< name of the page, or nothing
 };
 
-std::vector<Placed> signals_of(const Frame& frame) {
-  std::vector<Placed> signals;
+std::vector<FrameSignal> signals_of(const Frame& frame) {
+  std::vector<FrameSignal> signals;
   if (frame.integrity) {
     signals.push_back({crc_signal(*frame.integrity), "", {}});
     signals.push_back({counter_signal(*frame.integrity), "", {}});
@@ -64,7 +64,7 @@ std::vector<schema::ValueName> pages_of(const Frame& frame) {
   return pages;
 }
 
-/// The parts of a file, each of one kind of line, in the order that readers expect.
+/// The sections of a file, each of lines of one sort, in the order that readers expect.
 class Writer {
  public:
   /// `node`: nothing for a template.
@@ -94,7 +94,7 @@ class Writer {
     if (frame.cycle_ms != 0) {
       append(attributes_, "BA_ \"GenMsgCycleTime\" BO_ {} {};\n", id, frame.cycle_ms);
     }
-    for (const Placed& placed : signals_of(frame)) {
+    for (const FrameSignal& placed : signals_of(frame)) {
       add(placed, id, from_node ? "Host" : node);
     }
     if (frame.page) {
@@ -103,7 +103,7 @@ class Writer {
     messages_ += '\n';
   }
 
-  void add(const Placed& placed, std::uint32_t id, std::string_view receiver) {
+  void add(const FrameSignal& placed, std::uint32_t id, std::string_view receiver) {
     const Signal& signal = placed.signal;
     const std::string largest = times(schema::largest(signal.bits), signal.factor);
     append(messages_, " SG_ {}{}{} : {}|{}@1+ ({},0) [0|{}] \"{}\" {}\n", signal.name,

@@ -130,7 +130,7 @@ export function decode(id, data) {
 }
 
 /**
- * Decodes the frames of a bus and also tells by `status` whether they follow each other, as AUTOSAR
+ * Decodes the frames of a bus and also reports by `status` whether they follow each other, as AUTOSAR
  * E2E Profile 22 has it: 'initial', 'ok' and 'ok_some_lost' may be used; 'repeated',
  * 'wrong_sequence', 'wrong_crc' and 'wrong_length' may not; 'unprotected' has no counter.
  */

@@ -21,7 +21,7 @@ using schema::MessageView;
 using schema::Signal;
 
 /// Where a signal lies: b3 is byte 3, b2-5 are bytes, b1.4-7 are bits 4 to 7 of byte 1.
-std::string place_of(const Signal& signal) {
+std::string position_of(const Signal& signal) {
   const int byte = signal.start_bit / 8;
   const int bit = signal.start_bit % 8;
   if (signal.bits == 8 && bit == 0) {
@@ -37,7 +37,7 @@ std::string place_of(const Signal& signal) {
 }
 
 std::string described(const Signal& signal) {
-  std::string text = fmt::format("{} {}", place_of(signal), signal.name);
+  std::string text = fmt::format("{} {}", position_of(signal), signal.name);
   if (signal.factor != "1") {
     text += " x " + readable(signal.factor);
   }

@@ -36,8 +36,8 @@ constexpr std::uint64_t word_of(const hal::CanFrame& frame) {
   return word;
 }
 
-/// A frame with an 11-bit identifier and such a payload. Precondition: length <= 8, and `word` has
-/// no bits past it.
+/// A frame with an 11-bit identifier and such a payload.
+/// @pre length <= 8, and `word` has no bits past it
 constexpr hal::CanFrame frame_of(std::uint32_t id, std::uint8_t length, std::uint64_t word) {
   hal::CanFrame frame{.id = id, .length = length};
   for (std::byte& byte : frame.data) {

@@ -86,7 +86,7 @@ struct Stream {
   DataIds data_ids;
 };
 
-/// Precondition: the frame is protected.
+/// @pre the frame is protected
 constexpr Stream stream_of(const schema::Frame& frame, Node node) {
   return {.id = id_of(frame, node),
           .length = frame.length,
@@ -105,7 +105,8 @@ constexpr std::uint8_t counter_of(const Stream& stream, const hal::CanFrame& fra
 }
 
 /// The CRC of Profile 22 over all bytes but its own, and the data id after them (AUTOSAR FO PRS E2E
-/// Protocol, Profile 22, calculation of the CRC). Precondition: crc_byte < data.size().
+/// Protocol, Profile 22, calculation of the CRC).
+/// @pre crc_byte < data.size()
 constexpr std::uint8_t crc_over(std::span<const std::byte> data, std::size_t crc_byte,
                                 std::uint8_t data_id) {
   Crc8h2f crc;
@@ -118,7 +119,8 @@ constexpr std::uint8_t crc_over(std::span<const std::byte> data, std::size_t crc
   return crc.value();
 }
 
-/// The CRC that the frame ought to have. Precondition: it has the length of the stream's frames.
+/// The CRC that the frame ought to have.
+/// @pre it has the length of the stream's frames
 constexpr std::uint8_t crc_of(const Stream& stream, const hal::CanFrame& frame) {
   return crc_over(frame.payload(), stream.crc_byte, stream.data_ids.at(counter_of(stream, frame)));
 }

@@ -96,7 +96,8 @@ struct RainflowBin {
 };
 struct RemainingLife {
   static constexpr std::uint8_t kPage = 5;
-  static constexpr std::uint16_t kUnknown = 0xffff;  ///< no rate yet, or longer than can be told
+  static constexpr std::uint16_t kUnknown =
+      0xffff;                       ///< no rate yet, or longer than the field holds
   std::uint16_t b10_dh = kUnknown;  ///< tenths of an hour at the present damage rate
   std::uint16_t b50_dh = kUnknown;
   std::uint16_t b90_dh = kUnknown;
@@ -134,10 +135,10 @@ inline constexpr std::uint8_t kPages = 9;
 
 }  // namespace detail
 
-/// What an Emergency frame tells of (CiA 301, 7.2.7: device specific codes 0xff00 and up). An event
-/// that ends is told once more, with `none` as the code and its register bit gone.
+/// What an Emergency frame reports (CiA 301, 7.2.7: device specific codes 0xff00 and up). An event
+/// that ends is reported once more, with `none` as the code and its register bit gone.
 enum class EmergencyCode : std::uint16_t {
-  none = 0x0000,  ///< all that was told is over
+  none = 0x0000,  ///< all that was reported is over
   emergency_stop = 0xff01,
   life_inspect = 0xff11,
   life_replace = 0xff12,

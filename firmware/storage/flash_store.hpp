@@ -80,7 +80,8 @@ struct ParameterSlot {
 /// save may cost.
 ///
 /// The memory has to be erased before its first use. A tendon whose very first record, and only
-/// that, cannot be read counts as new: it cannot be told from one whose first save was cut.
+/// that, cannot be read counts as new: it cannot be distinguished from one whose first save was
+/// cut.
 template <hal::NonVolatile Memory, std::size_t kTendons, FlashLayout kLayout = FlashLayout{}>
 class FlashStore {
  public:

@@ -108,7 +108,7 @@ constexpr bool plausible(const LifeRecord& record) {
          record.epoch_damage <= record.lifetime_damage;
 }
 
-/// Checks the bytes of a record and reads it, or tells why it cannot be trusted.
+/// Checks the bytes of a record and reads it, or says why it cannot be trusted.
 constexpr lifemodel::Result<LifeRecord, RecordError> decode(std::span<const std::byte> bytes) {
   if (bytes.size() != kRecordBytes) {
     return RecordError::wrong_size;

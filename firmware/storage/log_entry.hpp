@@ -22,7 +22,7 @@ enum class Event : std::uint8_t {
   rejected,  ///< wrong length, unknown routine or tendon, content that does not hold, a transfer
              ///< too long
   disabled,  ///< the node has no key
-  not_done,  ///< what the line before tells of could not be done
+  not_done,  ///< what the line before announces could not be done
 };
 
 /// One line of the append-only log.

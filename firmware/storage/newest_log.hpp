@@ -148,7 +148,7 @@ class NewestLog {
   }
 
  private:
-  struct Place {
+  struct SlotPosition {
     std::uint32_t page;
     std::uint32_t slot;
     std::uint32_t sequence;
@@ -158,9 +158,9 @@ class NewestLog {
     return Ring::address(page) + slot * kStride;
   }
 
-  std::optional<Bytes> read(const Place& place) {
+  std::optional<Bytes> read(const SlotPosition& position) {
     Bytes bytes;
-    if (ring_.memory().read(address(place.page, place.slot), bytes) != hal::Error::none) {
+    if (ring_.memory().read(address(position.page, position.slot), bytes) != hal::Error::none) {
       return {};
     }
     return bytes;
@@ -199,12 +199,12 @@ class NewestLog {
     }
   }
 
-  /// Whether the page of the slot is the one in use, as far as can be told.
+  /// Whether the page of the slot is the one in use, as far as can be known.
   bool take(SlotName name, std::uint32_t page, std::uint32_t slot) {
     if (name.key < kKeys) {
       auto& where = where_[name.key];
       if (!where || name.sequence > where->sequence) {
-        where = Place{page, slot, name.sequence};
+        where = SlotPosition{page, slot, name.sequence};
       }
     }
     // Of two pages that share a save or a copy, the one with room left is in use.
@@ -260,7 +260,7 @@ class NewestLog {
       slot_ = kSlots;
       return false;
     }
-    where_[name.key] = Place{page_, slot, name.sequence};
+    where_[name.key] = SlotPosition{page_, slot, name.sequence};
     highest_ = name.sequence > highest_ ? name.sequence : highest_;
     return true;
   }
@@ -274,7 +274,7 @@ class NewestLog {
     return open_next(tried);
   }
 
-  /// Goes on to a page that is erased, or can be without loss. False where there is none.
+  /// Continues on a page that is erased, or can be without loss. False where there is none.
   bool open_next(std::uint32_t& tried) {
     std::uint32_t page = page_;
     for (std::uint32_t step = 0; step < Ring::kCount; ++step) {
@@ -308,11 +308,11 @@ class NewestLog {
     }
     return true;
   }
-  std::optional<Place> find(SlotName wanted, std::uint32_t except) {
+  std::optional<SlotPosition> find(SlotName wanted, std::uint32_t except) {
     for (std::uint32_t page = 0; page < Ring::kCount; ++page) {
       for (std::uint32_t slot = 0; page != except && slot < kSlots; ++slot) {
         if (name_at(page, slot) == wanted) {
-          return Place{page, slot, wanted.sequence};
+          return SlotPosition{page, slot, wanted.sequence};
         }
       }
     }
@@ -320,7 +320,7 @@ class NewestLog {
   }
 
   Ring ring_;
-  std::array<std::optional<Place>, kKeys> where_{};
+  std::array<std::optional<SlotPosition>, kKeys> where_{};
   std::uint32_t page_ = Ring::kCount - 1;  ///< in use
   std::uint32_t slot_ = kSlots;            ///< next of it; all from it on are blank
   std::uint32_t highest_ = 0;

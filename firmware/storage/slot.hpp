@@ -28,7 +28,7 @@ struct FlashLayout {
   PageRange log{18, 2};
 };
 
-/// What tells slots of a log apart: the newest of a key is the one with the highest sequence.
+/// What distinguishes slots of a log: the newest of a key is the one with the highest sequence.
 struct SlotName {
   std::uint32_t key = 0;
   std::uint32_t sequence = 0;

@@ -107,7 +107,7 @@ void ProfileInput::take_output(const ProfileRow& row) {
 }
 
 void ProfileInput::take_surroundings(const ProfileRow& row) {
-  lifemodel::extension::Conditions& target = extended_->conditions;
+  lifemodel::extension::Covariates& target = extended_->covariates;
   target.velocity =
       saturating<lifemodel::extension::Velocity>(row.tendon_velocity_m_s, sample_flags_);
   target.rotor = rotor_angle(row.motor_angle_rad, sample_flags_);
@@ -150,11 +150,11 @@ Tension ProfileInput::converted(lifemodel::Flags& flags) {
       return measured_;
     case InputKind::kMotorCurrent:
       return extended_ ? extended_->corrector.input_tension(
-                             DriveSample{current_, extended_->conditions}, flags)
+                             DriveSample{current_, extended_->covariates}, flags)
                        : parameters_.drive.tension(current_, flags);
     case InputKind::kOutputTension:
       return extended_ ? extended_->corrector.input_tension(
-                             SheathSample{measured_, bend_, extended_->conditions}, flags)
+                             SheathSample{measured_, bend_, extended_->covariates}, flags)
                        : parameters_.capstan.input_tension(measured_, bend_, direction(), flags);
   }
   return {};
@@ -170,12 +170,12 @@ BoardSample ProfileInput::sample() const {
       return measured_;
     case InputKind::kMotorCurrent:
       if (extended_) {
-        return lifemodel::extension::DriveSample{current_, extended_->conditions};
+        return lifemodel::extension::DriveSample{current_, extended_->covariates};
       }
       return current_;
     case InputKind::kOutputTension:
       if (extended_) {
-        return lifemodel::extension::SheathSample{measured_, bend_, extended_->conditions};
+        return lifemodel::extension::SheathSample{measured_, bend_, extended_->covariates};
       }
       return app::OutputTension{measured_, direction(), bend_};
   }

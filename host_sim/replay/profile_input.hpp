@@ -84,7 +84,7 @@ class ProfileInput {
              std::uint32_t start_cycle);
     lifemodel::extension::Corrector corrector;
     ExtendedInput exact;
-    lifemodel::extension::Conditions conditions;
+    lifemodel::extension::Covariates covariates;
     Circumstances circumstances;
     bool pulled = true;  ///< before the last turn
   };

@@ -92,8 +92,8 @@ class Overrun {
     return in_range && run_fits && s.began_low <= 1 && paid <= s.owed &&
            (s.owed == 0 || s.lowest < s.highest);
   }
-  /// Whether the points that finish() would put go on after those that `alternation` has seen.
-  /// Precondition: plausible, with a run.
+  /// Whether the points that finish() would put continue those that `alternation` has seen.
+  /// @pre plausible, with a run
   template <class Alternation>
   static constexpr bool extend(const State& s, Alternation& alternation) {
     const Tension low = Tension::from_raw(s.run_lowest);
@@ -103,7 +103,7 @@ class Overrun {
            (s.length < 2 || alternation.next(began_low ? high : low)) &&
            (s.length < 3 || s.length % 2 == 0 || alternation.next(began_low ? low : high));
   }
-  /// Precondition: plausible.
+  /// @pre plausible
   void restore(const State& s) {
     length_.set_relaxed(s.length);
     owed_.set_relaxed(s.owed);
@@ -135,7 +135,8 @@ class TurningPointQueue {
   [[nodiscard]] std::uint32_t free() const {
     return static_cast<std::uint32_t>(kCapacity) - (head_.own() - tail_.acquire());
   }
-  /// Producer: appends. Precondition: free() > 0.
+  /// Producer: appends.
+  /// @pre free() > 0
   void put(Tension turning_point) {
     points_[head_.own() % kCapacity] = turning_point;
     head_.release(head_.own() + 1);
@@ -148,7 +149,8 @@ class TurningPointQueue {
     Batch(const Batch&) = delete;
     Batch& operator=(const Batch&) = delete;
     ~Batch() { queue_.head_.release(head_); }
-    /// Appends where `wanted`. Precondition: a place is free, wanted or not.
+    /// Appends where `wanted`.
+    /// @pre a place is free, wanted or not
     void put_if(bool wanted, Tension turning_point) {
       queue_.points_[head_ % kCapacity] = turning_point;
       head_ += wanted ? 1 : 0;
@@ -162,11 +164,13 @@ class TurningPointQueue {
   /// Consumer: turning points that wait.
   [[nodiscard]] std::uint32_t size() const { return head_.acquire() - tail_.own(); }
   [[nodiscard]] bool empty() const { return size() == 0; }
-  /// Consumer. Precondition: index < size().
+  /// Consumer.
+  /// @pre index < size()
   [[nodiscard]] Tension at(std::uint32_t index) const {
     return points_[(tail_.own() + index) % kCapacity];
   }
-  /// Consumer. Precondition: count <= size().
+  /// Consumer.
+  /// @pre count <= size()
   void drop(std::uint32_t count) { tail_.release(tail_.own() + count); }
 
   /// Consumer: what waits as indices first .. last - 1, modulo 2^32.

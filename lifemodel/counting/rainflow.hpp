@@ -112,7 +112,7 @@ class Residue {
 
   /// Forgets all points; with append() this puts a stored residue back.
   constexpr void clear() { size_ = 0; }
-  /// Precondition: fewer points than kCapacity, and the point is the next of a residue.
+  /// @pre fewer points than kCapacity, and the point is the next of a residue
   constexpr void append(Tension point) { points_[size_++] = point; }
 
  private:

@@ -23,7 +23,7 @@ class Alternation {
     return true;
   }
   [[nodiscard]] constexpr bool empty() const { return count_ == 0; }
-  /// Precondition: at least two points.
+  /// @pre at least two points
   [[nodiscard]] constexpr bool rising() const { return rising_; }
 
  private:
@@ -50,7 +50,7 @@ class TurningPoints {
       return Tension::from_raw((extremum ^ mirror) - mirror);
     }
     /// Takes a sample; true if it confirms the candidate. The run then starts from the sample.
-    /// Precondition: hysteresis >= one step.
+    /// @pre hysteresis >= one step
     constexpr bool turns(Tension sample, TensionRange hysteresis) {
       const std::int32_t value = (sample.raw() ^ mirror) - mirror;
       const std::int32_t furthest = value > extremum ? value : extremum;
@@ -62,7 +62,8 @@ class TurningPoints {
     }
   };
 
-  /// Takes a sample; calls `confirmed(Tension)` at most once. Precondition: hysteresis >= one step.
+  /// Takes a sample; calls `confirmed(Tension)` at most once.
+  /// @pre hysteresis >= one step
   template <class Confirmed>
   void push(Tension sample, TensionRange hysteresis, Confirmed&& confirmed) {
     if (phase_.own() != kDirected) [[unlikely]] {
@@ -100,9 +101,9 @@ class TurningPoints {
     const std::int32_t lowest = lowest_.relaxed();
     return Tension::from_raw(highest > -lowest ? highest : lowest);
   }
-  /// Precondition: directed().
+  /// @pre directed()
   [[nodiscard]] Run run() const { return {mirror_.relaxed(), extremum_.relaxed()}; }
-  /// Precondition: directed().
+  /// @pre directed()
   void set_run(Run run) {
     mirror_.set_relaxed(run.mirror);
     extremum_.set_relaxed(run.extremum);
@@ -126,7 +127,7 @@ class TurningPoints {
            (s.phase == kDirected || s.mirror == 0) &&
            (s.phase != kUndirected || s.lowest <= s.extremum);
   }
-  /// Precondition: plausible(s).
+  /// @pre plausible(s)
   void restore(const State& s) {
     phase_.set_relaxed(s.phase);
     set_run({s.mirror, s.extremum});

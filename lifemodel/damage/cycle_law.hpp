@@ -22,7 +22,8 @@ struct CycleLaw {
   std::int32_t log2_damage_at_ultimate;  ///< -log2 alpha at the ultimate tension, Q21
 
   /// A cycle that reaches the ultimate tension, and one whose life is below one cycle, uses up a
-  /// whole life: the largest damage of a cycle. Precondition: x != y.
+  /// whole life: the largest damage of a cycle.
+  /// @pre x != y
   [[nodiscard]] constexpr CycleDamage operator()(Tension x, Tension y) const {
     return CycleDamage::unpack(packed_if_below(x, y));
   }
@@ -36,8 +37,8 @@ struct CycleLaw {
     return t.raw() >= kUltimate.raw() || t.raw() <= -kUltimate.raw();
   }
 
-  /// log2 T_eff of a cycle relative to the ultimate tension, Q26, at least -30. Precondition:
-  /// x != y, neither reaches the ultimate tension.
+  /// log2 T_eff of a cycle relative to the ultimate tension, Q26, at least -30.
+  /// @pre x != y, neither reaches the ultimate tension
   static constexpr std::int32_t log2_effective(Tension x, Tension y) {
     const auto sum = static_cast<std::uint32_t>(x.raw() + y.raw());
     constexpr std::uint32_t kTwo = 2u << Tension::kFractionBits;

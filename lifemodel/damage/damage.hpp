@@ -67,7 +67,8 @@ class Damage {
     }
   }
 
-  /// What `larger` has more than `smaller`. Precondition: smaller <= larger.
+  /// What `larger` has more than `smaller`.
+  /// @pre smaller <= larger
   static constexpr Damage difference(const Damage& larger, const Damage& smaller) {
     Damage result;
     std::uint64_t borrow = 0;

@@ -34,7 +34,8 @@ class Corrector {
 
   /// T_in = K_t (1 - alpha (T_winding - T_ref)) (I - I_0 - b + a sin(k theta) + c cos(k theta))
   ///        N eta_g (1 + e s) / r_spool, without the lag of the current. Raises Flag::saturated
-  /// where a quantity meets its bounds. Precondition: the parameters have a drive.
+  /// where a quantity meets its bounds.
+  /// @pre the parameters have a drive
   [[nodiscard]] Tension input_tension(const DriveSample& sample, Flags& flags) {
     move(sample.at.velocity);
     std::int64_t current = sample.current.raw();
@@ -108,7 +109,7 @@ class Corrector {
   }
 
   /// mu log2(e), Q28.
-  [[nodiscard]] std::int32_t friction(const Conditions& at, Flags& flags) const {
+  [[nodiscard]] std::int32_t friction(const Covariates& at, Flags& flags) const {
     constexpr int kDrop = FrictionExponent::kFractionBits - kFactorBits;
     std::int64_t friction =
         rounded(std::int64_t{parameters_.capstan.friction.raw()} * wear_, kFactorBits + kDrop);

@@ -14,7 +14,8 @@ namespace lifemodel::extension {
 /// log2 T_eff, Q26. None falls as the cycle widens, with one `twice_more`: near the ultimate
 /// tension those of Gerber and Goodman would, as the mean that falls saves more than the amplitude
 /// costs beside a large addition. There the addition alone, about the point that is furthest out,
-/// does more, and counts. Preconditions: x != y, neither reaches the ultimate tension.
+/// does more, and counts.
+/// @pre x != y, neither reaches the ultimate tension
 namespace mean_law {
 
 inline constexpr std::uint32_t kTwo = 2u << Tension::kFractionBits;
@@ -107,8 +108,8 @@ struct BendingFatigue {
   }
 
   /// log2 T_eff with the bend, Q26. Each of the two laws that it lies between never falls as the
-  /// cycle widens, so it does not either. Precondition: x != y, neither reaches the ultimate
-  /// tension.
+  /// cycle widens, so it does not either.
+  /// @pre x != y, neither reaches the ultimate tension
   [[nodiscard]] constexpr std::int32_t log2_effective(const MeanStress& mean_stress, Tension x,
                                                       Tension y) const {
     if (share == 0) {

@@ -67,7 +67,7 @@ inline constexpr std::size_t kMostExtendedBytes = [] {
 
 /// Writes the block of `p.nominal` and, where there are effects, the section of the extension after
 /// it; gives the part of `out` that was used. Without effects it is the block of encode().
-/// Precondition: `out` has kMostExtendedBytes.
+/// @pre `out` has kMostExtendedBytes
 constexpr std::span<const std::byte> encode(const ExtendedParameters& p, std::span<std::byte> out) {
   const ParameterBlock nominal = encode(p.nominal);
   ByteWriter block(out);

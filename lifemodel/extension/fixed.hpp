@@ -49,7 +49,8 @@ constexpr std::int32_t exp2_factor(std::int64_t exponent) {
   return held(rounded(fraction, drop), 0, kMostFactor);
 }
 
-/// log2 of a value in Q26. Precondition: above 0.
+/// log2 of a value in Q26.
+/// @pre above 0
 constexpr std::int32_t log2_of(std::uint32_t value) {
   const int shift = std::countl_zero(value);
   return numeric::log2({(value << shift) >> 5, 31 - shift});

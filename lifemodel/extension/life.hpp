@@ -18,7 +18,8 @@ struct ExtendedLaw {
   bool has_endurance_limit = false;
   EnduranceLimit endurance_limit;
 
-  /// As CycleLaw: what reaches the ultimate tension uses up a whole life. Precondition: x != y.
+  /// As CycleLaw: what reaches the ultimate tension uses up a whole life.
+  /// @pre x != y
   [[nodiscard]] constexpr CycleDamage operator()(Tension x, Tension y) const {
     return CycleLaw::overloads(x) || CycleLaw::overloads(y) ? kWholeLife : below_ultimate(x, y);
   }

@@ -25,9 +25,9 @@ struct RotorAngle {
   static constexpr int kFractionBits = 32;
 };
 
-/// What a tendon moves in at one sample. Where a controller does not measure a quantity that an
+/// What the effects depend on at one sample. Where a controller does not measure a quantity that an
 /// effect needs, that effect has to be left out of its extension.
-struct Conditions {
+struct Covariates {
   Velocity velocity;
   RotorAngle rotor{};
   Temperature sheath;
@@ -37,14 +37,14 @@ struct Conditions {
 /// A sample of motor current, and what it was taken in.
 struct DriveSample {
   MotorCurrent current;
-  Conditions at;
+  Covariates at;
 };
 
 /// A sample of output tension, and what it was taken in. The direction follows the velocity.
 struct SheathSample {
   Tension tension;
   Angle bend;
-  Conditions at;
+  Covariates at;
 };
 
 /// Zero error of the current sensor: I - b.

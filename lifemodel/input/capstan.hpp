@@ -8,8 +8,8 @@
 namespace lifemodel {
 
 /// tension * 2^exponent, the exponent in Q21. Relative error at most 4e-7. Saturates outside the
-/// range of Tension and then raises Flag::saturated in `flags`. Precondition: the exponent is below
-/// 46, where every tension but 0 has saturated.
+/// range of Tension and then raises Flag::saturated in `flags`.
+/// @pre the exponent is below 46, where every tension but 0 has saturated
 constexpr Tension times_exp2(Tension tension, std::int32_t exponent, Flags& flags) {
   const std::uint32_t factor = numeric::exp2_fraction(static_cast<std::uint32_t>(exponent) &
                                                       ((1u << numeric::kExpBits) - 1));

@@ -27,7 +27,8 @@ struct LifePoint {
   }
 };
 
-/// A damage rounded down to 27 significant bits. Precondition: damage > 0.
+/// A damage rounded down to 27 significant bits.
+/// @pre damage > 0
 constexpr numeric::Normal normalise(const Damage& damage) {
   const Damage::Words& words = damage.words();
   std::size_t top = words.size() - 1;

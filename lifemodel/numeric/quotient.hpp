@@ -17,7 +17,8 @@ inline constexpr int kMantissaBits = 26;
 /// floor(numerator / denominator) to 27 significant bits, exact in every case. Because it is exact,
 /// a larger quotient never gives a smaller result, which the damage of a cycle relies on.
 ///
-/// Needs one 32-bit division; no 64-bit division, no loop. Preconditions: both are positive.
+/// Needs one 32-bit division; no 64-bit division, no loop.
+/// @pre both are positive
 constexpr Normal quotient(std::uint32_t numerator, std::uint64_t denominator) {
   const int numerator_shift = std::countl_zero(numerator);
   const int denominator_shift = std::countl_zero(denominator);

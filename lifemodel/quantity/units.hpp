@@ -56,7 +56,8 @@ class Quantity {
     return Quantity(static_cast<Rep>(raw));
   }
 
-  /// The value with this raw representation. Precondition: within the closed range.
+  /// The value with this raw representation.
+  /// @pre within the closed range
   static constexpr Quantity from_raw(Rep raw) { return Quantity(raw); }
 
   /// `thousandths` of a unit, to the nearest representable value. For up to 25 fraction bits.

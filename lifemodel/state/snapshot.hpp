@@ -46,7 +46,7 @@ constexpr const char* to_string(SnapshotError error) {
   return "unknown";
 }
 
-/// Whether a state may go on under parameters other than those it was written under. What was
+/// Whether a state may continue under parameters other than those it was written under. What was
 /// counted stays as it is, what is still open is then counted under the new ones.
 enum class ModelChange : std::uint8_t { refuse, allow };
 

@@ -12,10 +12,10 @@ class [[nodiscard]] Result {
   constexpr Result(E error) : error_(error) {}         // NOLINT(google-explicit-constructor)
 
   [[nodiscard]] constexpr explicit operator bool() const { return value_.has_value(); }
-  /// Precondition: there is a value.
+  /// @pre there is a value
   [[nodiscard]] constexpr const T& operator*() const { return *value_; }
   [[nodiscard]] constexpr const T* operator->() const { return &*value_; }
-  /// Precondition: there is no value.
+  /// @pre there is no value
   [[nodiscard]] constexpr E error() const { return error_; }
 
  private:

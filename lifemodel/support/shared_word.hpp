@@ -74,7 +74,7 @@ class SharedWord {
 
 /// Lets a reader on another core notice that several words changed while it read them. The writer
 /// never waits. With one core it costs nothing: a writer that interrupts has finished when the
-/// reader goes on.
+/// reader continues.
 class TurnLock {
  public:
   /// Writer: before and after a change of several words.

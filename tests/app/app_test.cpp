@@ -14,7 +14,7 @@ using protocol::LifeState;
 using protocol::LifeStatus;
 using protocol::NmtState;
 
-bool told(const Rig<>& rig, EmergencyCode code) {
+bool reported(const Rig<>& rig, EmergencyCode code) {
   const auto all = rig.sent<protocol::Emergency>();
   return std::any_of(all.begin(), all.end(),
                      [code](const auto& emergency) { return emergency.code == code; });
@@ -89,9 +89,9 @@ TEST(App, StatesFollowTheLife) {
   }
   EXPECT_EQ(states, (std::vector{LifeState::normal, LifeState::inspect, LifeState::replace,
                                  LifeState::worn}));
-  EXPECT_TRUE(told(rig, EmergencyCode::life_inspect));
-  EXPECT_TRUE(told(rig, EmergencyCode::life_replace));
-  EXPECT_TRUE(told(rig, EmergencyCode::life_worn));
+  EXPECT_TRUE(reported(rig, EmergencyCode::life_inspect));
+  EXPECT_TRUE(reported(rig, EmergencyCode::life_replace));
+  EXPECT_TRUE(reported(rig, EmergencyCode::life_worn));
 }
 
 TEST(App, TheEmergencyStopDropsTheDriveUntilARestart) {
@@ -104,7 +104,7 @@ TEST(App, TheEmergencyStopDropsTheDriveUntilARestart) {
   rig.idle(2);
   EXPECT_FALSE(rig.drive_enable.asserted());
   EXPECT_TRUE(rig.brake.asserted());
-  EXPECT_TRUE(told(rig, EmergencyCode::emergency_stop));
+  EXPECT_TRUE(reported(rig, EmergencyCode::emergency_stop));
   rig.stop.set(false);
   rig.idle(500);
   EXPECT_FALSE(rig.drive_enable.asserted());
@@ -216,7 +216,7 @@ TEST(App, ASaveThatFailsIsToldAndTheLifeGoesOn) {
   rig.store.faults.during({}, hal::seconds(150), hal::Error::failed);
   rig.start();
   rig.run(70'000);
-  EXPECT_TRUE(told(rig, EmergencyCode::storage));
+  EXPECT_TRUE(reported(rig, EmergencyCode::storage));
   EXPECT_FALSE(rig.sent<LifeStatus>().back().storage_ok);
   EXPECT_GT(rig.sent<LifeStatus>().back().damage_ppb, 0u);
   rig.run(150'000);
@@ -229,7 +229,7 @@ TEST(App, ALostRecordIsToldAndTheLifeIsUnknown) {
   rig.store.lost = true;
   rig.start();
   rig.idle(500);
-  EXPECT_TRUE(told(rig, EmergencyCode::record_damaged));
+  EXPECT_TRUE(reported(rig, EmergencyCode::record_damaged));
   EXPECT_EQ(rig.sent<LifeStatus>().back().state, LifeState::unknown);
   EXPECT_EQ(rig.sent<LifeStatus>().back().quality, protocol::Quality::untrusted);
 }
@@ -253,7 +253,7 @@ TEST(App, ASensorWithoutSamplesIsToldAndComesBack) {
   rig.sensor.faults.during(rig.clock.now(), rig.clock.now() + hal::milliseconds(300),
                            hal::Error::failed);
   rig.idle(200);
-  EXPECT_TRUE(told(rig, EmergencyCode::sensor));
+  EXPECT_TRUE(reported(rig, EmergencyCode::sensor));
   EXPECT_FALSE(rig.sent<LifeStatus>().back().sensor_ok);
   rig.idle(400);
   EXPECT_TRUE(rig.sent<LifeStatus>().back().sensor_ok);
@@ -267,7 +267,7 @@ TEST(App, MissedPeriodsAreGapsAndTold) {
   rig.idle(100);
   rig.app->isr_missed(3);
   rig.idle(200);
-  EXPECT_TRUE(told(rig, EmergencyCode::deadline));
+  EXPECT_TRUE(reported(rig, EmergencyCode::deadline));
   EXPECT_TRUE(rig.sent<LifeStatus>().back().gap);
 }
 
@@ -282,8 +282,8 @@ TEST(App, AnEmergencyOutlivesBusOff) {
   rig.idle(50);
   EXPECT_TRUE(rig.bus.sent().empty());
   rig.idle(500);
-  EXPECT_TRUE(told(rig, EmergencyCode::bus));
-  EXPECT_TRUE(told(rig, EmergencyCode::emergency_stop));
+  EXPECT_TRUE(reported(rig, EmergencyCode::bus));
+  EXPECT_TRUE(reported(rig, EmergencyCode::emergency_stop));
   rig.idle(1'000);
   EXPECT_EQ(rig.sent<protocol::detail::Bus>().back().bus_offs, 1);
 }
@@ -294,11 +294,11 @@ TEST(App, WhatWasToldJustBeforeBusOffIsToldAgain) {
   rig.idle(300);
   rig.stop.set(true);
   rig.idle(2);
-  ASSERT_TRUE(told(rig, EmergencyCode::emergency_stop));
+  ASSERT_TRUE(reported(rig, EmergencyCode::emergency_stop));
   rig.bus.forget();
   rig.can.go_off();
   rig.idle(1'000);
-  EXPECT_TRUE(told(rig, EmergencyCode::emergency_stop));
+  EXPECT_TRUE(reported(rig, EmergencyCode::emergency_stop));
 }
 
 TEST(App, AFullQueueDropsDetailPagesAndCountsThem) {
@@ -310,7 +310,7 @@ TEST(App, AFullQueueDropsDetailPagesAndCountsThem) {
   rig.stop.set(true);
   rig.idle(1'000);
   rig.idle(1'500);
-  EXPECT_TRUE(told(rig, EmergencyCode::emergency_stop));
+  EXPECT_TRUE(reported(rig, EmergencyCode::emergency_stop));
   EXPECT_NEAR(rig.sent<protocol::detail::Bus>().back().dropped, 9, 2);
 }
 

@@ -257,7 +257,7 @@ TEST(Bus, WhatIsNotACommandIsRefusedAndCounted) {
   const hal::CanFrame good = commander.frame(CommandCode::select_page, 3);
   ASSERT_EQ(rig.tester.send(good), hal::Error::none);
   rig.idle(10);
-  EXPECT_EQ(rig.app->conditions().refused, 0);
+  EXPECT_EQ(rig.app->node_state().refused, 0);
 
   // Replayed, damaged, unknown, short: one each.
   hal::CanFrame damaged = commander.frame(CommandCode::select_page, 3);
@@ -269,13 +269,13 @@ TEST(Bus, WhatIsNotACommandIsRefusedAndCounted) {
     ASSERT_EQ(rig.tester.send(bad), hal::Error::none);
     rig.idle(10);
   }
-  EXPECT_EQ(rig.app->conditions().refused, 4);
+  EXPECT_EQ(rig.app->node_state().refused, 4);
 
   // Of another node: none of our business.
   ASSERT_EQ(rig.tester.send(Commander(kNode + 1).frame(CommandCode::identify, 1)),
             hal::Error::none);
   rig.idle(10);
-  EXPECT_EQ(rig.app->conditions().refused, 4);
+  EXPECT_EQ(rig.app->node_state().refused, 4);
 }
 
 TEST(Bus, ABabblingNeighbourIsSurvived) {

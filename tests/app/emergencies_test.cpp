@@ -9,13 +9,13 @@ namespace {
 
 using Code = protocol::EmergencyCode;
 
-std::vector<protocol::Emergency> tell_all(Emergencies& emergencies) {
-  std::vector<protocol::Emergency> told;
+std::vector<protocol::Emergency> report_all(Emergencies& emergencies) {
+  std::vector<protocol::Emergency> reported;
   while (const auto next = emergencies.next()) {
-    told.push_back(*next);
-    emergencies.told();
+    reported.push_back(*next);
+    emergencies.reported();
   }
-  return told;
+  return reported;
 }
 
 TEST(Emergencies, AnEventIsToldOnceAndItsEndOnce) {
@@ -23,9 +23,9 @@ TEST(Emergencies, AnEventIsToldOnceAndItsEndOnce) {
   EXPECT_FALSE(emergencies.waiting());
   emergencies.set(Code::storage, true);
   emergencies.set(Code::storage, true);
-  EXPECT_EQ(tell_all(emergencies), (std::vector<protocol::Emergency>{{Code::storage, 0x81, 0}}));
+  EXPECT_EQ(report_all(emergencies), (std::vector<protocol::Emergency>{{Code::storage, 0x81, 0}}));
   emergencies.set(Code::storage, false);
-  EXPECT_EQ(tell_all(emergencies), (std::vector<protocol::Emergency>{{Code::none, 0x00, 0}}));
+  EXPECT_EQ(report_all(emergencies), (std::vector<protocol::Emergency>{{Code::none, 0x00, 0}}));
   EXPECT_FALSE(emergencies.waiting());
 }
 
@@ -33,7 +33,7 @@ TEST(Emergencies, WhatEndedBeforeItWasToldIsToldAllTheSame) {
   Emergencies emergencies;
   emergencies.set(Code::bus, true);
   emergencies.set(Code::bus, false);
-  EXPECT_EQ(tell_all(emergencies),
+  EXPECT_EQ(report_all(emergencies),
             (std::vector<protocol::Emergency>{{Code::bus, 0x11, 0}, {Code::none, 0x00, 0}}));
 }
 
@@ -42,11 +42,11 @@ TEST(Emergencies, TheMostUrgentGoesFirstAndTheRegisterShowsAllThatIsActive) {
   emergencies.set(Code::bus, true);
   emergencies.set(Code::sensor, true);
   emergencies.set(Code::emergency_stop, true);
-  EXPECT_EQ(tell_all(emergencies),
+  EXPECT_EQ(report_all(emergencies),
             (std::vector<protocol::Emergency>{
                 {Code::emergency_stop, 0x93, 0}, {Code::sensor, 0x93, 0}, {Code::bus, 0x93, 0}}));
   emergencies.set(Code::sensor, false);
-  EXPECT_EQ(tell_all(emergencies), (std::vector<protocol::Emergency>{{Code::none, 0x91, 0}}));
+  EXPECT_EQ(report_all(emergencies), (std::vector<protocol::Emergency>{{Code::none, 0x91, 0}}));
 }
 
 TEST(Emergencies, ThereIsRoomForEveryEventAtOnce) {
@@ -61,10 +61,10 @@ TEST(Emergencies, ThereIsRoomForEveryEventAtOnce) {
       emergencies.set(code, false);
     }
   }
-  const auto told = tell_all(emergencies);
-  EXPECT_EQ(told.size(), all.size() + 1);
+  const auto reported = report_all(emergencies);
+  EXPECT_EQ(reported.size(), all.size() + 1);
   for (const Code code : all) {
-    EXPECT_TRUE(std::any_of(told.begin(), told.end(),
+    EXPECT_TRUE(std::any_of(reported.begin(), reported.end(),
                             [code](const auto& emergency) { return emergency.code == code; }));
   }
 }
@@ -74,9 +74,9 @@ TEST(Emergencies, WhatIsActiveCanBeToldAgain) {
   emergencies.set(Code::overload, true);
   emergencies.set(Code::bus, true);
   emergencies.set(Code::bus, false);
-  tell_all(emergencies);
-  emergencies.tell_again();
-  EXPECT_EQ(tell_all(emergencies), (std::vector<protocol::Emergency>{{Code::overload, 0x03, 0}}));
+  report_all(emergencies);
+  emergencies.report_again();
+  EXPECT_EQ(report_all(emergencies), (std::vector<protocol::Emergency>{{Code::overload, 0x03, 0}}));
 }
 
 }  // namespace

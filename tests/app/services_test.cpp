@@ -138,11 +138,11 @@ TEST_F(Services, AFlagThatComesWithTheNextSampleIsThatOfTheNewWire) {
 TEST_F(Services, AWrongCodeChangesNothingAndIsCounted) {
   Order order = order_for(client, 0x0201, hex("00"));
   order.node = kNode + 1;
-  const std::uint16_t refused = rig.app->conditions().refused;
+  const std::uint16_t refused = rig.app->node_state().refused;
   EXPECT_EQ(client.ask(start_request(order))[0], std::byte{0x7f});
   rig.run(10);
   EXPECT_EQ(rig.app->lives().records()[0].epoch, 0);
-  EXPECT_EQ(rig.app->conditions().refused, refused + 1);
+  EXPECT_EQ(rig.app->node_state().refused, refused + 1);
 }
 
 TEST_F(Services, FailuresInARowAreToldOnTheBus) {
@@ -152,8 +152,8 @@ TEST_F(Services, FailuresInARowAreToldOnTheBus) {
     client.ask(start_request(order));
   }
   rig.run(500);
-  const auto told = rig.sent<protocol::Emergency>();
-  EXPECT_TRUE(std::any_of(told.begin(), told.end(), [](const auto& emergency) {
+  const auto reported = rig.sent<protocol::Emergency>();
+  EXPECT_TRUE(std::any_of(reported.begin(), reported.end(), [](const auto& emergency) {
     return emergency.code == protocol::EmergencyCode::authority;
   }));
 }

@@ -43,19 +43,19 @@ struct Both {
 
   double output_N(double tension_N, const Circumstances& at) {
     const SheathSample sample{pack::tension(tension_N, kUltimate_N),
-                              from_double<Angle>(at.bend_angle_rad), conditions(at)};
+                              from_double<Angle>(at.bend_angle_rad), fixed_covariates(at)};
     return kUltimate_N * to_double(corrector.input_tension(sample, flags));
   }
   double current_N(double current_A, const Circumstances& at) {
-    const DriveSample sample{from_double<MotorCurrent>(current_A), conditions(at)};
+    const DriveSample sample{from_double<MotorCurrent>(current_A), fixed_covariates(at)};
     return kUltimate_N * to_double(corrector.input_tension(sample, flags));
   }
   double exact_output_N(double tension_N, const Circumstances& at) {
     return exact.from_output_N(tension_N, at);
   }
 
-  static Conditions conditions(const Circumstances& at) {
-    Conditions fixed;
+  static lifemodel::extension::Covariates fixed_covariates(const Circumstances& at) {
+    lifemodel::extension::Covariates fixed;
     fixed.velocity = from_double<Velocity>(at.velocity_m_s);
     fixed.rotor.raw = std::llround(
         std::ldexp(at.motor_angle_rad / (2 * std::numbers::pi), RotorAngle::kFractionBits));

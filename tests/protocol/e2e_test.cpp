@@ -78,16 +78,16 @@ std::uint8_t divided(std::initializer_list<std::uint8_t> bytes) {
 
 TEST(Profile22, TheHeaderMayLieInside) {
   Protector protector(stream_of<Emergency>(3));
-  hal::CanFrame told = encode(
+  hal::CanFrame emergency = encode(
       3, Emergency{.code = EmergencyCode::sensor, .error_register = 1, .damage_ppm = 0x010203});
-  protector.protect(told);
-  EXPECT_EQ(told, frame(0x083, {0x30, 0xff, 0x01,
-                                divided({0x30, 0xff, 0x01, 0x00, 0x03, 0x02, 0x01, 0x03}), 0x00,
-                                0x03, 0x02, 0x01}));
-  protector.protect(told);
-  EXPECT_EQ(told, frame(0x083, {0x30, 0xff, 0x01,
-                                divided({0x30, 0xff, 0x01, 0x01, 0x03, 0x02, 0x01, 0x0f}), 0x01,
-                                0x03, 0x02, 0x01}));
+  protector.protect(emergency);
+  EXPECT_EQ(emergency, frame(0x083, {0x30, 0xff, 0x01,
+                                     divided({0x30, 0xff, 0x01, 0x00, 0x03, 0x02, 0x01, 0x03}),
+                                     0x00, 0x03, 0x02, 0x01}));
+  protector.protect(emergency);
+  EXPECT_EQ(emergency, frame(0x083, {0x30, 0xff, 0x01,
+                                     divided({0x30, 0xff, 0x01, 0x01, 0x03, 0x02, 0x01, 0x0f}),
+                                     0x01, 0x03, 0x02, 0x01}));
 }
 
 TEST(Protector, CountsTo15AndKeepsTheRestOfTheByte) {

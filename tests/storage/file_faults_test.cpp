@@ -43,7 +43,7 @@ struct Life {
     return hal::Error::failed;
   }
 
-  void check_and_go_on(std::uint32_t from) {
+  void check_and_continue(std::uint32_t from) {
     {
       auto opened = MemoryStore::open("/store", MemoryCalls(files));
       ASSERT_TRUE(std::holds_alternative<MemoryStore>(opened))
@@ -77,14 +77,14 @@ TEST(FileFaults, PowerCutAtEveryCall) {
     const std::uint64_t calls = calls_of(before, i);
     ASSERT_GT(calls, 5);
     for (std::uint64_t call = 0; call < calls; ++call) {
-      for (const auto kind : {Fault::Kind::cut_before, Fault::Kind::cut_after}) {
+      for (const auto kind : {Fault::FaultKind::cut_before, Fault::FaultKind::cut_after}) {
         for (std::uint64_t seed = 0; seed < kSeeds; ++seed) {
           Life life = before;
           life.files.fault({life.files.calls() + call, kind});
           (void)life.step(i);
           ASSERT_FALSE(life.files.powered());
           life.files.restart(seed);
-          life.check_and_go_on(i + 1);
+          life.check_and_continue(i + 1);
           ASSERT_FALSE(testing::Test::HasFatalFailure())
               << "step " << i << " call " << call << " seed " << seed;
         }
@@ -94,23 +94,23 @@ TEST(FileFaults, PowerCutAtEveryCall) {
 }
 
 TEST(FileFaults, AnErrorOfEveryCallIsToldAndLosesNothing) {
-  std::uint32_t told = 0;
+  std::uint32_t reported = 0;
   for (std::uint32_t i = 0; i < kSteps; ++i) {
     const Life before(i);
     const std::uint64_t calls = calls_of(before, i);
     for (std::uint64_t call = 0; call < calls; ++call) {
       for (const int error : {EIO, ENOSPC, EINTR, EACCES}) {
         Life life = before;
-        life.files.fault({life.files.calls() + call, Fault::Kind::error, error});
-        told += life.step(i) != hal::Error::none ? 1u : 0u;
+        life.files.fault({life.files.calls() + call, Fault::FaultKind::error, error});
+        reported += life.step(i) != hal::Error::none ? 1u : 0u;
         life.files.restart(2);
-        life.check_and_go_on(i + 1);
+        life.check_and_continue(i + 1);
         ASSERT_FALSE(testing::Test::HasFatalFailure())
             << "step " << i << " call " << call << " error " << error;
       }
     }
   }
-  EXPECT_GT(told, 1'000u);
+  EXPECT_GT(reported, 1'000u);
 }
 
 TEST(FileFaults, AShortWriteIsWrittenToItsEnd) {
@@ -119,9 +119,9 @@ TEST(FileFaults, AShortWriteIsWrittenToItsEnd) {
     const std::uint64_t calls = calls_of(before, i);
     for (std::uint64_t call = 0; call < calls; ++call) {
       Life life = before;
-      life.files.fault({life.files.calls() + call, Fault::Kind::short_write});
+      life.files.fault({life.files.calls() + call, Fault::FaultKind::short_write});
       ASSERT_EQ(life.step(i), hal::Error::none);
-      life.check_and_go_on(i + 1);
+      life.check_and_continue(i + 1);
       ASSERT_FALSE(testing::Test::HasFatalFailure()) << "step " << i << " call " << call;
     }
   }
@@ -148,7 +148,7 @@ TEST(FileFaults, AFullDiskForAWhile) {
   MemoryStore& store = std::get<MemoryStore>(opened);
   const auto committed = store.load(1);
   for (std::uint32_t i = 0; i < 5; ++i) {
-    life.files.fault({life.files.calls() + 1, Fault::Kind::error, ENOSPC});
+    life.files.fault({life.files.calls() + 1, Fault::FaultKind::error, ENOSPC});
     EXPECT_EQ(store.save(records_of<kTendons>(20 + i)), hal::Error::failed);
     ASSERT_TRUE(store.problem());
     EXPECT_EQ(to_string(*store.problem()),

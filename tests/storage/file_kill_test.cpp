@@ -18,7 +18,7 @@ namespace {
 using hal::Error;
 using Store = storage::FileStore<2>;
 
-/// Saves without end; tells each step that was committed.
+/// Saves without end; reports each step that was committed.
 [[noreturn]] void child(const Folder& folder, std::uint32_t step, int committed) {
   auto opened = Store::open(folder.path());
   Store* store = std::get_if<Store>(&opened);
@@ -33,7 +33,8 @@ using Store = storage::FileStore<2>;
   ::_exit(1);
 }
 
-/// The last step that a child told of before it was killed, `wait_us` after it had told of `count`.
+/// The last step that a child reported before it was killed, `wait_us` after it had reported
+/// `count`.
 std::uint32_t last_committed(const Folder& folder, std::uint32_t step, std::uint32_t count,
                              std::uint32_t wait_us) {
   int ends[2];
@@ -52,9 +53,9 @@ std::uint32_t last_committed(const Folder& folder, std::uint32_t step, std::uint
   int status = 0;
   ::waitpid(pid, &status, 0);
   EXPECT_TRUE(WIFSIGNALED(status)) << "the child ended by itself";
-  std::uint32_t told = 0;
-  while (::read(ends[0], &told, sizeof told) == sizeof told) {
-    step = told;
+  std::uint32_t reported = 0;
+  while (::read(ends[0], &reported, sizeof reported) == sizeof reported) {
+    step = reported;
   }
   ::close(ends[0]);
   return step;
@@ -78,7 +79,7 @@ TEST(FileKill, WhatWasCommittedIsThere) {
     Store& store = std::get<Store>(opened);
     const auto found = store.load(0);
     ASSERT_TRUE(found) << round;
-    // What was told, or the one that was under way.
+    // What was reported, or the one that was under way.
     const bool under_way = same_life(*found, record_of(0, committed + 1));
     ASSERT_TRUE(under_way || same_life(*found, record_of(0, committed))) << round;
     ASSERT_TRUE(same_life(*store.load(1), record_of(1, under_way ? committed + 1 : committed)));

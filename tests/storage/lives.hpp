@@ -10,7 +10,7 @@
 
 namespace storage_test {
 
-/// Records of a life that goes on: a step later means more damage of every tendon, each with its
+/// Records of a life that continues: a step later means more damage of every tendon, each with its
 /// own. No two steps and no two tendons have the same.
 inline storage::LifeRecord record_of(std::size_t tendon, std::uint32_t step,
                                      std::uint16_t epoch = 0, std::uint32_t opened = 0) {
@@ -44,7 +44,7 @@ inline bool same_life(storage::LifeRecord a, const storage::LifeRecord& b) {
   return a == b;
 }
 
-/// A block that is told from others by `number`; the store does not look into it.
+/// A block that differs from others by `number`; the store does not look into it.
 inline lifemodel::ParameterBlock block_of(std::uint32_t number) {
   lifemodel::ParameterBlock block{};
   for (std::size_t i = 0; i < block.size(); ++i) {

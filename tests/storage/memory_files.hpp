@@ -24,7 +24,7 @@ class MemoryFiles {
  public:
   struct Fault {
     std::uint64_t call;
-    enum class Kind : std::uint8_t { error, short_write, cut_before, cut_after } kind;
+    enum class FaultKind : std::uint8_t { error, short_write, cut_before, cut_after } kind;
     int error = EIO;
   };
 
@@ -94,7 +94,8 @@ class MemoryFiles {
     });
   }
   ssize_t write(int fd, const void* in, std::size_t size, off_t at) {
-    const bool part = fault_ && fault_->kind == Fault::Kind::short_write && fault_->call == calls_;
+    const bool part =
+        fault_ && fault_->kind == Fault::FaultKind::short_write && fault_->call == calls_;
     const std::size_t count = part ? (size + 1) / 2 : size;
     return call([&]() -> ssize_t {
       auto& content = nodes_[open_.at(fd).node]->content;
@@ -167,15 +168,15 @@ class MemoryFiles {
     }
     const bool now = fault_ && fault_->call == calls_;
     ++calls_;
-    if (now && fault_->kind == Fault::Kind::error) {
+    if (now && fault_->kind == Fault::FaultKind::error) {
       return fail(fault_->error);
     }
-    if (now && fault_->kind == Fault::Kind::cut_before) {
+    if (now && fault_->kind == Fault::FaultKind::cut_before) {
       powered_ = false;
       return fail(EIO);
     }
     const auto result = what();
-    if (now && fault_->kind == Fault::Kind::cut_after) {
+    if (now && fault_->kind == Fault::FaultKind::cut_after) {
       powered_ = false;
       return fail(EIO);
     }

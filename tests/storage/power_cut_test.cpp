@@ -74,8 +74,8 @@ class PowerCut : public testing::Test {
     model.check(next);
   }
 
-  /// That life goes on, and is there after another start.
-  void go_on(Flash& image, Expected& model, std::uint32_t from, std::uint32_t steps) {
+  /// That life continues, and is there after another start.
+  void continue_life(Flash& image, Expected& model, std::uint32_t from, std::uint32_t steps) {
     socket_.plug(image);
     Store store(socket_);
     for (std::uint32_t i = from; i < from + steps; ++i) {
@@ -134,7 +134,7 @@ TYPED_TEST(PowerCut, AtEveryOperation) {
         ASSERT_FALSE(this->HasFatalFailure()) << "step " << i << " operation " << operation;
         if (const std::uint64_t share = kSmall<TypeParam> ? TypeParam::kTendons : 8;
             operation % share == i % share) {
-          this->go_on(image, expected, i + 1, 4);
+          this->continue_life(image, expected, i + 1, 4);
         }
         ASSERT_FALSE(this->HasFatalFailure()) << "step " << i << " operation " << operation;
         ++cuts;
@@ -176,7 +176,7 @@ TYPED_TEST(SmallFlash, FailuresAreSteppedOver) {
           error = this->step(copy, expected, i);
         }
         ASSERT_TRUE(this->fine(error)) << "step " << i << " operation " << operation;
-        this->go_on(image, expected, i + 1, 3);
+        this->continue_life(image, expected, i + 1, 3);
         ASSERT_FALSE(this->HasFatalFailure()) << "step " << i << " operation " << operation;
       }
     }
@@ -186,7 +186,7 @@ TYPED_TEST(SmallFlash, FailuresAreSteppedOver) {
 }
 
 // Every pair of operations: of a step, and of the one after the start that follows. From the second
-// step on: a first save that was cut twice cannot be told from one that was lost.
+// step on: a first save that was cut twice cannot be distinguished from one that was lost.
 TYPED_TEST(SmallFlash, AtEveryPairOfOperations) {
   const std::vector<FaultKind> kinds =
       TypeParam::kTendons == 1 ? std::vector<FaultKind>{FaultKind::cut_torn, FaultKind::cut_half}

@@ -10,7 +10,7 @@
 
 namespace storage_test {
 
-/// The memory of a store that can be copied: lets a copy go on with another image.
+/// The memory of a store that can be copied: lets a copy continue with another image.
 template <class FlashT>
 class Socket {
  public:

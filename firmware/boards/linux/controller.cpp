@@ -266,7 +266,7 @@ class Controller {
     if (store_.problem()) {
       report.store_problem = to_string(*store_.problem());
     }
-    report.worst_unsaved_ppb = app_.conditions().worst_unsaved_ppb;
+    report.worst_unsaved_ppb = app_.node_state().worst_unsaved_ppb;
     report.bus = can_.status();
     if (const auto* const counts = can_.counts()) {
       report.counts = *counts;

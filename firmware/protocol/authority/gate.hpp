@@ -110,7 +110,7 @@ inline constexpr hal::Time kNonceLife = hal::seconds(5);
 /// key is a failure; a grant forgives them all. What holds off guessing is backoff().
 ///
 /// A node saves when it has to, also while a client makes its command. So each storage counter
-/// proves that the node has had since it issued the nonce, or that it told before, at most
+/// proves that the node has had since it issued the nonce, or that was read before, at most
 /// kNonceLife ago.
 class Gate {
  public:
@@ -123,9 +123,9 @@ class Gate {
   }
 
   /// The storage counter was read.
-  constexpr void tell(std::uint32_t storage_counter, hal::Time now) {
-    told_counter_ = storage_counter;
-    told_until_ = now + kNonceLife;
+  constexpr void note_read(std::uint32_t storage_counter, hal::Time now) {
+    read_counter_ = storage_counter;
+    read_until_ = now + kNonceLife;
   }
 
   /// Opens a fresh nonce, in place of the one before. False, and none is open, where it is the same
@@ -135,7 +135,7 @@ class Gate {
     open_ = nonce != nonce_;
     nonce_ = nonce;
     issued_ = now;
-    first_counter_ = now < told_until_ ? told_counter_ : storage_counter;
+    first_counter_ = now < read_until_ ? read_counter_ : storage_counter;
     return open_;
   }
 
@@ -189,8 +189,8 @@ class Gate {
   Nonce nonce_{};
   hal::Time issued_{};
   hal::Time locked_until_{};
-  hal::Time told_until_{};
-  std::uint32_t told_counter_ = 0;
+  hal::Time read_until_{};
+  std::uint32_t read_counter_ = 0;
   std::uint32_t first_counter_ = 0;  ///< that proves with the open nonce
   std::uint32_t failures_ = 0;
   Node node_;

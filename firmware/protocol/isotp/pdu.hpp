@@ -46,7 +46,7 @@ struct Address {
 enum class PduType : std::uint8_t { single, first, consecutive, flow_control };
 
 /// FlowStatus (ISO 15765-2, 9.6.5.2).
-enum class FlowStatus : std::uint8_t { go_on = 0, wait = 1, overflow = 2, invalid };
+enum class FlowStatus : std::uint8_t { continue_to_send = 0, wait = 1, overflow = 2, invalid };
 
 inline constexpr std::size_t kSingleBytes = 7;       ///< that a single frame carries at most
 inline constexpr std::size_t kFirstBytes = 6;        ///< that a first frame carries
@@ -58,7 +58,7 @@ struct Pdu {
   PduType type = PduType::single;
   std::uint32_t length = 0;   ///< of the message
   std::uint8_t sequence = 0;  ///< 0 .. 15
-  FlowStatus status = FlowStatus::go_on;
+  FlowStatus status = FlowStatus::continue_to_send;
   std::uint8_t block_size = 0;
   std::uint8_t st_min = 0;
   std::span<const std::byte> data{};  ///< in the frame that was read
@@ -138,7 +138,7 @@ constexpr std::optional<Pdu> read(const hal::CanFrame& frame) {
 }
 
 /// A frame without padding, which would only load the bus: control bytes, then data.
-/// Precondition: at most 8 bytes.
+/// @pre at most 8 bytes
 template <std::size_t kControlBytes>
 constexpr hal::CanFrame make_frame(std::uint32_t id, const std::uint8_t (&control)[kControlBytes],
                                    std::span<const std::byte> data) {
@@ -182,7 +182,7 @@ inline constexpr hal::Time kFrameTime = hal::microseconds(320);
 /// What a link has seen since its start. Each stops at 2^32 - 1.
 struct Counts {
   std::uint32_t received = 0;         ///< whole messages
-  std::uint32_t sent = 0;             ///< whole messages, as far as the sender can tell
+  std::uint32_t sent = 0;             ///< whole messages, as far as the sender knows
   std::uint32_t malformed = 0;        ///< frames whose type, length and size contradict each other
   std::uint32_t unexpected = 0;       ///< frames that nothing had asked for
   std::uint32_t oversized = 0;        ///< messages too long for this link

@@ -55,7 +55,7 @@ class Receiver {
     }
     start(pdu);
     state_ = State::answering;
-    answer_ = FlowStatus::go_on;
+    answer_ = FlowStatus::continue_to_send;
   }
 
   constexpr void on_consecutive(const Pdu& pdu, hal::Time now) {
@@ -81,18 +81,19 @@ class Receiver {
       finish();
     } else if (block_left_ != 0 && --block_left_ == 0) {
       state_ = State::answering;
-      answer_ = FlowStatus::go_on;
+      answer_ = FlowStatus::continue_to_send;
     }
   }
 
   [[nodiscard]] constexpr bool has_answer() const { return answer_ != FlowStatus::invalid; }
-  /// Takes the flow control that is due. Precondition: has_answer().
+  /// Takes the flow control that is due.
+  /// @pre has_answer()
   constexpr Pdu take_answer(hal::Time now) {
     const Pdu pdu{.type = PduType::flow_control,
                   .status = answer_,
                   .block_size = pace_.block_size,
                   .st_min = pace_.st_min};
-    if (answer_ == FlowStatus::go_on) {
+    if (answer_ == FlowStatus::continue_to_send) {
       state_ = State::collecting;
       block_left_ = pace_.block_size;
       deadline_ = now + kConsecutiveTimeout;

@@ -50,7 +50,7 @@ class Sender {
       count(counts_.unexpected);
       return;
     }
-    if (pdu.status == FlowStatus::go_on) {
+    if (pdu.status == FlowStatus::continue_to_send) {
       waits_ = 0;
       block_left_ = pdu.block_size;
       separation_ = separation(pdu.st_min);
@@ -68,9 +68,10 @@ class Sender {
   [[nodiscard]] constexpr bool ready(hal::Time now) const {
     return state_ == State::starting || (state_ == State::sending && now >= next_);
   }
-  /// Takes that frame. Precondition: ready(now).
+  /// Takes that frame.
+  /// @pre ready(now)
   constexpr hal::CanFrame take(std::uint32_t id, hal::Time now) {
-    return state_ == State::starting ? begin(id, now) : go_on(id, now);
+    return state_ == State::starting ? begin(id, now) : send_next(id, now);
   }
 
  private:
@@ -79,19 +80,19 @@ class Sender {
   constexpr hal::CanFrame begin(std::uint32_t id, hal::Time now) {
     if (size_ <= kSingleBytes) {
       const std::uint8_t control[] = {static_cast<std::uint8_t>(size_)};
-      const auto data = part(kSingleBytes);
+      const auto data = next_bytes(kSingleBytes);
       finish();
       return make_frame(id, control, data);
     }
     const std::uint8_t control[] = {static_cast<std::uint8_t>(0x10 | (size_ >> 8)),
                                     static_cast<std::uint8_t>(size_)};
     await_flow_control(now);
-    return make_frame(id, control, part(kFirstBytes));
+    return make_frame(id, control, next_bytes(kFirstBytes));
   }
 
-  constexpr hal::CanFrame go_on(std::uint32_t id, hal::Time now) {
+  constexpr hal::CanFrame send_next(std::uint32_t id, hal::Time now) {
     const std::uint8_t control[] = {static_cast<std::uint8_t>(0x20 | sequence_)};
-    const auto data = part(kConsecutiveBytes);
+    const auto data = next_bytes(kConsecutiveBytes);
     sequence_ = following(sequence_);
     next_ = separation_ == hal::Time{} ? now : now + separation_ + kFrameTime;
     if (sent_ == size_) {
@@ -103,7 +104,7 @@ class Sender {
   }
 
   /// The next bytes of the message.
-  constexpr std::span<const std::byte> part(std::size_t most) {
+  constexpr std::span<const std::byte> next_bytes(std::size_t most) {
     const std::size_t left = size_ - sent_;
     const auto data = std::span(bytes_).subspan(sent_, left < most ? left : most);
     sent_ += data.size();

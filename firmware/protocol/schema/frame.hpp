@@ -24,9 +24,9 @@ struct Signal {
   std::uint8_t bits = 0;          ///< 1 .. 32
   std::string_view factor = "1";  ///< physical value of one step, a decimal without exponent
   std::string_view unit = {};     ///< of the physical value; empty where it has none
-  std::string_view comment = {};  ///< what it tells
+  std::string_view comment = {};  ///< what it means
   std::span<const ValueName> values = {};
-  bool stops = false;      ///< what is larger is told as the largest value, which means "or more"
+  bool stops = false;      ///< what is larger is sent as the largest value, which means "or more"
   bool is_closed = false;  ///< only named values may appear; set by field() from the member's type
 };
 
@@ -66,7 +66,7 @@ struct Frame {
   std::uint8_t length = 0;     ///< bytes, always all of them
   std::uint16_t cycle_ms = 0;  ///< longest time between two frames; 0 where it is not cyclic
   Sender sender = Sender::node;
-  std::string_view sent = {};  ///< when, in words
+  std::string_view sent = {};  ///< when, as prose
   std::string_view comment = {};
   std::optional<Integrity> integrity = {};
   std::optional<Signal> page = {};  ///< the multiplexor, where the frame has pages

@@ -28,7 +28,7 @@
 /// itself does not compile: see plan_is_sound().
 namespace protocol::schema {
 
-/// Version of this plan, told in detail::Identity.
+/// Version of this plan, sent in detail::Identity.
 inline constexpr std::uint8_t kSchemaVersion = 2;
 
 template <class... Messages>

@@ -52,20 +52,20 @@ class Journal {
   hal::Error about_to(storage::Event event, std::uint8_t tendon, std::uint32_t configuration) {
     const hal::Error error = device_.log(event, tendon, configuration);
     if (error == hal::Error::none) {
-      told_ = 0;
+      logged_ = 0;
       stands_for_all_ = false;
     }
     return error;
   }
-  /// What the line before tells of could not be done.
+  /// What the line before announces could not be done.
   void not_done(std::uint8_t tendon, std::uint16_t routine) {
     write(storage::Event::not_done, tendon, routine);
   }
 
   void refused(storage::Event event, std::uint8_t tendon, std::uint16_t routine) {
     if (is_judged(event)) {
-      told_ &= ~bit(storage::Event::locked_out);
-    } else if ((told_ & bit(event)) != 0) {
+      logged_ &= ~bit(storage::Event::locked_out);
+    } else if ((logged_ & bit(event)) != 0) {
       count(unlogged_);
       return;
     }
@@ -74,7 +74,7 @@ class Journal {
       count(unlogged_);
       return;
     }
-    told_ |= bit(event);
+    logged_ |= bit(event);
     if (write(event, tendon, routine)) {
       ++refusals_;
       stands_for_all_ = past;
@@ -108,7 +108,7 @@ class Journal {
 
   DeviceT& device_;
   std::uint32_t refusals_ = 0;
-  std::uint32_t told_ = 0;  ///< bits of the events that are not told again
+  std::uint32_t logged_ = 0;  ///< bits of the events that have a line already
   bool stands_for_all_ = false;
   std::uint32_t unlogged_ = 0;
 };

@@ -82,7 +82,7 @@ class Reader {
         answer.u32(device_.configuration(tendon));
         return Nrc::none;
       case kStorageCounter.first:
-        gate_.tell(device_.storage_counter(), now);
+        gate_.note_read(device_.storage_counter(), now);
         answer.u32(device_.storage_counter());
         return Nrc::none;
       case kNonce.first:

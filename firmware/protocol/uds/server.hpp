@@ -38,11 +38,11 @@ class Server {
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
-  /// Takes up the failures that the log tells of. Before all else.
+  /// Takes up the failures that are in the log. Before all else.
   void start(hal::Time now) { starter_.start(now); }
 
   /// Answers a request; gives the length of the answer, 0 where there is none.
-  /// Precondition: `response` has at least kShortAnswerBytes.
+  /// @pre `response` has at least kShortAnswerBytes
   std::size_t handle(std::span<const std::byte> request, hal::Time now,
                      std::span<std::byte> response) {
     if (request.empty()) {

@@ -44,8 +44,8 @@ class Starter {
 
   void start(hal::Time now) { gate_.resume(log_.start(), now); }
 
-  /// Precondition: the request begins with kRoutineControl. `answer` stays empty where none is
-  /// wanted.
+  /// `answer` stays empty where none is wanted.
+  /// @pre the request begins with kRoutineControl
   Nrc handle(std::span<const std::byte> request, hal::Time now, Answer& answer) {
     if (request.size() < kRoutineHeadBytes) {
       return refuse(Nrc::wrong_length, storage::Event::rejected, {});

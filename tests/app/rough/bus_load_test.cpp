@@ -64,7 +64,7 @@ TEST(BusLoad, IsBoundedWhereEverythingWantsToSpeakAtOnce) {
   EXPECT_GE(level, kBurstBits - 300) << "it was not made to speak";
 }
 
-/// Every event that the world saw begin is told after that.
+/// Every event that the world saw begin is reported after that.
 bool all_told(const Scenario& scenario) {
   return std::ranges::all_of(scenario.events(), [&](const Scenario::Event& event) {
     return std::ranges::any_of(scenario.rig.bus.sent(), [&](const hal::fake::CanEvent& sent) {
@@ -115,8 +115,8 @@ TEST(Emergency, OfEveryKindLeavesThroughABusThatIsHardlyThere) {
   for (const auto code : {protocol::EmergencyCode::emergency_stop, protocol::EmergencyCode::sensor,
                           protocol::EmergencyCode::overload, protocol::EmergencyCode::deadline,
                           protocol::EmergencyCode::bus, protocol::EmergencyCode::storage}) {
-    const auto told = scenario.rig.sent<protocol::Emergency>();
-    EXPECT_TRUE(std::ranges::any_of(told, [&](const auto& e) { return e.code == code; }))
+    const auto reported = scenario.rig.sent<protocol::Emergency>();
+    EXPECT_TRUE(std::ranges::any_of(reported, [&](const auto& e) { return e.code == code; }))
         << std::hex << static_cast<unsigned>(code);
   }
 }

@@ -142,9 +142,9 @@ class Node {
     last_ = life;
     require(store_.sequence() >= sequence_);
     sequence_ = store_.sequence();
-    require(app_.conditions().refused >= refused_);
-    refused_ = app_.conditions().refused;
-    require(app_.conditions().storage_ok && app_.conditions().trusted);
+    require(app_.node_state().refused >= refused_);
+    refused_ = app_.node_state().refused;
+    require(app_.node_state().storage_ok && app_.node_state().trusted);
     require(drive_enable_.asserted() && !brake_.asserted() && !watchdog_.bitten());
   }
 

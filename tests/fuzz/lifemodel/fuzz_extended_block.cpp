@@ -23,7 +23,7 @@ void evaluate(const ExtendedParameters& model) {
   Estimator<1, Life> estimator({extension::life_parameters(model.nominal, model.extension)});
   for (const std::int32_t raw : kRaws) {
     for (const std::int32_t other : kRaws) {
-      extension::Conditions at;
+      extension::Covariates at;
       at.velocity = extension::Velocity::from_raw(raw);
       at.rotor.raw = std::int64_t{raw} * other;
       at.sheath = extension::Temperature::from_raw(other);

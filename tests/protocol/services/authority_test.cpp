@@ -297,7 +297,7 @@ TEST_F(AuthorityTest, ALogFullOfRefusalsDoesNotForgetFailures) {
   restart();
   EXPECT_EQ(server_->gate().failures(), 0u);
 
-  // Nobody can tell whether more came after the first failure: the longest lock there is.
+  // Nobody can know whether more came after the first failure: the longest lock there is.
   fail();
   restart();
   EXPECT_EQ(server_->gate().lock_left(now_), hal::seconds(640));

@@ -135,17 +135,17 @@ TEST_F(GateTest, SavesMeanwhileDoNotRefuseACommand) {
     EXPECT_EQ(gate.check(command_, code(1), kCounter + 2, hal::seconds(4)), Verdict::granted);
   }
   // The counter read first, and saved twice before the nonce was issued.
-  gate_.tell(kCounter, hal::seconds(10));
+  gate_.note_read(kCounter, hal::seconds(10));
   ASSERT_TRUE(gate_.issue(nonce_of(1), kCounter + 2, hal::Time{14'999'999}));
   EXPECT_EQ(gate_.check(command_, code(1), kCounter + 3, hal::seconds(16)), Verdict::granted);
 }
 
 TEST_F(GateTest, ACounterThatWasToldLongAgoProvesNothing) {
-  gate_.tell(kCounter, hal::seconds(10));
+  gate_.note_read(kCounter, hal::seconds(10));
   ASSERT_TRUE(gate_.issue(nonce_of(1), kCounter + 1, hal::seconds(15)));
   EXPECT_EQ(gate_.check(command_, code(1), kCounter + 1, hal::seconds(15)), Verdict::wrong_counter);
-  // Nor one that comes before what was told.
-  gate_.tell(kCounter + 1, hal::seconds(20));
+  // Nor one that comes before what was read.
+  gate_.note_read(kCounter + 1, hal::seconds(20));
   ASSERT_TRUE(gate_.issue(nonce_of(2), kCounter + 2, hal::seconds(20)));
   EXPECT_EQ(gate_.check(command_, code(2), kCounter + 2, hal::seconds(20)), Verdict::wrong_counter);
 }

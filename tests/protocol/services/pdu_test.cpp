@@ -111,7 +111,7 @@ TEST(Pdu, FlowControl) {
   const auto pdu = pdu_of("30 08 f1");
   ASSERT_TRUE(pdu);
   EXPECT_EQ(pdu->type, PduType::flow_control);
-  EXPECT_EQ(pdu->status, FlowStatus::go_on);
+  EXPECT_EQ(pdu->status, FlowStatus::continue_to_send);
   EXPECT_EQ(pdu->block_size, 8);
   EXPECT_EQ(pdu->st_min, 0xf1);
   EXPECT_EQ(pdu_of("31 00 00")->status, FlowStatus::wait);

@@ -24,8 +24,8 @@ struct Worst {
   std::uint32_t cycle = 0;
 };
 
-lifemodel::extension::Conditions drawn(target::Random& random) {
-  lifemodel::extension::Conditions at;
+lifemodel::extension::Covariates drawn(target::Random& random) {
+  lifemodel::extension::Covariates at;
   at.velocity = lifemodel::extension::Velocity::from_raw(random.below(1 << 23) - (1 << 22));
   at.rotor.raw = std::int64_t{random.below(1 << 30)} * 64;
   at.sheath = lifemodel::extension::Temperature::from_raw(random.below(80 << 16));

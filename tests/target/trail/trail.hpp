@@ -98,7 +98,7 @@ class Trail {
 
   /// Every effect of an extension: tendon 0 by its motor current, tendon 1 by its output tension.
   void extended() {
-    using lifemodel::extension::Conditions;
+    using lifemodel::extension::Covariates;
     const lifemodel::ExtendedParameters model = extended_again();
     using Life = lifemodel::extension::ExtendedLife<lifemodel::DefaultLayout>;
     const auto life = lifemodel::extension::life_parameters(model.nominal, model.extension);
@@ -109,7 +109,7 @@ class Trail {
     Random random(7);
     for (std::uint32_t i = 0; i < 8000; ++i) {
       const std::int32_t swing = lifemodel::numeric::sine(i * 40'000'003u);
-      Conditions at;
+      Covariates at;
       at.velocity = lifemodel::extension::Velocity::from_raw(swing >> 9);
       at.rotor.raw = std::int64_t{lifemodel::numeric::cosine(i * 40'000'003u)} * 13;
       at.sheath = lifemodel::extension::Temperature::from_raw((20 << 16) + random.below(1 << 21));

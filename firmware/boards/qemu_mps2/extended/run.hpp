@@ -39,15 +39,15 @@ class SwingingDrive {
     if (!current) {
       return current.error();
     }
-    return Sample{*current, conditions()};
+    return Sample{*current, covariates()};
   }
 
  private:
-  [[nodiscard]] lifemodel::extension::Conditions conditions() const {
+  [[nodiscard]] lifemodel::extension::Covariates covariates() const {
     constexpr std::uint32_t kThousandth = 4'294'967;
     constexpr std::int32_t kRoom = 20 << lifemodel::extension::Temperature::kFractionBits;
     const lifemodel::numeric::Phase phase = samples_ * kThousandth;
-    lifemodel::extension::Conditions at;
+    lifemodel::extension::Covariates at;
     // 82 mm/s at most.
     at.velocity = lifemodel::extension::Velocity::from_raw(
         static_cast<std::int32_t>((std::int64_t{lifemodel::numeric::sine(phase)} * 82) >> 16));
