@@ -42,10 +42,10 @@ struct PairAudit {
   double cosine = 0;
   /// The largest canonical correlation: |cos| of the most alike members of both.
   double canonical = 0;
-  std::string experiment;  ///< that tells them apart
+  std::string experiment;  ///< that distinguishes them
 };
 
-/// Effects that this campaign cannot tell apart: connected by pairs above kSameCosine.
+/// Effects that this campaign cannot distinguish: connected by pairs above kSameCosine.
 struct EquivalenceClass {
   std::vector<std::size_t> members;      ///< indices in Audit::effects, rising; one or more
   std::vector<std::string> experiments;  ///< that break it, one for each such pair, without repeats
@@ -70,8 +70,8 @@ struct Audit {
 /// What a campaign can show and distinguish, from its design alone.
 Audit audit(const Grams& grams, const NoiseModel& noise);
 
-/// The experiment that tells two effects apart, as the catalogue has it from either side; a crossed
-/// design where it names none.
+/// The experiment that distinguishes two effects, as the catalogue has it from either side; a
+/// crossed design where it names none.
 std::string experiment_for(const effects::TensionEffect& one, const effects::TensionEffect& other);
 
 /// The connected components of the visible effects, joined by pairs above Audit::kSameCosine.

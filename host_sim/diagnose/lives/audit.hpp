@@ -50,7 +50,7 @@ struct LifeAudit {
   static constexpr double kSameCosine = 0.9;
 
   std::vector<LifeEffectAudit> effects;  ///< in order of life_effects(), those that take part
-  /// Ids of visible effects that this campaign cannot tell apart, two or more each.
+  /// Ids of visible effects that this campaign cannot distinguish, two or more each.
   std::vector<std::vector<std::string>> equivalent;
 
   [[nodiscard]] std::vector<std::string> visible() const;

@@ -29,7 +29,7 @@ NominalFit fit_nominal(const LifeSample& sample);
 /// Where the parameters that every model has are looked for. ln alpha at the centre is normal about
 /// the fit of the nominal law, wide against what a campaign says. ln gamma and ln beta are normal
 /// about the values of the campaign's model or, as probably, four times as wide: a model that is
-/// about right tells more of an effect than one that is anybody's guess, which is let go of.
+/// about right says more of an effect than one that is anybody's guess, which is let go of.
 struct CommonPrior {
   double ln_life_at_centre = 0;
   double ln_exponent = 0;

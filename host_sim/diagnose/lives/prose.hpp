@@ -10,7 +10,7 @@
 
 namespace host_sim::diagnose::lives {
 
-/// The experiment that tells the candidates of a set apart, as the catalogue has it from either
+/// The experiment that distinguishes the candidates of a set, as the catalogue has it from either
 /// side; for one effect against another that the set does not hold, its first; empty for none.
 std::string experiment_for(const std::vector<std::string>& credible_set);
 

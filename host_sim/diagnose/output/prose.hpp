@@ -37,7 +37,7 @@ std::string candidate_prose(std::string_view id);
 /// "none" and "unknown" mean. An id that is not known stands for itself.
 std::string term_of(std::string_view id);
 
-/// What tells the effects of a set apart, pair by pair, as the catalogue has it from either side;
+/// What distinguishes the effects of a set, pair by pair, as the catalogue has it from either side;
 /// "; " between them. Empty where it has nothing.
 std::string experiments_for(const std::vector<std::string>& ids);
 

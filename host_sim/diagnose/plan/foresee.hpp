@@ -26,7 +26,7 @@ class ScratchFolder {
   std::filesystem::path path_;
 };
 
-/// What a planned campaign could show and tell apart.
+/// What a planned campaign could show and distinguish.
 struct Foresight {
   NoiseModel noise;  ///< of the plan
   std::size_t sessions = 0;

@@ -13,7 +13,7 @@ constexpr double kPriorPairs = 0.05;  ///< of all that the singles make
 /// Of something beside the best hypothesis, as odds.
 constexpr double kPriorStructure = 0.05;
 
-/// Below this the simulated p is as small as it can tell.
+/// Below this the simulated p is as small as it can be.
 constexpr double kResolvedP = 0.0015;
 
 /// ln of what a second effect must be better by, beside the evidence.

@@ -49,7 +49,7 @@ Predicted predict(const Session& session, const Fitted& by);
 
 /// The friction coefficient that samples far from any reversal have, with a gain for each session:
 /// what acts at reversals alone does not reach them.
-/// @param nominal taken where they do not tell, or differ from it by more than a factor of four
+/// @param nominal taken where they do not show it, or differ from it by more than a factor of four
 double settled_friction(std::span<const Session> sessions, double nominal);
 
 /// Signatures are in terms of the friction that is there, which that of the evidence's baseline is

@@ -27,7 +27,7 @@ inline double angle_and_direction(const recording::Covariates& covariates, std::
 }
 
 /// What to multiply a measured input by, tension or current, where a signature divides by it: the
-/// root of T_in as the output tells it over T_in as measured, exp(r/2). The noise of the input is
+/// root of T_in as the output gives it over T_in as measured, exp(r/2). The noise of the input is
 /// part of r, so that a signature made of it alone would find an effect where there is none; in the
 /// geometric mean of both ends noises of equal size cancel. 1 where the baseline holds exactly.
 inline double to_mid_tension(const recording::Covariates& covariates, const Baseline& baseline,

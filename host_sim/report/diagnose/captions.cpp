@@ -48,7 +48,7 @@ std::string trace(const diagnose::TensionDiagnosis& tension, std::size_t index) 
 
 std::string loop() {
   return "The width of the loop is the friction. Where the loops differ, and whether at reversals, "
-         "at high or at low tension, tells the cause.";
+         "at high or at low tension, indicates the cause.";
 }
 
 std::string residuals(const diagnose::TensionDiagnosis& tension) {

@@ -84,7 +84,7 @@ void draw_levels(std::size_t specimens, const TrueLaw& law, bool tell_ratio, Dic
 
 /// Three bends crossed with two mean tensions of one amplitude, wires that bend more or less, and
 /// programs from high to low and from low to high; a quarter of the specimens has a program.
-/// @param hidden ids of what is hidden, so that the plan tells what they need
+/// @param hidden ids of what is hidden, so that the plan records what they need
 LivesDesign draw_lives_design(std::size_t specimens, const std::vector<std::string_view>& hidden,
                               const TrueLaw& law, Dice& dice) {
   constexpr double kToldShare = 0.6;

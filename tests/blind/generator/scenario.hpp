@@ -17,7 +17,7 @@ enum class Design {
   one_pose,  ///< a field log: one pose, and temperature rising with the cycles
 };
 
-/// What tells the tension at the drive's end.
+/// What measures the tension at the drive's end.
 enum class Input { load_cell, motor_current };
 
 enum class Data { recordings, lives };

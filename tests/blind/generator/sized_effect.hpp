@@ -23,7 +23,7 @@ struct TensionScales {
   std::size_t poses = 0;
 };
 
-/// Which sensor at the drive's end must tell the tension for an effect to be seen.
+/// Which sensor at the drive's end must measure the tension for an effect to be seen.
 enum class Needs { any_input, load_cell, motor_current };
 
 struct SizedEffect {

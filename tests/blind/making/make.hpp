@@ -19,7 +19,7 @@ struct Sealed {
 /// analysis refits.
 host_sim::synth::SynthPlan nominal_plan(const Scenario& scenario);
 
-/// Simulates the campaign of a scenario in a new folder, by one thread. Nothing in the folder tells
+/// Simulates the campaign of a scenario in a new folder, by one thread. Nothing in the folder says
 /// what is hidden.
 /// @throws OutputError, InputError, Interruption
 Sealed make_blind_campaign(const Scenario& scenario, const std::filesystem::path& folder);
@@ -27,7 +27,7 @@ Sealed make_blind_campaign(const Scenario& scenario, const std::filesystem::path
 /// The text of the truth; `made` is JSON of what the simulation drew, empty for none.
 std::string truth_text(const Scenario& scenario, const std::string& made);
 
-/// The scenario that a truth tells of, without its plan. @throws nlohmann::json::exception
+/// The scenario that a truth describes, without its plan. @throws nlohmann::json::exception
 Scenario scenario_of(const std::string& truth);
 
 }  // namespace blind

@@ -74,7 +74,7 @@ void add_parameters(const Record& record, Scores& scores) {
   }
 }
 
-/// Only what the true model gains something by tells how good a gain is.
+/// Only what the true model gains something by shows how good a gain is.
 void add_gain(const Record& record, Scores& scores) {
   constexpr double kWorthwhile = 0.9;
   for (const auto& metric : record.findings.gain.metrics) {

@@ -66,7 +66,7 @@ TEST(Weigh, StructureThatIsLeftSpeaksForTheUnknownWithinWhatItsPAllows) {
   EXPECT_NEAR(odds(one_probe(9, 10, 0.6)), 0.05, 1e-12);
   // -1 - ln(-0.1 ln 0.1) = 0.46848
   EXPECT_NEAR(odds(one_probe(40, 10, 0.1)), 0.05 * std::exp(0.46848), 1e-5);
-  // (40 - 10 - 10 ln 4)/2 = 8.06853 where p cannot tell any more.
+  // (40 - 10 - 10 ln 4)/2 = 8.06853 where p cannot be less.
   EXPECT_NEAR(odds(one_probe(40, 10, 0.001)), 0.05 * std::exp(8.06853), 1e-2);
   // One in a hundred of what the effects explain may be left: 40 - 0.01 2000 = 20 on 10.
   ResidualTest large = one_probe(40, 10, 0.001);

@@ -19,7 +19,7 @@ std::vector<Estimate> estimates(const std::vector<Session>& sessions, const Comp
   return estimates_of(evidence, std::vector{part}, 0, dispersion);
 }
 
-Mess with_heat(double share_1_K) {
+Disturbances with_heat(double share_1_K) {
   return {.sample_sd = kFine_sd, .effect = [=](const recording::Covariates& c, std::size_t i) {
             return -kMu * share_1_K * (c.sheath_temperature_C[i] - 20) * c.bend_angle_rad[i] *
                    c.direction[i];

@@ -89,14 +89,14 @@ TEST(SampleNoise, OfFirstOrderNoiseIsThatOfItsInnovations) {
 }
 
 TEST(SampleNoise, HoldsNothingOfEffectsAndScatterOfSessions) {
-  const Mess mess{.sample_sd = 0.02,
-                  .session_gain_sd = 0.5,
-                  .session_friction_sd = 0.1,
-                  .effect = [](const recording::Covariates& c, std::size_t i) {
-                    return -kMu * 0.2 * (c.sheath_temperature_C[i] - 20) * c.bend_angle_rad[i] *
-                           c.direction[i];
-                  }};
-  EXPECT_NEAR(noise_in(noisy_sessions(small_design(), mess, 1)).sample_sd, 0.02, 0.002);
+  const Disturbances disturbances{.sample_sd = 0.02,
+                                  .session_gain_sd = 0.5,
+                                  .session_friction_sd = 0.1,
+                                  .effect = [](const recording::Covariates& c, std::size_t i) {
+                                    return -kMu * 0.2 * (c.sheath_temperature_C[i] - 20) *
+                                           c.bend_angle_rad[i] * c.direction[i];
+                                  }};
+  EXPECT_NEAR(noise_in(noisy_sessions(small_design(), disturbances, 1)).sample_sd, 0.02, 0.002);
 }
 
 /// White noise with a slow one of a tenth of its variance beside: at low frequency the slow one is

@@ -12,21 +12,21 @@ double normal(statistics::Random& random) {
   return radius * std::cos(2 * std::numbers::pi * random.uniform());
 }
 
-std::vector<Session> noisy_sessions(const std::vector<Run>& runs, const Mess& mess,
+std::vector<Session> noisy_sessions(const std::vector<Run>& runs, const Disturbances& disturbances,
                                     std::uint64_t seed) {
   std::vector<Session> sessions = sessions_of(runs);
   for (std::size_t s = 0; s < sessions.size(); ++s) {
     recording::Covariates& c = sessions[s].covariates;
     statistics::Random random(seed, 0, s);
-    const double gain = mess.session_gain_sd * normal(random);
-    const double friction = mess.session_friction_sd * normal(random);
-    double noise = mess.sample_sd * normal(random);
+    const double gain = disturbances.session_gain_sd * normal(random);
+    const double friction = disturbances.session_friction_sd * normal(random);
+    double noise = disturbances.sample_sd * normal(random);
     for (std::size_t i = 0; i < c.samples(); ++i) {
-      const double effect = mess.effect ? mess.effect(c, i) : 0;
+      const double effect = disturbances.effect ? disturbances.effect(c, i) : 0;
       c.output_tension_N[i] *=
           std::exp(gain - friction * c.bend_angle_rad[i] * c.direction[i] + noise + effect);
-      noise =
-          mess.ar1 * noise + std::sqrt(1 - mess.ar1 * mess.ar1) * mess.sample_sd * normal(random);
+      noise = disturbances.ar1 * noise + std::sqrt(1 - disturbances.ar1 * disturbances.ar1) *
+                                             disturbances.sample_sd * normal(random);
     }
   }
   return sessions;

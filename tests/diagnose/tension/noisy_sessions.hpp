@@ -18,7 +18,7 @@ inline constexpr double kSample_sd = 0.02;
 double normal(statistics::Random& random);
 
 /// What sessions hold beside the baseline.
-struct Mess {
+struct Disturbances {
   double sample_sd = 0.01;  ///< of ln T_out
   double ar1 = 0;           ///< correlation from sample to sample; the sd stays
   double session_gain_sd = 0.01;
@@ -33,7 +33,7 @@ std::function<double(const recording::Covariates& covariates, std::size_t i)> pr
 
 /// Sessions of these runs with noise and scatter of this seed. Effects that read T_out see what
 /// was there before.
-std::vector<Session> noisy_sessions(const std::vector<Run>& runs, const Mess& mess,
+std::vector<Session> noisy_sessions(const std::vector<Run>& runs, const Disturbances& disturbances,
                                     std::uint64_t seed);
 
 /// Twelve runs of 4 s: two poses, three loads, two speeds.

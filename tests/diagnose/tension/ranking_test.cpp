@@ -22,9 +22,9 @@ std::vector<Wanted> catalogue() {
   return wanted;
 }
 
-Ranking ranked(const Mess& mess) {
-  const std::vector<Session> sessions = noisy_sessions(small_design(), mess, 8);
-  const Evidence evidence = evidence_of(sessions, mess.sample_sd);
+Ranking ranked(const Disturbances& disturbances) {
+  const std::vector<Session> sessions = noisy_sessions(small_design(), disturbances, 8);
+  const Evidence evidence = evidence_of(sessions, disturbances.sample_sd);
   GramOptions options = evidence.options;
   options.wanted = catalogue();
   return rank(evidence, gram_of(sessions, options));

@@ -11,14 +11,14 @@ namespace host_sim::diagnose::testing {
 namespace {
 
 TEST(Steps, BeginWithTheNominalModelAndAddWhatIsThere) {
-  const Mess mess{.sample_sd = 0.01,
-                  .session_gain_sd = 0.001,
-                  .session_friction_sd = 0.0005,
-                  .effect = [](const recording::Covariates& c, std::size_t i) {
-                    return -kMu * 0.02 * (c.sheath_temperature_C[i] - 20) * c.bend_angle_rad[i] *
-                           c.direction[i];
-                  }};
-  const std::vector<Session> sessions = noisy_sessions(small_design(), mess, 1);
+  const Disturbances disturbances{.sample_sd = 0.01,
+                                  .session_gain_sd = 0.001,
+                                  .session_friction_sd = 0.0005,
+                                  .effect = [](const recording::Covariates& c, std::size_t i) {
+                                    return -kMu * 0.02 * (c.sheath_temperature_C[i] - 20) *
+                                           c.bend_angle_rad[i] * c.direction[i];
+                                  }};
+  const std::vector<Session> sessions = noisy_sessions(small_design(), disturbances, 1);
   const std::vector<Step> steps =
       steps_of(evidence_of(sessions, 0.01), whole_catalogue(), 1, kWire);
   ASSERT_GE(steps.size(), 2U);
