@@ -96,6 +96,9 @@ std::vector<DataFindings> findings_by_data(const Diagnosis& diagnosis) {
 Findings merged(const Diagnosis& diagnosis) {
   Findings all;
   all.verdict = diagnosis.verdict();
+  if (diagnosis.tension) {
+    all.remainder = diagnosis.tension->findings.remainder;
+  }
   for (const DataFindings& part : findings_by_data(diagnosis)) {
     const Findings& one = *part.findings;
     append(all.effects, one.effects);

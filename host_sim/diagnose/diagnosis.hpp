@@ -34,7 +34,7 @@ struct Estimate {
 
 struct FoundEffect {
   std::string id;
-  std::string term, equation, life_consequence;  ///< as the catalogue has them
+  std::string term, equation, life_consequence;  ///< the catalogue's, or its own outside of it
   double probability = 0;
   std::vector<Estimate> parameters;
 };
@@ -86,6 +86,15 @@ struct Step {
   int sessions = 0;                   ///< of all
 };
 
+/// What the model, extended or not, leaves of recordings, on sessions that the fit never saw.
+struct Remainder {
+  double share = 0;  ///< of the squared error of the nominal model
+  double input_rmse_N = 0;
+  double output_rmse_N = 0;
+  std::string covariate;  ///< that it shows most against
+  double p = 1;           ///< that chance alone shows as much against it
+};
+
 /// What is found in the recordings of a campaign, or in its lives.
 struct Findings {
   Verdict verdict = Verdict::none;
@@ -99,6 +108,7 @@ struct Findings {
   /// How far the catalogue goes where that is not all the way, of recordings that are unknown: the
   /// nominal model, then effect by effect, each the one of most evidence. Else empty.
   std::vector<Step> steps;
+  std::optional<Remainder> remainder;  ///< of recordings
   std::vector<Discrepancy> discrepancies;
   std::vector<Estimate> refitted;     ///< parameters that are not effects
   std::vector<Extension> extensions;  ///< to be written into the model; empty unless named
@@ -196,7 +206,7 @@ std::vector<DataFindings> findings_by_data(const Diagnosis& diagnosis);
 
 /// The findings of both parts in one: lists one after the other, sentences joined. The gain is that
 /// of the parts that were extended; a metric that both have stands for the recordings, that of the
-/// lives gets the name "lives_...".
+/// lives gets the name "lives_...". The remainder is that of the recordings.
 Findings merged(const Diagnosis& diagnosis);
 
 }  // namespace host_sim::diagnose

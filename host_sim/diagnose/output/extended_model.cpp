@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "hal/files/text.hpp"
 #include "host_sim/campaign/nominal_model.hpp"
@@ -47,6 +48,11 @@ Model refitted_model(const Campaign& campaign, const Diagnosis& diagnosis, Input
   return model;
 }
 
+/// Not what is wrong with the rig alone, as the zero of its load cell is.
+bool is_in_model(const Extension& extension) {
+  return extension_keys(extension.id) != nullptr;
+}
+
 std::string head(const Campaign& campaign, const Diagnosis& diagnosis, InputFrom input,
                  std::string_view program_version) {
   std::string text = fmt::format("# Written by host_sim diagnose {} from the campaign {}.\n",
@@ -62,7 +68,9 @@ std::string head(const Campaign& campaign, const Diagnosis& diagnosis, InputFrom
   for (const DataFindings& part : findings_by_data(diagnosis)) {
     text += fmt::format("# Verdict on the {}: {}.\n", part.name, name_of(part.findings->verdict));
     for (const Extension& extension : part.findings->extensions) {
-      text += fmt::format("# Extended by {}.\n", printable(extension.id));
+      text += fmt::format("# {} {}.\n",
+                          is_in_model(extension) ? "Extended by" : "Outside of the model:",
+                          printable(extension.id));
     }
   }
   return text + "schema = 1\n";
@@ -89,7 +97,8 @@ std::string extended_model_text(const Campaign& campaign, const Diagnosis& diagn
                                 InputFrom input, std::string_view program_version) {
   std::string text = head(campaign, diagnosis, input, program_version) +
                      model_tables(campaign, refitted_model(campaign, diagnosis, input), "refitted");
-  const std::vector<Extension> extensions = merged(diagnosis).extensions;
+  std::vector<Extension> extensions = merged(diagnosis).extensions;
+  std::erase_if(extensions, std::not_fn(is_in_model));
   return extensions.empty() ? text : text + "\n" + toml_text(extensions);
 }
 

@@ -139,6 +139,42 @@ std::string term_of(std::string_view id) {
   return std::string(term.empty() ? id : term);
 }
 
+std::string term_of(std::string_view id, const Findings& findings) {
+  if (const std::size_t plus = id.find('+'); plus != std::string_view::npos) {
+    return term_of(id.substr(0, plus), findings) + " and " + term_of(id.substr(plus + 1), findings);
+  }
+  const auto found = std::ranges::find(findings.effects, id, &FoundEffect::id);
+  return found == findings.effects.end() || found->term.empty() ? term_of(id) : found->term;
+}
+
+std::string covariate_prose(std::string_view covariate) {
+  std::string prose(covariate);
+  std::ranges::replace(prose, '_', ' ');
+  return prose;
+}
+
+std::string remainder_prose(const Remainder& remainder) {
+  constexpr double kPercent = 100;
+  constexpr double kFewPercent = 10;
+  constexpr double kLeastP = 0.001;
+  std::vector<std::string> parts;
+  if (std::isfinite(remainder.share)) {
+    const double percent = kPercent * remainder.share;
+    parts.push_back(percent < kFewPercent ? fmt::format("{:.2g} % of the squared error", percent)
+                                          : fmt::format("{:.0f} % of the squared error", percent));
+  }
+  if (std::isfinite(remainder.input_rmse_N)) {
+    parts.push_back(fmt::format("{:.2g} N of input tension", remainder.input_rmse_N));
+  }
+  if (!remainder.covariate.empty()) {
+    const std::string p = remainder.p < kLeastP ? fmt::format("below {}", kLeastP)
+                                                : fmt::format("{:.2g}", remainder.p);
+    parts.push_back(fmt::format("most against {}{}", covariate_prose(remainder.covariate),
+                                std::isfinite(remainder.p) ? fmt::format(" (p {})", p) : ""));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
 std::string experiments_for(const std::vector<std::string>& ids) {
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < ids.size(); ++i) {

@@ -37,6 +37,16 @@ std::string candidate_prose(std::string_view id);
 /// "none" and "unknown" mean. An id that is not known stands for itself.
 std::string term_of(std::string_view id);
 
+/// The same, by the terms that effects of the findings bring along, which the catalogue may lack.
+std::string term_of(std::string_view id, const Findings& findings);
+
+/// "travel since reversal" of "travel_since_reversal".
+std::string covariate_prose(std::string_view covariate);
+
+/// "12 % of the squared error, 2.4 N of input tension, most against position (p 0.005)"; without
+/// what is not known.
+std::string remainder_prose(const Remainder& remainder);
+
 /// What distinguishes the effects of a set, pair by pair, as the catalogue has it from either side;
 /// "; " between them. Empty where it has nothing.
 std::string experiments_for(const std::vector<std::string>& ids);

@@ -86,6 +86,17 @@ ordered_json step_json(const Step& step) {
           {"sessions", step.sessions}};
 }
 
+ordered_json remainder_json(const std::optional<Remainder>& remainder) {
+  if (!remainder) {
+    return nullptr;
+  }
+  return {{"share", number(remainder->share)},
+          {"input_rmse_N", number(remainder->input_rmse_N)},
+          {"output_rmse_N", number(remainder->output_rmse_N)},
+          {"covariate", text_or_null(remainder->covariate)},
+          {"p", number(remainder->p)}};
+}
+
 ordered_json extensions_json(const std::vector<Extension>& extensions) {
   ordered_json json = ordered_json::object();
   for (const Extension& extension : extensions) {
@@ -124,6 +135,7 @@ ordered_json tension_json(const std::optional<TensionDiagnosis>& tension) {
     return nullptr;
   }
   ordered_json json = findings_json(tension->findings);
+  json["remainder"] = remainder_json(tension->findings.remainder);
   json["damage_ratio"] = number(tension->damage_ratio);
   json["friction_coefficient"] = number(tension->friction_coefficient);
   json["log_gain"] = number(tension->log_gain);
@@ -148,7 +160,9 @@ ordered_json lives_json(const std::optional<LifeDiagnosis>& lives) {
 
 std::string diagnosis_json(const Diagnosis& diagnosis, const ResultsContext& context, int indent) {
   ordered_json json{{"campaign", context.campaign}};
-  json.update(findings_json(merged(diagnosis)));
+  const Findings all = merged(diagnosis);
+  json.update(findings_json(all));
+  json["remainder"] = remainder_json(all.remainder);
   json["extended_model"] = text_or_null(context.extended_model);
   json["tension"] = tension_json(diagnosis.tension);
   json["lives"] = lives_json(diagnosis.lives);

@@ -91,6 +91,12 @@ void write_steps(std::ostream& out, const std::vector<Step>& steps) {
   }
 }
 
+void write_remainder(std::ostream& out, const Findings& findings) {
+  if (findings.remainder) {
+    fmt::print(out, "  remains: {}\n", printable(remainder_prose(*findings.remainder)));
+  }
+}
+
 void write_invisible(std::ostream& out, const Findings& findings) {
   for (const Invisible& one : findings.invisible) {
     fmt::print(out, "  not detectable here: {}: {}\n", printable(one.id), printable(one.why));
@@ -122,6 +128,7 @@ void write_part(std::ostream& out, const DataFindings& part, const std::string& 
   }
   write_gain(out, findings.gain);
   write_steps(out, findings.steps);
+  write_remainder(out, findings);
   fmt::print(out, "  cost in life: {}\n", cost);
   write_same(out, findings);
   write_invisible(out, findings);

@@ -9,6 +9,8 @@
 #include <numeric>
 #include <utility>
 
+#include "host_sim/diagnose/output/prose.hpp"
+
 namespace host_sim::diagnose_page {
 namespace {
 
@@ -49,11 +51,6 @@ std::vector<Layer> outputs(const TensionDiagnosis& tension, const TracePicture& 
 
 using diagnose::ResidualPicture;
 using diagnose::TensionDiagnosis;
-
-std::string in_words(std::string covariate) {
-  std::replace(covariate.begin(), covariate.end(), '_', ' ');
-  return covariate;
-}
 
 /// There and back: the outline of the envelope.
 Layer envelope(const ResidualPicture& residual) {
@@ -174,7 +171,7 @@ std::vector<std::size_t> residual_order(const TensionDiagnosis& tension) {
 
 Chart residual_chart(const TensionDiagnosis& tension, std::size_t residual_index) {
   const ResidualPicture& residual = tension.residuals.at(residual_index);
-  const std::string covariate = in_words(residual.covariate);
+  const std::string covariate = diagnose::covariate_prose(residual.covariate);
   const std::string unit = unit_text(residual.unit);
   Chart chart;
   chart.id = fmt::format("residual-{}", residual_index);

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <utility>
+
 #include "host_sim/diagnose/diagnosis.hpp"
 #include "host_sim/diagnose/output/prose.hpp"
 #include "host_sim/report/page/elements.hpp"
@@ -38,7 +41,7 @@ std::string named(const Findings& findings) {
 std::string ambiguous(const Findings& findings) {
   std::vector<std::string> terms;
   for (const std::string& id : findings.credible_set) {
-    terms.push_back(diagnose::term_of(id));
+    terms.push_back(diagnose::term_of(id, findings));
   }
   const std::string causes = terms.empty() ? "" : ": " + listed(terms, "or");
   return "the model does not fit, and the data do not determine the cause" + causes;
@@ -48,7 +51,7 @@ std::string unknown(const Findings& findings) {
   std::vector<std::string> terms;
   for (const diagnose::Step& step : findings.steps) {
     if (!step.effect.id.empty()) {
-      terms.push_back(step.effect.term);
+      terms.push_back(step.effect.term.empty() ? step.effect.id : step.effect.term);
     }
   }
   return terms.empty() ? "the model does not fit, and nothing in the catalogue explains why"
@@ -103,6 +106,25 @@ std::string gains(const DataFindings& part, bool both) {
   return html;
 }
 
+std::string remainder(const diagnose::Diagnosis& diagnosis) {
+  if (!diagnosis.tension || !diagnosis.tension->findings.remainder) {
+    return {};
+  }
+  const diagnose::Remainder& left = *diagnosis.tension->findings.remainder;
+  std::string note = "of the squared error of the nominal model";
+  for (const auto& [name, rmse_N] :
+       {std::pair("input", left.input_rmse_N), std::pair("output", left.output_rmse_N)}) {
+    if (std::isfinite(rmse_N)) {
+      note += fmt::format(", {} of {} tension", quantity_text(rmse_N, "N", 2), name);
+    }
+  }
+  if (!left.covariate.empty()) {
+    note += fmt::format(", most against {} (p {})", diagnose::covariate_prose(left.covariate),
+                        p_text(left.p));
+  }
+  return tile("What remains", percent_text(left.share), note);
+}
+
 std::string life(const diagnose::Diagnosis& diagnosis) {
   std::string html;
   if (diagnosis.tension && !diagnosis.tension->findings.extensions.empty()) {
@@ -146,7 +168,8 @@ std::string origin(const diagnose::Diagnosis& diagnosis) {
 
 std::string tiles(const diagnose::Diagnosis& diagnosis) {
   std::string html = tile("Verdict", std::string(name_of(diagnosis.verdict())),
-                          "none, named, ambiguous or unknown");
+                          "none, named, ambiguous or unknown") +
+                     remainder(diagnosis);
   const std::vector<DataFindings> parts = diagnose::findings_by_data(diagnosis);
   for (const DataFindings& part : parts) {
     html += effects(part) + gains(part, parts.size() > 1);

@@ -150,7 +150,7 @@ std::string equivalents(const Findings& findings) {
     std::vector<std::string> terms;
     terms.reserve(set.size());
     for (const std::string& id : set) {
-      terms.push_back(diagnose::term_of(id));
+      terms.push_back(diagnose::term_of(id, findings));
     }
     table.row(joined(set), {joined(terms), diagnose::experiments_for(set)});
   }
@@ -221,7 +221,7 @@ std::string ranking(const Findings& findings) {
       continue;
     }
     ++shown;
-    html += row(diagnose::candidate_prose(candidate.id), diagnose::term_of(candidate.id),
+    html += row(diagnose::candidate_prose(candidate.id), diagnose::term_of(candidate.id, findings),
                 candidate.probability, strong);
   }
   if (left_out > 0) {

@@ -1,8 +1,9 @@
+#include "host_sim/diagnose/diagnosis.hpp"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "host_sim/diagnose/diagnosis.hpp"
 #include "tests/diagnose/output/hand_made_diagnosis.hpp"
 
 namespace host_sim::diagnose {
@@ -61,6 +62,15 @@ TEST(Parts, MergedHoldAllOfBoth) {
   EXPECT_EQ(all.refitted.size(), 1U);
   EXPECT_EQ(all.extensions.size(), 2U);
   EXPECT_EQ(all.prose, "Friction grows. Lots differ.");
+}
+
+TEST(Parts, TheRemainderIsThatOfTheRecordings) {
+  Diagnosis diagnosis = host_sim_test::both_parts();
+  EXPECT_FALSE(merged(diagnosis).remainder.has_value());
+  diagnosis.tension->findings.remainder = host_sim_test::left_over_position();
+  ASSERT_TRUE(merged(diagnosis).remainder.has_value());
+  EXPECT_EQ(merged(diagnosis).remainder->covariate, "position");
+  EXPECT_EQ(merged(diagnosis).remainder->output_rmse_N, 1.1);
 }
 
 TEST(Parts, AMetricOfBothKeepsBothValues) {

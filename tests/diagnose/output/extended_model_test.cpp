@@ -99,6 +99,18 @@ TEST(ExtendedModel, WithoutAnEffectIsTheRefittedModel) {
   EXPECT_EQ(model.sheath.friction_coefficient, 0.131);
 }
 
+TEST(ExtendedModel, LeavesOutWhatNoModelHas) {
+  Diagnosis diagnosis = recordings();
+  diagnosis.tension->findings.extensions.push_back(
+      host_sim_test::zero_of_rig().findings.extensions.front());
+  const Model model = model_of(campaign(), diagnosis, InputFrom::current);
+  ASSERT_EQ(model.extensions.size(), 1U);
+  EXPECT_EQ(model.extensions[0].id, "friction_wear");
+  EXPECT_NE(extended_model_text(campaign(), diagnosis, InputFrom::current, "1")
+                .find("# Extended by friction_wear.\n# Outside of the model: zero_of_rig.\n"),
+            std::string::npos);
+}
+
 TEST(ExtendedModel, SaysWhereItIsFrom) {
   const std::string text =
       extended_model_text(campaign(), host_sim_test::both_parts(), InputFrom::current, "1.2.3");

@@ -5,6 +5,7 @@ namespace host_sim_test {
 using host_sim::diagnose::Diagnosis;
 using host_sim::diagnose::Findings;
 using host_sim::diagnose::LifeDiagnosis;
+using host_sim::diagnose::Remainder;
 using host_sim::diagnose::TensionDiagnosis;
 using host_sim::diagnose::Verdict;
 
@@ -61,6 +62,26 @@ LifeDiagnosis lots_in_lives() {
   lives.ipl_exponent = 1.45;
   lives.weibull_shape = 5.8;
   return lives;
+}
+
+Remainder left_over_position() {
+  return {0.12, 2.4, 1.1, "position", 0.005};
+}
+
+TensionDiagnosis zero_of_rig() {
+  TensionDiagnosis tension = wear_in_recordings();
+  Findings& findings = tension.findings;
+  findings.effects = {{"zero_of_rig",
+                       "zero of the rig",
+                       "T_out + b",
+                       "none",
+                       0.99,
+                       {{"output_zero_N", "N", 0.4, 0.3, 0.5}}}};
+  findings.candidates = {{"zero_of_rig", 0.99}, {"slack+zero_of_rig", 0.01}};
+  findings.credible_set = {"zero_of_rig"};
+  findings.equivalent_sets = {{"slack", "zero_of_rig"}};
+  findings.extensions = {{"zero_of_rig", {{"output_zero_N", {0.4}}}}};
+  return tension;
 }
 
 Diagnosis both_parts() {

@@ -11,7 +11,12 @@ host_sim::diagnose::TensionDiagnosis wear_in_recordings();
 /// lot_frailty with 0.973; everything that lives can have.
 host_sim::diagnose::LifeDiagnosis lots_in_lives();
 
-/// Both of them, and a warning.
+/// An effect that the catalogue lacks, with a term of its own.
+host_sim::diagnose::TensionDiagnosis zero_of_rig();
+
+host_sim::diagnose::Remainder left_over_position();
+
+/// Wear in the recordings, lots in the lives, and a warning.
 host_sim::diagnose::Diagnosis both_parts();
 
 }  // namespace host_sim_test

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/diagnose/output/hand_made_diagnosis.hpp"
 
 namespace host_sim::diagnose {
@@ -50,6 +52,33 @@ TEST(TermOf, IsTheWordOfTheField) {
             "wear or run-in of the sheath and competing failure mode");
   EXPECT_EQ(term_of("none"), "no effect");
   EXPECT_EQ(term_of("never_heard_of"), "never_heard_of");
+}
+
+TEST(TermOf, IsTheEffectsOwnWhereTheCatalogueHasNone) {
+  const Findings findings = host_sim_test::zero_of_rig().findings;
+  EXPECT_EQ(term_of("zero_of_rig", findings), "zero of the rig");
+  EXPECT_EQ(term_of("slack+zero_of_rig", findings), term_of("slack") + " and zero of the rig");
+  EXPECT_EQ(term_of("slack", findings), term_of("slack"));
+  EXPECT_EQ(term_of("none", findings), "no effect");
+  EXPECT_EQ(term_of("zero_of_rig"), "zero_of_rig");
+}
+
+TEST(Remainder, IsOneSentenceOfWhatIsKnown) {
+  Remainder left = host_sim_test::left_over_position();
+  EXPECT_EQ(remainder_prose(left),
+            "12 % of the squared error, 2.4 N of input tension, most against position (p 0.005)");
+  left.share = 0.0034;
+  left.covariate = "sheath_temperature";
+  left.p = 0.0002;
+  EXPECT_EQ(remainder_prose(left),
+            "0.34 % of the squared error, 2.4 N of input tension, most against sheath temperature "
+            "(p below 0.001)");
+  left.input_rmse_N = std::nan("");
+  left.p = std::nan("");
+  EXPECT_EQ(remainder_prose(left), "0.34 % of the squared error, most against sheath temperature");
+  left.share = 1;
+  left.covariate.clear();
+  EXPECT_EQ(remainder_prose(left), "100 % of the squared error");
 }
 
 TEST(ExperimentsFor, AreThoseOfTheCatalogueFromEitherSide) {

@@ -56,6 +56,32 @@ TEST(DiagnosisJson, HasThePartsByThemselves) {
   EXPECT_EQ(result["lives"]["residual_shape"]["before"], 3.9);
 }
 
+TEST(DiagnosisJson, HasTheRemainderOfTheRecordings) {
+  Diagnosis diagnosis = host_sim_test::both_parts();
+  EXPECT_TRUE(json_of(diagnosis)["remainder"].is_null());
+  diagnosis.tension->findings.remainder = host_sim_test::left_over_position();
+  const json remainder = json::parse(R"({"share": 0.12, "input_rmse_N": 2.4, "output_rmse_N": 1.1,
+                                         "covariate": "position", "p": 0.005})");
+  const json result = json_of(diagnosis);
+  EXPECT_EQ(result["remainder"], remainder);
+  EXPECT_EQ(result["tension"]["remainder"], remainder);
+  EXPECT_FALSE(result["lives"].contains("remainder"));
+  diagnosis.tension->findings.remainder = Remainder{kNone, kNone, kInfinity, "", kNone};
+  EXPECT_EQ(json_of(diagnosis)["remainder"],
+            json::parse(R"({"share": null, "input_rmse_N": null, "output_rmse_N": null,
+                            "covariate": null, "p": null})"));
+}
+
+TEST(DiagnosisJson, AnEffectOutsideOfTheCatalogueHasItsOwnTerm) {
+  Diagnosis diagnosis;
+  diagnosis.tension = host_sim_test::zero_of_rig();
+  const json effect = json_of(diagnosis)["effects"][0];
+  EXPECT_EQ(effect["id"], "zero_of_rig");
+  EXPECT_EQ(effect["term"], "zero of the rig");
+  EXPECT_EQ(effect["equation"], "T_out + b");
+  EXPECT_EQ(effect["life_consequence"], "none");
+}
+
 TEST(DiagnosisJson, WhatIsNotThereIsNull) {
   Diagnosis diagnosis;
   diagnosis.lives.emplace();

@@ -66,6 +66,24 @@ TEST(DiagnosisSummary, SaysWhereTheExtensionIsNoBetter) {
   EXPECT_THAT(summary_of(diagnosis), HasSubstr("0.1 -> 0.2  (not better)\n"));
 }
 
+TEST(DiagnosisSummary, ReportsWhatRemains) {
+  Diagnosis diagnosis;
+  diagnosis.tension = host_sim_test::wear_in_recordings();
+  EXPECT_THAT(summary_of(diagnosis), Not(HasSubstr("remains:")));
+  diagnosis.tension->findings.remainder = host_sim_test::left_over_position();
+  EXPECT_THAT(summary_of(diagnosis),
+              HasSubstr("\n  remains: 12 % of the squared error, 2.4 N of input tension, most "
+                        "against position (p 0.005)\n  cost in life"));
+}
+
+TEST(DiagnosisSummary, AnEffectOutsideOfTheCatalogueHasItsOwnTerm) {
+  Diagnosis diagnosis;
+  diagnosis.tension = host_sim_test::zero_of_rig();
+  EXPECT_THAT(summary_of(diagnosis),
+              HasSubstr("  zero_of_rig           probability 0.990  zero of the rig\n"));
+  EXPECT_THAT(summary_of(diagnosis), HasSubstr("not distinguishable here: slack, zero_of_rig\n"));
+}
+
 TEST(DiagnosisSummary, NamesDoNotMoveTheTerminal) {
   Diagnosis diagnosis = host_sim_test::both_parts();
   diagnosis.tension->findings.prose = "\x1b[2J";

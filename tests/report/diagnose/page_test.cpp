@@ -82,6 +82,29 @@ TEST(DiagnosisPage, TellsTheCostInLife) {
   EXPECT_THAT(page_of(samples::nothing_wrong()), HasSubstr("Nothing was extended"));
 }
 
+TEST(DiagnosisPage, SaysWhatRemainsBesideTheVerdict) {
+  const std::string page = page_of(samples::outside_of_catalogue());
+  EXPECT_THAT(page, HasSubstr("What remains"));
+  EXPECT_THAT(page, HasSubstr("12\u00a0%"));
+  EXPECT_THAT(page,
+              HasSubstr("of the squared error of the nominal model, 2.4\u00a0N of input tension, "
+                        "1.1\u00a0N of output tension, most against travel since reversal "
+                        "(p 0.005)"));
+  EXPECT_LT(page.find("What remains"), page.find("Zero of the load cell of the rig"));
+  EXPECT_THAT(page_of(samples::wear_named()), Not(HasSubstr("What remains")));
+}
+
+TEST(DiagnosisPage, AnEffectOutsideOfTheCatalogueHasItsOwnTerm) {
+  const std::string page = page_of(samples::outside_of_catalogue());
+  EXPECT_THAT(page, HasSubstr("the model leaves out zero of the load cell of the rig (99"));
+  EXPECT_THAT(page, HasSubstr("zero_of_rig<br><small>zero of the load cell of the rig</small>"));
+  EXPECT_THAT(page,
+              HasSubstr("<small>backlash or dead zone and zero of the load cell of the rig<"));
+  EXPECT_THAT(page, HasSubstr("<td>backlash or dead zone, zero of the load cell of the rig</td>"));
+  EXPECT_THAT(page, HasSubstr("none: the tendon does not see it"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">never_heard_of</th>"));
+}
+
 TEST(DiagnosisPage, NamesTheExperimentThatDecides) {
   EXPECT_THAT(page_of(samples::ambiguous_pair()),
               HasSubstr("<strong>Experiment to make next.</strong> record at several bend angles"));

@@ -111,6 +111,25 @@ Diagnosis wear_named() {
   return diagnosis;
 }
 
+Diagnosis outside_of_catalogue() {
+  Diagnosis diagnosis = wear_named();
+  Findings& findings = diagnosis.tension->findings;
+  findings.prose = "The load cell has a zero of its own.";
+  findings.effects = {{"zero_of_rig",
+                       "zero of the load cell of the rig",
+                       "T_out + b",
+                       "none: the tendon does not see it",
+                       0.99,
+                       {{"output_zero_N", "N", 0.4, 0.3, 0.5}}}};
+  findings.candidates = {{"zero_of_rig", 0.99}, {"slack+zero_of_rig", 0.01}};
+  findings.credible_set = {"zero_of_rig"};
+  findings.equivalent_sets = {{"slack", "zero_of_rig"}};
+  findings.invisible.push_back({"never_heard_of", "nobody knows"});
+  findings.extensions.clear();
+  findings.remainder = {0.12, 2.4, 1.1, "travel_since_reversal", 0.005};
+  return diagnosis;
+}
+
 Diagnosis nothing_wrong() {
   Diagnosis diagnosis;
   diagnosis.tension = recordings(0);
@@ -191,6 +210,7 @@ Diagnosis hostile_diagnosis() {
     findings->discrepancies[0].covariate = name;
     findings->refitted[0].name = name;
   }
+  diagnosis.tension->findings.remainder = {0.5, 1, 1, name, 0.5};
   diagnosis.tension->traces[0].session = name;
   diagnosis.tension->residuals[0].covariate = name;
   diagnosis.tension->residuals[0].unit = name;
@@ -209,11 +229,13 @@ std::vector<DiagnosisSample> all_diagnoses() {
                                                        std::numeric_limits<double>::infinity()};
   broken.tension->findings.discrepancies[0] = {"cycle", kNone, kNone, kNone};
   broken.tension->findings.candidates[0].probability = kNone;
+  broken.tension->findings.remainder = {kNone, kNone, kNone, "cycle", kNone};
   broken.tension->traces[0].before_N[3] = kNone;
   broken.tension->residuals[0].after[2] = kNone;
   // Each of the four sessions has a trace and a loop, each residual a plot; lives have three.
   return {{"typical", 12, "crossed test of the upper arm", wear_named()},
           {"none", 12, "upper arm, new sheath", nothing_wrong()},
+          {"outside", 12, "upper arm, load cell with a zero", outside_of_catalogue()},
           {"ambiguous", 12, "field log at one pose", ambiguous_pair()},
           {"unknown", 12, "upper arm, second rig", unexplained()},
           {"lives", 3, "three lots", lots_named()},

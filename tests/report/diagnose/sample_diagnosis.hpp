@@ -22,6 +22,9 @@ struct DiagnosisSample {
 /// Nothing is wrong: six sessions, no extension.
 [[nodiscard]] diagnose::Diagnosis nothing_wrong();
 
+/// An effect that the catalogue lacks is named; 12 % of the squared error remain.
+[[nodiscard]] diagnose::Diagnosis outside_of_catalogue();
+
 /// Gear asymmetry or an error of the bend angle.
 [[nodiscard]] diagnose::Diagnosis ambiguous_pair();
 

@@ -29,6 +29,18 @@ TEST(DiagnosisVerdict, SaysWhatIsAmbiguousByTheCredibleSet) {
   EXPECT_EQ(text.find("98.7"), std::string::npos);
 }
 
+TEST(DiagnosisVerdict, TakesTheTermOfTheEffectWhereTheCatalogueHasNone) {
+  diagnose::Diagnosis diagnosis = samples::outside_of_catalogue();
+  diagnosis.tension->findings.verdict = diagnose::Verdict::ambiguous;
+  diagnosis.tension->findings.credible_set = {"zero_of_rig", "never_heard_of"};
+  EXPECT_NE(verdict(diagnosis).find(": zero of the load cell of the rig or never_heard_of."),
+            std::string::npos);
+  diagnosis = samples::unexplained();
+  diagnosis.tension->findings.steps.resize(2);
+  diagnosis.tension->findings.steps[1].effect.id = "zero_of_rig";
+  EXPECT_NE(verdict(diagnosis).find("in part, by zero_of_rig."), std::string::npos);
+}
+
 TEST(DiagnosisVerdict, NothingAndUnknownAreNotTheSame) {
   EXPECT_EQ(verdict(samples::nothing_wrong()),
             "Recordings: the campaign shows no discrepancy from the model.");
