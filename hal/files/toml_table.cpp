@@ -56,6 +56,11 @@ std::string describe(const toml::node& node) {
   return text.str();
 }
 
+std::string toml_float(double value) {
+  std::string text = fmt::format("{}", value);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
 TomlTable::TomlTable(std::string_view file, const toml::table& values, std::string name,
                      toml::source_position place)
     : file_(file), values_(&values), name_(std::move(name)), place_(place) {}

@@ -18,6 +18,10 @@ toml::table parse_toml(std::string_view text, std::string_view file);
 /// A value as a message shows it.
 std::string describe(const toml::node& node);
 
+/// The shortest digits that read back as this number, and as a float.
+/// @pre it is finite
+std::string toml_float(double value);
+
 /// A table of a TOML file, for reading values with errors that say where they are.
 class TomlTable {
  public:

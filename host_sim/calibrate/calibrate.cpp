@@ -21,8 +21,8 @@ using hal::files::InputError;
 
 namespace {
 
-/// Why a fit does not exist, and what it would need.
-std::string_view problem_text(statistics::FitProblem problem) {
+/// What a fit that does not exist would need, after "no fit, ".
+std::string_view need_of(statistics::FitProblem problem) {
   switch (problem) {
     case statistics::FitProblem::none:
       return "which converged";
@@ -57,7 +57,7 @@ std::string level_warning(const Campaign& campaign, const Level& level, const Le
       "{}:{}: level {}: {} failed of {}: no Weibull fit of its own, {}; its specimens still count "
       "in the life law",
       file, level.specimens.front()->line, result.name(), result.failed(), result.sample.size(),
-      problem_text(weibull.problem));
+      need_of(weibull.problem));
 }
 
 class Warnings {
@@ -112,7 +112,7 @@ class Warnings {
   }
 
   void add_shape() {
-    if (result_.common_shape && rejects(result_.common_shape->homogeneity)) {
+    if (result_.common_shape && rejected(result_.common_shape->homogeneity)) {
       add("one shape for all levels is rejected: likelihood ratio {:.2f}, p {:.2g}",
           result_.common_shape->homogeneity.statistic,
           result_.common_shape->homogeneity.p_simulated);
@@ -132,7 +132,7 @@ class Warnings {
   }
 
   void add_rejected(const std::optional<Test>& test, std::string_view text) {
-    if (test && rejects(*test)) {
+    if (test && rejected(*test)) {
       add("{}: likelihood ratio {:.2f}, p {:.2g}", text, test->statistic, test->p_simulated);
     }
   }
@@ -184,8 +184,6 @@ class Warnings {
       }
     }
   }
-
-  static bool rejects(const Test& test) { return test.p_simulated < kSignificance; }
 
   const Campaign& campaign_;
   std::span<const Level> sources_;
@@ -269,8 +267,7 @@ class Calibration {
     const life_law::LifeData data = specimens_to_fit(campaign_, result_.levels, sources_);
     const life_law::LifeFit fit = life_law::fit_life(data);
     if (fit.problem != statistics::FitProblem::none) {
-      result_.warnings.push_back(
-          fmt::format("there is no life law: {}", problem_text(fit.problem)));
+      result_.warnings.push_back(fmt::format("there is no life law: {}", need_of(fit.problem)));
       return;
     }
     const LifeLaw law = fit.law();

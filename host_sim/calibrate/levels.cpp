@@ -66,6 +66,22 @@ LevelResult level_result(const Level& level, std::size_t index, const CalibrateO
   return result;
 }
 
+std::string_view problem_name(statistics::FitProblem problem) {
+  switch (problem) {
+    case statistics::FitProblem::none:
+      return "";
+    case statistics::FitProblem::too_few_failures:
+      return "fewer than two failures";
+    case statistics::FitProblem::no_spread:
+      return "all failures at one life";
+    case statistics::FitProblem::not_identified:
+      return "the data do not determine it";
+    case statistics::FitProblem::not_converged:
+      return "the fit did not converge";
+  }
+  return "";
+}
+
 std::size_t LevelResult::failed() const {
   std::size_t count = 0;
   for (const statistics::Observation& observation : sample) {

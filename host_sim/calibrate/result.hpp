@@ -1,9 +1,11 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host_sim/campaign/campaign.hpp"
@@ -20,6 +22,19 @@ using statistics::Test;
 /// Below it a test rejects.
 inline constexpr double kSignificance = 0.05;
 inline constexpr double kConfidence = 0.95;
+
+/// The simulated p-value where there is one, else that of the chi-square distribution.
+inline double p_of(const Test& test) {
+  return std::isnan(test.p_simulated) ? test.p_chi_square : test.p_simulated;
+}
+
+/// Whether a test is evidence against its hypothesis; a p-value that was not computed is none.
+inline bool rejected(const Test& test) {
+  return p_of(test) < kSignificance;
+}
+
+/// Why there is no fit, in a few words; empty where there is one.
+std::string_view problem_name(statistics::FitProblem problem);
 
 /// One level with its own fits (the paper's Tables 3 and 4).
 struct LevelResult {

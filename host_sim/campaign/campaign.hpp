@@ -13,15 +13,6 @@ namespace host_sim {
 /// A test as its folder holds it: campaign.toml, specimens.csv with the lives, and blocks.csv where
 /// specimens were loaded in blocks. Recordings, which sessions.csv names, are read elsewhere.
 struct Campaign {
-  /// Parts of the nominal model; those that the data do not need may be missing.
-  struct Nominal {
-    std::optional<Model::Cable> cable;
-    std::optional<Model::Sheath> sheath;
-    std::optional<Model::Drive> drive;
-    std::optional<Model::Counting> counting;
-    std::optional<Model::Life> life;
-  };
-
   enum class Status { failed, suspended };
   enum class Role { fit, validation };
 
@@ -71,7 +62,7 @@ struct Campaign {
   /// signs.
   bool two_sided = false;
   std::vector<Use> uses;  ///< [[use]] of campaign.toml
-  Nominal nominal;
+  NominalModel nominal;
   /// In order of their names, whatever the order in the file; none where the campaign holds
   /// recordings only: sessions.csv and no specimens.csv.
   std::vector<Specimen> specimens;

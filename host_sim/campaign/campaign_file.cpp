@@ -114,55 +114,10 @@ std::vector<Campaign::Use> uses_in(const TomlTable& top, const LoadModel& model)
   return uses;
 }
 
-constexpr std::string_view kSchema = "schema";
-
-void check_schema(const TomlTable& top) {
-  if (!top.has(kSchema)) {
-    return;
-  }
-  constexpr std::string_view kAccepted = "schema = 1";
-  const toml::node& schema = top.node(kSchema, kAccepted);
-  const auto* const value = schema.as_integer();
-  if (value == nullptr || value->get() != 1) {
-    top.fail(top.place_of(kSchema), "schema is " + describe(schema), kAccepted);
-  }
-}
-
-Campaign::Nominal nominal_in(const TomlTable& model) {
-  model.refuse_unknown_keys({}, model_table_names());
-  const ModelTables tables(model);
-  Model values{};
-  for (const std::string_view table : model_table_names()) {
-    if (tables.has(table)) {
-      tables.read(table, values);
-    }
-  }
-  Campaign::Nominal nominal;
-  if (tables.has("cable")) {
-    nominal.cable = values.cable;
-  }
-  if (tables.has("sheath")) {
-    nominal.sheath = values.sheath;
-  }
-  if (tables.has("drive")) {
-    nominal.drive = values.drive;
-  }
-  if (tables.has("counting")) {
-    nominal.counting = values.counting;
-  }
-  if (tables.has("life")) {
-    nominal.life = values.life;
-  }
-  if (nominal.cable && nominal.counting) {
-    tables.check_hysteresis(values);
-  }
-  return nominal;
-}
-
 }  // namespace
 
 CampaignFile parse_campaign_file(std::string_view text, std::string_view file) {
-  constexpr std::array<std::string_view, 4> kTop{"campaign", "model", "use", kSchema};
+  constexpr std::array<std::string_view, 4> kTop{"campaign", "model", "use", "schema"};
   constexpr std::array<std::string_view, 2> kCampaign{"name", "two_sided"};
   const toml::table values = parse_toml(text, file);
   const TomlTable top(file, values, "", {});
@@ -176,7 +131,7 @@ CampaignFile parse_campaign_file(std::string_view text, std::string_view file) {
   const toml::source_position place = top.place_of("model");
   result.model = {std::string(file), place.line, place.column};
   if (top.has("model")) {
-    result.nominal = nominal_in(top.table("model"));
+    result.nominal = known_tables_of(top.table("model"));
   }
   result.uses = uses_in(top, LoadModel(result.nominal, result.model));
   return result;

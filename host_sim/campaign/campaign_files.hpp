@@ -17,7 +17,7 @@ namespace host_sim {
 struct CampaignFile {
   std::string name;
   bool two_sided = false;
-  Campaign::Nominal nominal;
+  NominalModel nominal;
   Place model;  ///< of [model]; the file where there is none
   std::vector<Campaign::Use> uses;
 };

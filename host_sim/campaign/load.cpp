@@ -104,7 +104,7 @@ void refuse_at_limit(const GivenLoad& given, std::string_view what, double tensi
 
 }  // namespace
 
-LoadModel::LoadModel(const Campaign::Nominal& nominal, Place model)
+LoadModel::LoadModel(const NominalModel& nominal, Place model)
     : nominal_(&nominal), model_(std::move(model)) {}
 
 Campaign::Load LoadModel::load(const GivenLoad& given) const {

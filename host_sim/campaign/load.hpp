@@ -71,7 +71,7 @@ class LoadModel {
  public:
   /// `model` is the place of [model] in campaign.toml, for errors where it lacks a table. The
   /// nominal model must outlive this.
-  LoadModel(const Campaign::Nominal& nominal, Place model);
+  LoadModel(const NominalModel& nominal, Place model);
 
   /// Input tension from output tension by the capstan equation (14), (12) and (13), effective
   /// tension by Gerber's equation (11). An effective tension that is given stands for an input
@@ -89,7 +89,7 @@ class LoadModel {
   [[noreturn]] void fail_missing(const GivenLoad& given, std::string_view table,
                                  std::string_view key) const;
 
-  const Campaign::Nominal* nominal_;
+  const NominalModel* nominal_;
   Place model_;
 };
 

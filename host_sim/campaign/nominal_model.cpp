@@ -9,6 +9,7 @@ namespace host_sim {
 
 using hal::files::InputError;
 using hal::files::range_text;
+using hal::files::toml_float;
 
 namespace {
 
@@ -34,12 +35,6 @@ void require(bool there, const Campaign& campaign, std::string_view table) {
   }
 }
 
-/// The shortest digits that read back exactly, as a TOML float.
-std::string toml_float(double value) {
-  std::string text = fmt::format("{}", value);
-  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-}
-
 void check_range(const Campaign& campaign, const ModelKey& key, double value,
                  std::string_view how) {
   if (!key.range.contains(value)) {
@@ -53,7 +48,7 @@ void check_range(const Campaign& campaign, const ModelKey& key, double value,
 }  // namespace
 
 void require_nominal_model(const Campaign& campaign) {
-  const Campaign::Nominal& nominal = campaign.nominal;
+  const NominalModel& nominal = campaign.nominal;
   require(nominal.cable.has_value(), campaign, "cable");
   require(nominal.sheath.has_value(), campaign, "sheath");
   require(nominal.counting.has_value(), campaign, "counting");
@@ -79,7 +74,9 @@ std::string model_tables(const Campaign& campaign, Model model, std::string_view
     if (key.table != table) {
       table = key.table;
       text += fmt::format("\n[{}]\n", table);
-      text += table == "life" ? "mean_stress = \"gerber\"\n" : "";
+      if (table == "life") {
+        text += fmt::format("mean_stress = \"{}\"\n", name_of(model.life.mean_stress));
+      }
     }
     check_range(campaign, key, key.value(model), how);
     text += fmt::format("{} = {}\n", key.key, toml_float(key.value(model)));

@@ -73,7 +73,7 @@ fixed::FrictionPosition position_of(const Extension& e, const Model& model,
                              word(value_of(e, "position_cosine_" + number), 28)};
   }
   const double metres_a_turn =
-      2 * std::numbers::pi * model.drive->spool_radius_mm * 1e-3 / model.drive->gear_ratio;
+      2 * std::numbers::pi * model.drive->spool_radius_m() / model.drive->gear_ratio;
   const double waves = metres_a_turn / value_of(e, "wavelength_m");
   constexpr double kMostWaves = 7.99;
   constexpr double kLeastWaves = 1e-6;

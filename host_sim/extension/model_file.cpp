@@ -23,6 +23,7 @@ using hal::files::NumberKey;
 using hal::files::parse_toml;
 using hal::files::range_text;
 using hal::files::read_text_file;
+using hal::files::toml_float;
 using hal::files::TomlTable;
 
 namespace {
@@ -187,15 +188,6 @@ std::vector<ExtensionKeys> all_keys() {
   return all;
 }
 
-/// The shortest text that reads as this number, and as a float.
-std::string number_text(double value) {
-  std::string text = fmt::format("{}", value);
-  if (text.find_first_of(".e") == std::string::npos) {
-    text += ".0";
-  }
-  return text;
-}
-
 /// Whether a name stands for an array even where it holds one number.
 bool is_array(const Extension& extension, const Extension::Value& value) {
   if (value.name == kBendAngles.name || value.values.size() > 1) {
@@ -211,11 +203,11 @@ bool is_array(const Extension& extension, const Extension::Value& value) {
 
 std::string value_text(const Extension& extension, const Extension::Value& value) {
   if (!is_array(extension, value)) {
-    return number_text(value.values.front());
+    return toml_float(value.values.front());
   }
   std::vector<std::string> numbers;
   for (const double number : value.values) {
-    numbers.push_back(number_text(number));
+    numbers.push_back(toml_float(number));
   }
   return fmt::format("[{}]", fmt::join(numbers, ", "));
 }

@@ -40,11 +40,6 @@ double gain_share(const Model& model, double winding_temperature_C) {
                   1 - parameter(model, "torque_gain", "droop_1_K") * warmer_K);
 }
 
-reference::Drive drive_of(const Model::Drive& drive) {
-  return {drive.torque_constant_Nm_per_A, drive.gear_ratio, drive.gear_efficiency,
-          drive.spool_radius_mm * 1e-3, drive.current_offset_A};
-}
-
 }  // namespace
 
 ExtendedFriction::ExtendedFriction(const Model& model) : model_(model) {}
@@ -73,7 +68,7 @@ double ExtendedFriction::position(double motor_angle_rad) const {
     return 0;
   }
   const double position_m =
-      motor_angle_rad * model_.drive->spool_radius_mm * 1e-3 / model_.drive->gear_ratio;
+      motor_angle_rad * model_.drive->spool_radius_m() / model_.drive->gear_ratio;
   const double phase_rad = 2 * std::numbers::pi * position_m / value_of(*effect, "wavelength_m");
   double sum = 0;
   for (int harmonic = 1; harmonic <= 6; ++harmonic) {
@@ -152,7 +147,7 @@ double ExtendedInput::from_current_N(double motor_current_A, const Circumstances
                            parameter(model_, "current_offset", "current_offset_A") +
                            ripple_A(model_, at.motor_angle_rad);
   const double tension_N =
-      reference::input_tension_from_current(current_A, drive_of(*model_.drive)) *
+      reference::input_tension_from_current(current_A, model_.drive->reference()) *
       gain_share(model_, at.winding_temperature_C) *
       (1 + parameter(model_, "gear_asymmetry", "gear_asymmetry") * at.direction);
   const double lag_s = std::max(0.0, -parameter(model_, "filter_lag", "lag_s"));

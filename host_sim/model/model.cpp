@@ -51,7 +51,7 @@ std::string model_digest(const Model& model) {
     fmt::format_to(std::back_inserter(text), "{}.{}={:.17g}\n", key.table, key.key,
                    without_negative_zero);
   }
-  text += "life.mean_stress=gerber\n";
+  text += fmt::format("life.mean_stress={}\n", name_of(model.life.mean_stress));
   for (const Extension& extension : model.extensions) {
     for (const Extension::Value& value : extension.values) {
       for (const double number : value.values) {

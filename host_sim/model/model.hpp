@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "host_sim/reference/equations.hpp"
+
 namespace host_sim {
 
 /// One effect of the catalogue added to a nominal model, the table [extension.<id>] of its file.
@@ -35,6 +37,13 @@ struct Model {
     double gear_efficiency;
     double spool_radius_mm;
     double current_offset_A;
+
+    [[nodiscard]] double spool_radius_m() const { return spool_radius_mm * 1e-3; }
+    /// The same in the units of the equations.
+    [[nodiscard]] reference::Drive reference() const {
+      return {torque_constant_Nm_per_A, gear_ratio, gear_efficiency, spool_radius_m(),
+              current_offset_A};
+    }
   };
   struct Counting {
     double sample_rate_Hz;
@@ -54,6 +63,15 @@ struct Model {
   Counting counting;
   Life life;
   std::vector<Extension> extensions = {};  ///< by id, each once; see read_extended_model()
+};
+
+/// What is known of a model: tables that nobody needs may be missing.
+struct NominalModel {
+  std::optional<Model::Cable> cable;
+  std::optional<Model::Sheath> sheath;
+  std::optional<Model::Drive> drive;
+  std::optional<Model::Counting> counting;
+  std::optional<Model::Life> life;
 };
 
 /// Reads and checks `model.toml`. Throws InputError with the position of the offending key for

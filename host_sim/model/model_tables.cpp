@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <span>
 #include <string_view>
@@ -97,6 +98,8 @@ constexpr std::array<ModelKey, 14> kKeys{{
 
 constexpr std::array<std::string_view, 5> kTables{"cable", "sheath", "drive", "counting", "life"};
 constexpr std::array<std::string_view, 1> kMeanStress{"mean_stress"};
+constexpr std::array kMeanStressLaws{
+    std::pair{Model::MeanStress::kGerber, std::string_view("gerber")}};
 
 NumberKey number_key(const ModelKey& key) {
   return {key.key, key.unit, key.range};
@@ -121,23 +124,17 @@ Model::MeanStress mean_stress(const TomlTable& life) {
   constexpr std::string_view kAccepted = "mean_stress \"gerber\"";
   const std::string_view key = kMeanStress.front();
   const toml::node& node = life.node(key, kAccepted);
-  const auto* const value = node.as_string();
-  if (value == nullptr || value->get() != "gerber") {
-    life.fail(life.place_of(key), fmt::format("{} is {}", key, describe(node)), kAccepted);
+  if (const auto* const value = node.as_string()) {
+    for (const auto& [law, name] : kMeanStressLaws) {
+      if (value->get() == name) {
+        return law;
+      }
+    }
   }
-  return Model::MeanStress::kGerber;
+  life.fail(life.place_of(key), fmt::format("{} is {}", key, describe(node)), kAccepted);
 }
 
 constexpr std::string_view kSchema = "schema";
-
-void check_schema(const TomlTable& top) {
-  constexpr std::string_view kAccepted = "schema = 1";
-  const toml::node& schema = top.node(kSchema, kAccepted);
-  const auto* const value = schema.as_integer();
-  if (value == nullptr || value->get() != 1) {
-    top.fail(top.place_of(kSchema), "schema is " + describe(schema), kAccepted);
-  }
-}
 
 void refuse_unknown_tables(const TomlTable& top, std::span<const std::string_view> others) {
   std::vector<std::string_view> known{kSchema};
@@ -146,10 +143,50 @@ void refuse_unknown_tables(const TomlTable& top, std::span<const std::string_vie
   top.refuse_unknown_keys({}, known);
 }
 
+void require_schema(const TomlTable& top) {
+  constexpr std::string_view kAccepted = "schema = 1";
+  const toml::node& schema = top.node(kSchema, kAccepted);
+  const auto* const value = schema.as_integer();
+  if (value == nullptr || value->get() != 1) {
+    top.fail(top.place_of(kSchema), "schema is " + describe(schema), kAccepted);
+  }
+}
+
 }  // namespace
 
 std::span<const ModelKey> model_keys() {
   return kKeys;
+}
+
+void check_schema(const TomlTable& top) {
+  if (top.has(kSchema)) {
+    require_schema(top);
+  }
+}
+
+NominalModel known_tables_of(const TomlTable& model) {
+  model.refuse_unknown_keys({}, model_table_names());
+  const ModelTables tables(model);
+  Model values{};
+  for (const std::string_view table : model_table_names()) {
+    if (tables.has(table)) {
+      tables.read(table, values);
+    }
+  }
+  const auto known = [&](std::string_view table, const auto& read) {
+    return tables.has(table) ? std::optional(read) : std::nullopt;
+  };
+  NominalModel nominal{known("cable", values.cable), known("sheath", values.sheath), values.drive,
+                       known("counting", values.counting), known("life", values.life)};
+  if (nominal.cable && nominal.counting) {
+    tables.check_hysteresis(values);
+  }
+  return nominal;
+}
+
+std::string_view name_of(Model::MeanStress law) {
+  return std::ranges::find(kMeanStressLaws, law, [](const auto& entry) { return entry.first; })
+      ->second;
 }
 
 std::span<const std::string_view> model_table_names() {
@@ -199,7 +236,7 @@ void ModelTables::check_hysteresis(const Model& model) const {
 }
 
 Model nominal_model_of(const TomlTable& top, std::span<const std::string_view> others) {
-  check_schema(top);
+  require_schema(top);
   refuse_unknown_tables(top, others);
   const ModelTables tables(top);
   Model model{};

@@ -21,6 +21,9 @@ struct ModelKey {
 /// All numbers of a model, grouped by table, in the order of the file format.
 std::span<const ModelKey> model_keys();
 
+/// The name of a law of mean stress, as files have it.
+std::string_view name_of(Model::MeanStress law);
+
 /// The names of the tables of a model, in the order of the file format.
 std::span<const std::string_view> model_table_names();
 
@@ -45,6 +48,14 @@ class ModelTables {
 
   hal::files::TomlTable above_;
 };
+
+/// Whether a file says nothing of its schema, or that it is of schema 1.
+/// @throws InputError where it says anything else
+void check_schema(const hal::files::TomlTable& top);
+
+/// What the tables in [model] of a campaign or plan say.
+/// @throws InputError as read_model(), but not for tables that are missing
+NominalModel known_tables_of(const hal::files::TomlTable& model);
 
 /// The nominal model in the tables of a whole model.toml, in which the tables `others` may stand
 /// besides. @throws InputError as read_model()

@@ -1,9 +1,9 @@
 #include <fmt/ostream.h>
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <set>
 
+#include "host_sim/io/json.hpp"
 #include "host_sim/plan/plan.hpp"
 
 namespace host_sim::plan {
@@ -11,12 +11,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json number(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
-
 ordered_json optional_number(const std::optional<double>& value) {
-  return value ? number(*value) : ordered_json(nullptr);
+  return value ? json_number(*value) : ordered_json(nullptr);
 }
 
 ordered_json level_json(const PlanRequest& request, const Outlook::Level& level) {
@@ -45,8 +41,8 @@ ordered_json test_json(const PlanRequest& request, const PlannedTest& test) {
   json.update({{"specimens", test.outlook.specimens()},
                {"expected_failures", test.outlook.failures()},
                {"expected_cycles", test.outlook.cycles()},
-               {"ratio_median", number(test.outlook.ratio_median)},
-               {"ratio_at_assurance", number(test.outlook.ratio_at_assurance)},
+               {"ratio_median", json_number(test.outlook.ratio_median)},
+               {"ratio_at_assurance", json_number(test.outlook.ratio_at_assurance)},
                {"coverage", test.outlook.coverage},
                {"no_interval", test.outlook.no_interval},
                {"curvature_power", optional_number(test.curvature_power)},
@@ -69,9 +65,9 @@ std::string plan_json(const PlanRequest& request, const PlanResult& result) {
         {"weibull_shape", conditions.law.shape}}},
       {"use_tension_N", request.goal.use_tension_N},
       {"b10_cycles", result.b10_cycles},
-      {"ratio", number(request.goal.ratio)},
+      {"ratio", json_number(request.goal.ratio)},
       {"assurance", request.goal.assurance},
-      {"suspend_at_cycles", number(conditions.suspend_at_cycles)},
+      {"suspend_at_cycles", json_number(conditions.suspend_at_cycles)},
       {"curvature_factor", request.curvature_factor},
       {"extrapolation",
        {{"tension_factor", result.extrapolation.tension_factor},

@@ -134,10 +134,6 @@ constexpr double kSmoothHeat_s = 1;
                    fmt::format("session {} {}", in_quotes(recording.session), what), accepted);
 }
 
-double spool_radius_m(const Model::Drive& drive) {
-  return drive.spool_radius_mm / 1000;
-}
-
 std::vector<double> scaled(std::vector<double> values, double factor) {
   for (double& value : values) {
     value *= factor;
@@ -147,9 +143,7 @@ std::vector<double> scaled(std::vector<double> values, double factor) {
 
 std::vector<double> current_tension_N(const std::vector<double>& current_A,
                                       const Model::Drive& drive) {
-  const reference::Drive nominal{drive.torque_constant_Nm_per_A, drive.gear_ratio,
-                                 drive.gear_efficiency, spool_radius_m(drive),
-                                 drive.current_offset_A};
+  const reference::Drive nominal = drive.reference();
   std::vector<double> tension_N;
   tension_N.reserve(current_A.size());
   for (const double current : current_A) {
@@ -159,7 +153,7 @@ std::vector<double> current_tension_N(const std::vector<double>& current_A,
 }
 
 std::vector<double> bend_angle_rad(const Recording& recording, const Channels& channels,
-                                   const Campaign::Nominal& nominal) {
+                                   const NominalModel& nominal) {
   if (!channels[kBendAngle].empty()) {
     return scaled(channels[kBendAngle], kRadPerDeg);
   }
@@ -170,8 +164,8 @@ std::vector<double> bend_angle_rad(const Recording& recording, const Channels& c
   return std::vector<double>(recording.samples(), nominal.sheath->bend_angle_deg * kRadPerDeg);
 }
 
-void add_current(const Recording& recording, const Channels& channels,
-                 const Campaign::Nominal& nominal, Covariates& all) {
+void add_current(const Recording& recording, const Channels& channels, const NominalModel& nominal,
+                 Covariates& all) {
   if (channels[kMotorCurrentColumn].empty()) {
     return;
   }
@@ -205,11 +199,11 @@ std::vector<double> from_middle(std::vector<double> position_m) {
   return position_m;
 }
 
-void add_position(const Channels& channels, const Campaign::Nominal& nominal, Covariates& all) {
+void add_position(const Channels& channels, const NominalModel& nominal, Covariates& all) {
   all.motor_angle_rad = channels[kMotorAngle];
   if (nominal.drive && !all.motor_angle_rad.empty()) {
     all.position_m =
-        scaled(all.motor_angle_rad, spool_radius_m(*nominal.drive) / nominal.drive->gear_ratio);
+        scaled(all.motor_angle_rad, nominal.drive->spool_radius_m() / nominal.drive->gear_ratio);
   } else {
     all.position_m = from_middle(integral(all.time_s, all.velocity_m_s));
   }
@@ -278,7 +272,7 @@ Covariates at(const Covariates& all, const std::vector<std::size_t>& places) {
 }  // namespace
 
 Covariates covariates_of(const Recording& recording, const std::vector<Fault>& faults,
-                         const Campaign::Nominal& nominal) {
+                         const NominalModel& nominal) {
   const Usable usable = usable_part(recording, faults);
   const Channels& channels = usable.channels;
   Covariates all;

@@ -48,7 +48,7 @@ struct Covariates {
 /// @param faults of this session and of any others
 /// @throws InputError where the drive is missing, or where no bend angle is known
 Covariates covariates_of(const Recording& recording, const std::vector<Fault>& faults,
-                         const Campaign::Nominal& nominal);
+                         const NominalModel& nominal);
 
 /// Sums over samples that have travelled kSettledTravel_m or more since a reversal, of x = -phi s
 /// and y = ln T_out/T_in: where y = gain + mu x, whatever acts at reversals. Zero where those are
@@ -62,5 +62,12 @@ struct SettledSums {
 
 /// Friction coefficient of the settled samples, 0 where they are none or of one direction.
 double settled_friction(const Covariates& covariates);
+
+/// A friction coefficient that was found, where it is within a factor of four of the nominal one;
+/// else the nominal.
+inline double plausible_friction(double found, double nominal) {
+  constexpr double kMostFactor = 4;
+  return found > nominal / kMostFactor && found < nominal * kMostFactor ? found : nominal;
+}
 
 }  // namespace host_sim::recording

@@ -60,12 +60,6 @@ double radians(double angle_deg) {
   return angle_deg * std::numbers::pi / 180;
 }
 
-reference::Drive drive_of(const Model& model) {
-  const Model::Drive& drive = *model.drive;
-  return {drive.torque_constant_Nm_per_A, drive.gear_ratio, drive.gear_efficiency,
-          drive.spool_radius_mm * 1e-3, drive.current_offset_A};
-}
-
 reference::Constants reference_constants_of(const Model& model) {
   return {model.cable.ultimate_tension_N, model.counting.hysteresis_N, model.life.ipl_scale,
           model.life.ipl_exponent, model.life.weibull_shape};
@@ -86,7 +80,7 @@ lifemodel::Parameters parameters_of(const Model& model, std::string_view model_n
       .model_digest = 0,
   };
   if (model.drive) {
-    reference::Drive drive = drive_of(model);
+    reference::Drive drive = model.drive->reference();
     constants.current_offset_A = drive.current_offset_A;
     drive.current_offset_A = 0;
     constants.tension_per_current_N_A = reference::input_tension_from_current(1, drive);

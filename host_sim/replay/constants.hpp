@@ -22,9 +22,6 @@ lifemodel::ExtendedParameters extended_parameters_of(const Model& model,
 /// The same model for the double-precision reference.
 reference::Constants reference_constants_of(const Model& model);
 
-/// The drive of the model in SI units. Precondition: the model has one.
-reference::Drive drive_of(const Model& model);
-
 /// Degrees, as in files, to radians.
 double radians(double angle_deg);
 

@@ -53,7 +53,7 @@ ProfileInput::ProfileInput(const ProfileReader& profile, const Model& model,
     extended_.emplace(model, parameters, start_cycle);
   }
   if (kind_ == InputKind::kMotorCurrent) {
-    drive_ = drive_of(model);
+    drive_ = model.drive->reference();
   }
 }
 

@@ -5,12 +5,13 @@
 
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "hal/files/csv.hpp"
+#include "host_sim/io/json.hpp"
 #include "host_sim/model/model.hpp"
 #include "host_sim/report/replay/captions.hpp"
+#include "host_sim/report/replay/flags.hpp"
 
 namespace host_sim {
 
@@ -21,10 +22,6 @@ using hal::files::InputKind;
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json number(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
 
 ordered_json damage_json(const DamageSplit& damage) {
   return {{"closed", damage.closed}, {"open", damage.open}, {"total", damage.total}};
@@ -73,15 +70,15 @@ std::string replay_json(const ReplayResult& result) {
       {"cycles", {{"closed", result.cycles.closed}, {"open_half", result.cycles.open_half}}},
       {"damage", damage_json(result.damage)},
       {"reference_damage", damage_json(result.reference_damage)},
-      {"relative_error", number(result.relative_error)},
+      {"relative_error", json_number(result.relative_error)},
       {"equivalent_effective_tension_N", result.equivalent_effective_tension_N},
       {"peak_tension_N", result.peak_tension_N},
       {"survival_probability", result.survival_probability},
       {"repeats_to",
-       {{"B10", number(result.repeats_to.b10)},
-        {"B50", number(result.repeats_to.b50)},
-        {"mean", number(result.repeats_to.mean)},
-        {"B90", number(result.repeats_to.b90)}}},
+       {{"B10", json_number(result.repeats_to.b10)},
+        {"B50", json_number(result.repeats_to.b50)},
+        {"mean", json_number(result.repeats_to.mean)},
+        {"B90", json_number(result.repeats_to.b90)}}},
       {"overloads", result.overloads},
       {"missing_samples", result.missing_samples},
       {"flags", result.flags},

@@ -1,7 +1,10 @@
 #include "host_sim/synth/life_departures.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <vector>
 
 #include "host_sim/statistics/random.hpp"
@@ -10,35 +13,44 @@
 namespace host_sim::synth {
 namespace {
 
+enum class MeanStressLaw { walker, goodman, smith_watson_topper };
+constexpr std::array<std::string_view, 3> kMeanStressLaws{"walker", "goodman", "swt"};
+
+/// The law of this name. @pre there is one
+MeanStressLaw mean_stress_law(std::string_view name) {
+  return static_cast<MeanStressLaw>(std::ranges::find(kMeanStressLaws, name) -
+                                    kMeanStressLaws.begin());
+}
+
 /// The true law of mean stress in place of Gerber's.
 class MeanStress final : public LifePart {
  public:
   explicit MeanStress(const Values& values)
-      : law_(values.word("law")), walker_exponent_(values["walker_exponent"]) {}
+      : law_(mean_stress_law(values.word("law"))), walker_exponent_(values["walker_exponent"]) {}
 
   /// Goodman: T_a / (1 - T_m / T_u). Smith, Watson and Topper: sqrt(T_max T_a). Walker:
   /// T_max^(1 - w) T_a^w. Reference: Dowling, Mean stress effects in stress-life and strain-life
   /// fatigue, SAE 2004-01-2227.
   [[nodiscard]] double effective_tension_N(double /*effective_N*/, reference::MeanAmplitude input,
                                            double ultimate_tension_N) const override {
-    if (law_ == "goodman") {
+    if (law_ == MeanStressLaw::goodman) {
       const double left = 1 - input.mean_N / ultimate_tension_N;
       return left > 0 ? input.amplitude_N / left : std::numeric_limits<double>::infinity();
     }
-    const double exponent = law_ == "walker" ? walker_exponent_ : 0.5;
+    const double exponent = law_ == MeanStressLaw::walker ? walker_exponent_ : 0.5;
     const double maximum_N = input.mean_N + input.amplitude_N;
     return std::pow(maximum_N, 1 - exponent) * std::pow(input.amplitude_N, exponent);
   }
 
  private:
-  std::string law_;
+  MeanStressLaw law_;
   double walker_exponent_;
 };
 
 LifeKind mean_stress() {
   return {"mean_stress",
           {{{"walker_exponent", "", {0, 1}}, 0.65}},
-          {{"law", {"walker", "goodman", "swt"}}},
+          {{"law", {kMeanStressLaws.begin(), kMeanStressLaws.end()}}},
           make_life_part<MeanStress>};
 }
 

@@ -41,8 +41,8 @@ Recording by_hand() {
   return recording;
 }
 
-Campaign::Nominal nominal() {
-  Campaign::Nominal nominal;
+NominalModel nominal() {
+  NominalModel nominal;
   nominal.sheath = {.friction_coefficient = 0.128, .bend_angle_deg = 180};
   nominal.drive = {.torque_constant_Nm_per_A = 0.05,
                    .gear_ratio = 10,
@@ -107,7 +107,7 @@ TEST(Covariates, TakePositionFromTheMotorAngle) {
   const Covariates found = covariates_of(recording, {}, nominal());
   EXPECT_THAT(found.motor_angle_rad, ElementsAre(1, 2, 3, 4, 5, 6, 7, 8));
   EXPECT_DOUBLE_EQ(found.position_m.back(), 8 * 0.02 / 10);
-  Campaign::Nominal no_drive = nominal();
+  NominalModel no_drive = nominal();
   no_drive.drive.reset();
   EXPECT_DOUBLE_EQ(covariates_of(recording, {}, no_drive).position_m.back(), 1.5);
 }
@@ -115,7 +115,7 @@ TEST(Covariates, TakePositionFromTheMotorAngle) {
 TEST(Covariates, TakeTheBendAngleOfTheRecordingWhereThereIsOne) {
   Recording recording = by_hand();
   recording.channels[kBendAngle] = std::vector<double>(9, 90);
-  Campaign::Nominal no_sheath = nominal();
+  NominalModel no_sheath = nominal();
   no_sheath.sheath.reset();
   EXPECT_DOUBLE_EQ(covariates_of(recording, {}, no_sheath).bend_angle_rad.front(),
                    std::numbers::pi / 2);
@@ -123,7 +123,7 @@ TEST(Covariates, TakeTheBendAngleOfTheRecordingWhereThereIsOne) {
 
 TEST(Covariates, AreRefusedWithoutWhatTheyNeed) {
   Recording recording = by_hand();
-  Campaign::Nominal none;
+  NominalModel none;
   EXPECT_EQ(test::complaint_of([&] { covariates_of(recording, {}, none); }),
             "s1.csv: session 's1' has no known bend angle; accepted: the column bend_angle_deg, or "
             "bend_angle_deg in [model.sheath] of campaign.toml");

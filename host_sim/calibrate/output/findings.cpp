@@ -37,14 +37,6 @@ bool validation_differs(const CalibrateResult& result) {
 
 }  // namespace
 
-double p_of(const Test& test) {
-  return std::isnan(test.p_simulated) ? test.p_chi_square : test.p_simulated;
-}
-
-bool rejected(const Test& test) {
-  return p_of(test) < kSignificance;
-}
-
 std::vector<std::string> all_findings() {
   return {"left-out", "shape", "fit", "validation"};
 }

@@ -1,5 +1,4 @@
-#include <cmath>
-#include <nlohmann/json.hpp>
+#include "host_sim/io/json.hpp"
 
 #include "host_sim/calibrate/output/output.hpp"
 
@@ -10,29 +9,16 @@ using nlohmann::ordered_json;
 using statistics::Family;
 using statistics::FitProblem;
 
-ordered_json number(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
-
 ordered_json pair(const Interval& interval) {
-  return ordered_json::array({number(interval.low), number(interval.high)});
-}
-
-template <class T, class ToJson>
-ordered_json list(const std::vector<T>& items, ToJson to_json) {
-  ordered_json json = ordered_json::array();
-  for (const T& item : items) {
-    json.push_back(to_json(item));
-  }
-  return json;
+  return ordered_json::array({json_number(interval.low), json_number(interval.high)});
 }
 
 ordered_json test_json(const Test& test) {
-  return {{"statistic", number(test.statistic)},
-          {"df", number(test.degrees_of_freedom)},
-          {"p", number(p_of(test))},
-          {"p_chi_square", number(test.p_chi_square)},
-          {"p_simulated", number(test.p_simulated)}};
+  return {{"statistic", json_number(test.statistic)},
+          {"df", json_number(test.degrees_of_freedom)},
+          {"p", json_number(p_of(test))},
+          {"p_chi_square", json_number(test.p_chi_square)},
+          {"p_simulated", json_number(test.p_simulated)}};
 }
 
 ordered_json test_json(const std::optional<Test>& test) {
@@ -41,10 +27,10 @@ ordered_json test_json(const std::optional<Test>& test) {
 
 ordered_json load_json(const Campaign::Load& load) {
   return {{"bend_angle_deg",
-           load.bend_angle_deg ? number(*load.bend_angle_deg) : ordered_json(nullptr)},
-          {"input_tension_mean_N", number(load.input_tension_mean_N)},
-          {"input_tension_amplitude_N", number(load.input_tension_amplitude_N)},
-          {"effective_tension_N", number(load.effective_tension_N)}};
+           load.bend_angle_deg ? json_number(*load.bend_angle_deg) : ordered_json(nullptr)},
+          {"input_tension_mean_N", json_number(load.input_tension_mean_N)},
+          {"input_tension_amplitude_N", json_number(load.input_tension_amplitude_N)},
+          {"effective_tension_N", json_number(load.effective_tension_N)}};
 }
 
 /// The names of the parameters of each family.
@@ -70,19 +56,19 @@ ordered_json fit_json(const statistics::Fit& fit, Family family) {
     return {{"problem", problem_name(fit.problem)}};
   }
   const ParameterNames names = parameter_names(family);
-  return {{names.first, number(fit.distribution.first)},
-          {names.second, number(fit.distribution.second)},
-          {"log_likelihood", number(fit.log_likelihood)}};
+  return {{names.first, json_number(fit.distribution.first)},
+          {names.second, json_number(fit.distribution.second)},
+          {"log_likelihood", json_number(fit.log_likelihood)}};
 }
 
 ordered_json goodness_json(const std::optional<statistics::GoodnessOfFit>& goodness) {
   if (!goodness) {
     return nullptr;
   }
-  return {{"ks", number(goodness->ks)},
-          {"ks_p", number(goodness->ks_p)},
-          {"ad", number(goodness->ad)},
-          {"ad_p", number(goodness->ad_p)}};
+  return {{"ks", json_number(goodness->ks)},
+          {"ks_p", json_number(goodness->ks_p)},
+          {"ad", json_number(goodness->ad)},
+          {"ad_p", json_number(goodness->ad_p)}};
 }
 
 ordered_json probability_plot_json(const LevelResult& level) {
@@ -91,17 +77,19 @@ ordered_json probability_plot_json(const LevelResult& level) {
     band.push_back(
         {{"p", level.band.p[i]}, {"ci95", pair({level.band.low.at(i), level.band.high.at(i)})}});
   }
-  return {{"positions", list(level.positions,
-                             [](const statistics::PlottingPosition& at) {
-                               return ordered_json{{"life", number(at.life)}, {"p", number(at.p)}};
-                             })},
-          {"band", band}};
+  return {
+      {"positions",
+       json_list(level.positions,
+                 [](const statistics::PlottingPosition& at) {
+                   return ordered_json{{"life", json_number(at.life)}, {"p", json_number(at.p)}};
+                 })},
+      {"band", band}};
 }
 
 ordered_json level_json(const LevelResult& level) {
   const statistics::Fit& weibull = level.weibull();
   const bool fitted = weibull.problem == FitProblem::none;
-  const auto if_fitted = [fitted](double value) { return fitted ? number(value) : nullptr; };
+  const auto if_fitted = [fitted](double value) { return fitted ? json_number(value) : nullptr; };
   ordered_json json{{"name", level.name()},
                     {"role", level.role == Campaign::Role::fit ? "fit" : "validation"}};
   json.update(load_json(level.load));
@@ -120,36 +108,36 @@ ordered_json level_json(const LevelResult& level) {
   const std::optional<Family> best = best_family(level);
   json["best_family"] = best ? ordered_json(family_name(*best)) : ordered_json(nullptr);
   json["left_out"] = level.left_out.empty() ? ordered_json(nullptr) : ordered_json(level.left_out);
-  json["lives"] = list(level.sample, [](const statistics::Observation& life) {
-    return ordered_json{{"cycles", number(life.value)}, {"failed", life.failed}};
+  json["lives"] = json_list(level.sample, [](const statistics::Observation& life) {
+    return ordered_json{{"cycles", json_number(life.value)}, {"failed", life.failed}};
   });
   json["probability_plot"] = probability_plot_json(level);
   return json;
 }
 
 ordered_json common_shape_json(const CommonShape& shape) {
-  return {{"value", number(shape.value)},
+  return {{"value", json_number(shape.value)},
           {"ci95", pair(shape.ci95)},
-          {"unbiased", number(shape.unbiased)}};
+          {"unbiased", json_number(shape.unbiased)}};
 }
 
 ordered_json homogeneity_json(const CalibrateResult& result) {
   const CommonShape& shape = *result.common_shape;
   ordered_json json = test_json(shape.homogeneity);
   json["with_all_levels"] = test_json(shape.with_all_levels);
-  json["odd_levels"] = list(shape.odd_levels, [&result](const OddLevel& odd) {
+  json["odd_levels"] = json_list(shape.odd_levels, [&result](const OddLevel& odd) {
     ordered_json one = test_json(odd.test);
     one["level"] = result.levels.at(odd.level).name();
-    one["p_corrected"] = number(odd.p_corrected);
+    one["p_corrected"] = json_number(odd.p_corrected);
     return one;
   });
   return json;
 }
 
 ordered_json law_json(const LifeLaw& law) {
-  return {{"scale", number(law.scale)},
-          {"exponent", number(law.exponent)},
-          {"shape", number(law.shape)}};
+  return {{"scale", json_number(law.scale)},
+          {"exponent", json_number(law.exponent)},
+          {"shape", json_number(law.shape)}};
 }
 
 ordered_json least_squares_json(const StressLife& life) {
@@ -157,14 +145,14 @@ ordered_json least_squares_json(const StressLife& life) {
     return nullptr;
   }
   ordered_json json = law_json(*life.least_squares);
-  json["rmse_cycles"] = number(life.least_squares_rmse);
+  json["rmse_cycles"] = json_number(life.least_squares_rmse);
   return json;
 }
 
 ordered_json band_json(const StressLife& life) {
   ordered_json json = ordered_json::array();
   for (std::size_t i = 0; i < life.band_tension_N.size(); ++i) {
-    json.push_back({{"effective_tension_N", number(life.band_tension_N[i])},
+    json.push_back({{"effective_tension_N", json_number(life.band_tension_N[i])},
                     {"ci95", pair(life.band_mean.at(i))}});
   }
   return json;
@@ -175,7 +163,7 @@ ordered_json ipl_json(const StressLife& life) {
   json["ci95_scale"] = pair(life.scale_ci95);
   json["ci95_exponent"] = pair(life.exponent_ci95);
   json["ci95_shape"] = pair(life.shape_ci95);
-  json["shape_unbiased"] = number(life.shape_unbiased);
+  json["shape_unbiased"] = json_number(life.shape_unbiased);
   json["method"] = "maximum likelihood";
   json["least_squares"] = least_squares_json(life);
   json["adequacy"] = {{"against_free_levels", test_json(life.against_free_levels)},
@@ -187,13 +175,13 @@ ordered_json ipl_json(const StressLife& life) {
 
 ordered_json use_json(const UseLevel& use) {
   return {{"name", use.name},
-          {"effective_tension_N", number(use.effective_tension_N)},
-          {"mean", number(use.mean)},
+          {"effective_tension_N", json_number(use.effective_tension_N)},
+          {"mean", json_number(use.mean)},
           {"ci95_mean", pair(use.mean_ci95)},
-          {"B10", number(use.b10)},
+          {"B10", json_number(use.b10)},
           {"ci95_B10", pair(use.b10_ci95)},
-          {"B50", number(use.b50)},
-          {"B90", number(use.b90)},
+          {"B50", json_number(use.b50)},
+          {"B90", json_number(use.b90)},
           {"next_specimen_95", pair(use.next_specimen_95)}};
 }
 
@@ -202,10 +190,10 @@ ordered_json validation_json(const CalibrateResult& result, const ValidationResu
   if (!validation.in_blocks) {
     json.update(load_json(result.levels.at(validation.level).load));
   }
-  json["predicted_mean"] = number(validation.predicted_mean);
-  json["measured_mean"] = number(validation.measured_mean);
+  json["predicted_mean"] = json_number(validation.predicted_mean);
+  json["measured_mean"] = json_number(validation.measured_mean);
   json["ci95_true_over_predicted"] = pair(validation.ratio_ci95);
-  json["p"] = number(validation.p);
+  json["p"] = json_number(validation.p);
   json["below_B10"] = validation.below_b10;
   json["inside_B10_B90"] = validation.inside_b10_b90;
   json["above_B90"] = validation.above_b90;
@@ -215,14 +203,14 @@ ordered_json validation_json(const CalibrateResult& result, const ValidationResu
 
 ordered_json mix_json(const MixResult& mix) {
   return {{"name", mix.name},
-          {"parts", list(mix.parts,
-                         [](const MixResult::Part& part) {
-                           return ordered_json{
-                               {"effective_tension_N", number(part.effective_tension_N)},
-                               {"share", number(part.share)}};
-                         })},
-          {"by_damage_N", number(mix.by_damage_N)},
-          {"by_average_of_lives_N", number(mix.by_average_of_lives_N)}};
+          {"parts", json_list(mix.parts,
+                              [](const MixResult::Part& part) {
+                                return ordered_json{
+                                    {"effective_tension_N", json_number(part.effective_tension_N)},
+                                    {"share", json_number(part.share)}};
+                              })},
+          {"by_damage_N", json_number(mix.by_damage_N)},
+          {"by_average_of_lives_N", json_number(mix.by_average_of_lives_N)}};
 }
 
 }  // namespace
@@ -236,15 +224,17 @@ std::string calibrate_json(const CalibrateResult& result, int indent) {
       {"failed", result.failed},
       {"suspended", result.suspended},
       {"in_blocks", result.in_blocks},
-      {"levels", list(result.levels, level_json)},
+      {"levels", json_list(result.levels, level_json)},
       {"common_shape", shape ? common_shape_json(*result.common_shape) : ordered_json(nullptr)},
       {"shape_homogeneity", shape ? homogeneity_json(result) : ordered_json(nullptr)},
       {"ipl", life ? ipl_json(*result.stress_life) : ordered_json(nullptr)},
-      {"log_likelihood", life ? number(result.stress_life->log_likelihood) : ordered_json(nullptr)},
-      {"use_levels", list(result.use_levels, use_json)},
-      {"validation", list(result.validation,
-                          [&](const ValidationResult& v) { return validation_json(result, v); })},
-      {"mixes", list(result.mixes, mix_json)},
+      {"log_likelihood",
+       life ? json_number(result.stress_life->log_likelihood) : ordered_json(nullptr)},
+      {"use_levels", json_list(result.use_levels, use_json)},
+      {"validation",
+       json_list(result.validation,
+                 [&](const ValidationResult& v) { return validation_json(result, v); })},
+      {"mixes", json_list(result.mixes, mix_json)},
       {"findings", found_in(result)},
       {"seed", result.seed},
       {"bootstraps", result.bootstraps},

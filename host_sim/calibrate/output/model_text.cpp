@@ -13,7 +13,7 @@ using hal::files::printable;
 namespace {
 
 Model fitted_model(const Campaign& campaign, const LifeLaw& law) {
-  const Campaign::Nominal& nominal = campaign.nominal;
+  const NominalModel& nominal = campaign.nominal;
   return {*nominal.cable,
           *nominal.sheath,
           nominal.drive,

@@ -37,12 +37,6 @@ std::string table_row(std::string_view name, const CalibrateResult& result);
 /// The line of a campaign that was refused.
 std::string refused_row(std::string_view name, std::string_view error);
 
-/// The simulated p-value where there is one, else that of the chi-square distribution.
-double p_of(const Test& test);
-
-/// A p-value that was not computed rejects nothing.
-bool rejected(const Test& test);
-
 /// All that found_in() can name, in its order.
 std::vector<std::string> all_findings();
 
@@ -56,9 +50,6 @@ std::vector<std::string> found_in(const CalibrateResult& result);
 
 /// `normal`, `lognormal` or `weibull`.
 std::string_view family_name(statistics::Family family);
-
-/// Why there is no fit, in a few words; empty where there is one.
-std::string_view problem_name(statistics::FitProblem problem);
 
 /// The family of the greatest likelihood (all have two parameters), none where none could be
 /// fitted.

@@ -108,22 +108,6 @@ std::string_view family_name(statistics::Family family) {
   return "";
 }
 
-std::string_view problem_name(statistics::FitProblem problem) {
-  switch (problem) {
-    case statistics::FitProblem::none:
-      return "";
-    case statistics::FitProblem::too_few_failures:
-      return "fewer than two failures";
-    case statistics::FitProblem::no_spread:
-      return "all failures at one life";
-    case statistics::FitProblem::not_identified:
-      return "the data do not determine it";
-    case statistics::FitProblem::not_converged:
-      return "the fit did not converge";
-  }
-  return "";
-}
-
 std::optional<statistics::Family> best_family(const LevelResult& level) {
   const statistics::Fit* best = nullptr;
   for (const statistics::Fit& fit : level.fits) {

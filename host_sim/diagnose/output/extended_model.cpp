@@ -29,7 +29,7 @@ void apply_gain(Model::Drive& drive, double gain) {
 }
 
 Model refitted_model(const Campaign& campaign, const Diagnosis& diagnosis, InputFrom input) {
-  const Campaign::Nominal& nominal = campaign.nominal;
+  const NominalModel& nominal = campaign.nominal;
   Model model{*nominal.cable, *nominal.sheath, nominal.drive, *nominal.counting, {}, {}};
   if (nominal.life) {
     model.life = *nominal.life;

@@ -1,31 +1,17 @@
 #include "host_sim/diagnose/output/results.hpp"
 
-#include <cmath>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "host_sim/diagnose/diagnosis.hpp"
+#include "host_sim/io/json.hpp"
 
 namespace host_sim::diagnose {
 namespace {
 
 using nlohmann::ordered_json;
 
-ordered_json number(double value) {
-  return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
-}
-
 ordered_json text_or_null(const std::string& text) {
   return text.empty() ? ordered_json(nullptr) : ordered_json(text);
-}
-
-template <class T, class ToJson>
-ordered_json list(const std::vector<T>& items, ToJson to_json) {
-  ordered_json json = ordered_json::array();
-  for (const T& item : items) {
-    json.push_back(to_json(item));
-  }
-  return json;
 }
 
 /// A name that is there already gets a number, so that no value is lost.
@@ -41,8 +27,8 @@ ordered_json estimates_json(const std::vector<Estimate>& estimates) {
   ordered_json json = ordered_json::object();
   for (const Estimate& estimate : estimates) {
     json[free_name(json, estimate.name)] = {
-        {"value", number(estimate.value)},
-        {"ci95", ordered_json::array({number(estimate.low), number(estimate.high)})},
+        {"value", json_number(estimate.value)},
+        {"ci95", ordered_json::array({json_number(estimate.low), json_number(estimate.high)})},
         {"unit", estimate.unit}};
   }
   return json;
@@ -50,7 +36,7 @@ ordered_json estimates_json(const std::vector<Estimate>& estimates) {
 
 ordered_json effect_json(const FoundEffect& effect) {
   return {{"id", effect.id},
-          {"probability", number(effect.probability)},
+          {"probability", json_number(effect.probability)},
           {"parameters", estimates_json(effect.parameters)},
           {"term", effect.term},
           {"equation", effect.equation},
@@ -58,30 +44,30 @@ ordered_json effect_json(const FoundEffect& effect) {
 }
 
 ordered_json candidate_json(const Candidate& candidate) {
-  return {{"id", candidate.id}, {"probability", number(candidate.probability)}};
+  return {{"id", candidate.id}, {"probability", json_number(candidate.probability)}};
 }
 
 ordered_json discrepancy_json(const Discrepancy& discrepancy) {
   return {{"covariate", discrepancy.covariate},
-          {"statistic", number(discrepancy.statistic)},
-          {"p", number(discrepancy.p)},
-          {"p_after", number(discrepancy.p_after)}};
+          {"statistic", json_number(discrepancy.statistic)},
+          {"p", json_number(discrepancy.p)},
+          {"p_after", json_number(discrepancy.p_after)}};
 }
 
 ordered_json gain_json(const HeldOutGain& gain) {
   ordered_json json{{"held_out_by", text_or_null(gain.held_out_by)}};
   for (const Metric& metric : gain.metrics) {
-    json[free_name(json, metric.name)] = {{"before", number(metric.before)},
-                                          {"after", number(metric.after)}};
+    json[free_name(json, metric.name)] = {{"before", json_number(metric.before)},
+                                          {"after", json_number(metric.after)}};
   }
   return json;
 }
 
 ordered_json step_json(const Step& step) {
   return {{"effect", step.effect.id.empty() ? ordered_json(nullptr) : effect_json(step.effect)},
-          {"output_rmse_N", number(step.output_rmse_N)},
-          {"input_rmse_N", number(step.input_rmse_N)},
-          {"log_predictive_density", number(step.log_predictive_density)},
+          {"output_rmse_N", json_number(step.output_rmse_N)},
+          {"input_rmse_N", json_number(step.input_rmse_N)},
+          {"log_predictive_density", json_number(step.log_predictive_density)},
           {"sessions_better", step.sessions_better},
           {"sessions", step.sessions}};
 }
@@ -90,11 +76,11 @@ ordered_json remainder_json(const std::optional<Remainder>& remainder) {
   if (!remainder) {
     return nullptr;
   }
-  return {{"share", number(remainder->share)},
-          {"input_rmse_N", number(remainder->input_rmse_N)},
-          {"output_rmse_N", number(remainder->output_rmse_N)},
+  return {{"share", json_number(remainder->share)},
+          {"input_rmse_N", json_number(remainder->input_rmse_N)},
+          {"output_rmse_N", json_number(remainder->output_rmse_N)},
           {"covariate", text_or_null(remainder->covariate)},
-          {"p", number(remainder->p)}};
+          {"p", json_number(remainder->p)}};
 }
 
 ordered_json extensions_json(const std::vector<Extension>& extensions) {
@@ -103,7 +89,7 @@ ordered_json extensions_json(const std::vector<Extension>& extensions) {
     ordered_json& table = json[free_name(json, extension.id)];
     table = ordered_json::object();
     for (const Extension::Value& value : extension.values) {
-      const ordered_json values = list(value.values, number);
+      const ordered_json values = json_list(value.values, json_number);
       table[value.name] = values.size() == 1 ? values.front() : values;
     }
   }
@@ -113,19 +99,19 @@ ordered_json extensions_json(const std::vector<Extension>& extensions) {
 ordered_json findings_json(const Findings& findings) {
   return {{"verdict", name_of(findings.verdict)},
           {"words", findings.prose},
-          {"effects", list(findings.effects, effect_json)},
-          {"candidates", list(findings.candidates, candidate_json)},
+          {"effects", json_list(findings.effects, effect_json)},
+          {"candidates", json_list(findings.candidates, candidate_json)},
           {"credible_set", findings.credible_set},
           {"equivalent_sets", findings.equivalent_sets},
-          {"invisible", list(findings.invisible, [](const Invisible& one) { return one.id; })},
-          {"invisible_because", list(findings.invisible,
-                                     [](const Invisible& one) {
-                                       return ordered_json{{"id", one.id}, {"why", one.why}};
-                                     })},
+          {"invisible", json_list(findings.invisible, [](const Invisible& one) { return one.id; })},
+          {"invisible_because", json_list(findings.invisible,
+                                          [](const Invisible& one) {
+                                            return ordered_json{{"id", one.id}, {"why", one.why}};
+                                          })},
           {"next_experiment", findings.next_experiment},
           {"gain", gain_json(findings.gain)},
-          {"steps", list(findings.steps, step_json)},
-          {"discrepancy", list(findings.discrepancies, discrepancy_json)},
+          {"steps", json_list(findings.steps, step_json)},
+          {"discrepancy", json_list(findings.discrepancies, discrepancy_json)},
           {"refitted", estimates_json(findings.refitted)},
           {"extensions", extensions_json(findings.extensions)}};
 }
@@ -136,9 +122,9 @@ ordered_json tension_json(const std::optional<TensionDiagnosis>& tension) {
   }
   ordered_json json = findings_json(tension->findings);
   json["remainder"] = remainder_json(tension->findings.remainder);
-  json["damage_ratio"] = number(tension->damage_ratio);
-  json["friction_coefficient"] = number(tension->friction_coefficient);
-  json["log_gain"] = number(tension->log_gain);
+  json["damage_ratio"] = json_number(tension->damage_ratio);
+  json["friction_coefficient"] = json_number(tension->friction_coefficient);
+  json["log_gain"] = json_number(tension->log_gain);
   return json;
 }
 
@@ -147,12 +133,12 @@ ordered_json lives_json(const std::optional<LifeDiagnosis>& lives) {
     return nullptr;
   }
   ordered_json json = findings_json(lives->findings);
-  json["b10_ratio"] = number(lives->b10_ratio);
-  json["ipl_scale"] = number(lives->ipl_scale);
-  json["ipl_exponent"] = number(lives->ipl_exponent);
-  json["weibull_shape"] = number(lives->weibull_shape);
-  json["residual_shape"] = {{"before", number(lives->picture.shape_before)},
-                            {"after", number(lives->picture.shape_after)}};
+  json["b10_ratio"] = json_number(lives->b10_ratio);
+  json["ipl_scale"] = json_number(lives->ipl_scale);
+  json["ipl_exponent"] = json_number(lives->ipl_exponent);
+  json["weibull_shape"] = json_number(lives->weibull_shape);
+  json["residual_shape"] = {{"before", json_number(lives->picture.shape_before)},
+                            {"after", json_number(lives->picture.shape_after)}};
   return json;
 }
 

@@ -123,7 +123,7 @@ Foresight foresee(const synth::SynthPlan& plan, const ForeseeOptions& options) {
     foresight.samples += session.covariates.samples();
   }
   GramOptions gram;
-  gram.baseline.friction_coefficient = plan.sheath->friction_coefficient;
+  gram.baseline.friction_coefficient = plan.model.sheath->friction_coefficient;
   gram.autocorrelation = plan.noise.ar1;
   gram.threads = options.threads;
   foresight.audit = audit(gram_of(sessions, gram), foresight.noise);

@@ -30,7 +30,7 @@ constexpr double kFrictionOff = 0.01;
 /// Of the paper's wire, where the campaign does not say: damage is compared with damage only.
 constexpr reference::Constants kUsualWire{177.4, 0.2, 1.53e5, 1.38, 5.94};
 
-reference::Constants constants_of(const Campaign::Nominal& nominal) {
+reference::Constants constants_of(const NominalModel& nominal) {
   reference::Constants constants = kUsualWire;
   if (nominal.cable) {
     constants.ultimate_tension_N = nominal.cable->ultimate_tension_N;

@@ -80,8 +80,6 @@ std::vector<double> settled(Session session, std::vector<double>& (*pick)(record
   return tension_N;
 }
 
-constexpr double kMostFactor = 4;
-
 constexpr int kSelectionRounds = 3;
 constexpr double kMostChange = 4;  ///< in one round
 
@@ -181,9 +179,7 @@ double settled_friction(std::span<const Session> sessions, double nominal) {
     square += sums.square;
     product += sums.product;
   }
-  const double found = square > 0 ? product / square : nominal;
-  const bool likely = found > nominal / kMostFactor && found < nominal * kMostFactor;
-  return likely ? found : nominal;
+  return recording::plausible_friction(square > 0 ? product / square : nominal, nominal);
 }
 
 void take_friction_of(Evidence& evidence, std::vector<Component> model) {

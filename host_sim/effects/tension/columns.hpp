@@ -54,10 +54,7 @@ inline double turned_at(const recording::Covariates& covariates, std::size_t i) 
 /// jumps do not follow what a session's friction is off by along the way.
 inline double friction_at_reversals(const recording::Covariates& covariates,
                                     const Baseline& baseline) {
-  constexpr double kMostFactor = 4;
-  const double found = covariates.settled_friction;
-  const double nominal = baseline.friction_coefficient;
-  return found > nominal / kMostFactor && found < nominal * kMostFactor ? found : nominal;
+  return recording::plausible_friction(covariates.settled_friction, baseline.friction_coefficient);
 }
 
 /// Steps of time between samples. Where a few are missing, as near a standstill, the motion goes

@@ -26,7 +26,7 @@ using elements::words;
 
 std::string probability_caption(const calibrate::LevelResult& level) {
   if (!has_fit(level)) {
-    return fmt::format("No Weibull line: {}.", problem_text(level.weibull().problem));
+    return fmt::format("No Weibull line: {}.", calibrate::problem_name(level.weibull().problem));
   }
   const statistics::Distribution& weibull = level.weibull().distribution;
   return fmt::format("Shape {}, scale {} cycles; the band holds each life with 95\u00a0%.",
@@ -47,9 +47,10 @@ std::string tiles(const calibrate::CalibrateResult& result) {
                          ? law_tiles(*result.stress_life)
                          : tile("Life law", "none", "it could not be fitted: see the warnings");
   if (result.common_shape) {
-    html += tile("p of one shape", p_text(p_of(result.common_shape->homogeneity)),
-                 rejects(result.common_shape->homogeneity) ? "rejected at 5\u00a0%"
-                                                           : "not rejected at 5\u00a0%");
+    html +=
+        tile("p of one shape", p_text(calibrate::p_of(result.common_shape->homogeneity)),
+             calibrate::rejected(result.common_shape->homogeneity) ? "rejected at 5\u00a0%"
+                                                                   : "not rejected at 5\u00a0%");
   }
   for (const calibrate::UseLevel& use : result.use_levels) {
     html += tile("Mean life, " + use.name, number_text(use.mean) + " cycles",

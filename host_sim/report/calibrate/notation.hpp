@@ -41,15 +41,6 @@ constexpr int kDigits = 4;
 /// "830 to 920"; an end that does not exist is "no limit".
 [[nodiscard]] std::string interval_text(statistics::Interval interval, int significant = kDigits);
 
-/// The simulated p-value where there is one, else that of the chi-square distribution.
-[[nodiscard]] double p_of(const statistics::Test& test);
-
-/// Whether a test speaks against its hypothesis at 5 %.
-[[nodiscard]] bool rejects(const statistics::Test& test);
-
-/// Why a fit has no numbers; empty where it has.
-[[nodiscard]] std::string problem_text(statistics::FitProblem problem);
-
 /// The interval of a Weibull scale, which is the life at which 63.2 % have failed, read off the
 /// band of the quantiles: straight between its points on probability paper. None where the band
 /// does not reach there.

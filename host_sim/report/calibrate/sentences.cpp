@@ -26,10 +26,11 @@ std::string evidence(const statistics::Test& test) {
 
 void add_test(std::vector<std::string>& words, const std::optional<statistics::Test>& test,
               std::string_view held, std::string_view rejected, std::string_view missing) {
-  if (!test || std::isnan(p_of(*test))) {
+  if (!test || std::isnan(calibrate::p_of(*test))) {
     words.emplace_back(missing);
   } else {
-    words.push_back(fmt::format("{} ({}).", rejects(*test) ? rejected : held, evidence(*test)));
+    words.push_back(
+        fmt::format("{} ({}).", calibrate::rejected(*test) ? rejected : held, evidence(*test)));
   }
 }
 

@@ -55,7 +55,8 @@ std::string levels(const CalibrateResult& result) {
     const statistics::Distribution& weibull = level.weibull().distribution;
     table.row(title_of(level),
               {count_text(level.failed()), count_text(level.sample.size() - level.failed()),
-               fitted ? number_text(weibull.first, kDigits) : problem_text(level.weibull().problem),
+               fitted ? number_text(weibull.first, kDigits)
+                      : std::string(calibrate::problem_name(level.weibull().problem)),
                scale_interval_text(level), none_or(fitted, weibull.second),
                none_or(fitted, level.shape_unbiased), none_or(fitted, level.mean_life)});
   }
@@ -70,7 +71,7 @@ std::string goodness_of_fit(const CalibrateResult& result) {
       const std::string name = fmt::format("{}, {}", title_of(level), kFamilies.at(i));
       const statistics::Fit& fit = level.fits.at(i);
       if (fit.problem != statistics::FitProblem::none) {
-        table.row(name, {problem_text(fit.problem), "", "", "", ""});
+        table.row(name, {std::string(calibrate::problem_name(fit.problem)), "", "", "", ""});
       } else if (const auto* const goodness =
                      level.goodness.at(i) ? &*level.goodness.at(i) : nullptr) {
         table.row(name,

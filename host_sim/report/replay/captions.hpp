@@ -10,14 +10,6 @@ namespace host_sim {
 /// What the replay found, in one sentence for people (plain text, UTF-8).
 [[nodiscard]] std::string verdict(const ReplayReport& report);
 
-struct FlagText {
-  std::string_view title;
-  std::string_view meaning;
-};
-
-/// What a flag of the estimator (its name in lifemodel::Flag) means to the reader of the page.
-[[nodiscard]] FlagText flag_text(std::string_view flag);
-
 }  // namespace host_sim
 
 /// The sentences under the headings of the page: plain text, not yet escaped.

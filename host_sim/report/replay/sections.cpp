@@ -11,6 +11,7 @@
 #include "host_sim/report/page/elements.hpp"
 #include "host_sim/report/page/number_text.hpp"
 #include "host_sim/report/replay/captions.hpp"
+#include "host_sim/report/replay/flags.hpp"
 #include "host_sim/report/replay/plot_builders.hpp"
 
 namespace host_sim::tables {

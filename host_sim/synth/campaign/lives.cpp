@@ -59,7 +59,7 @@ class Runner {
   Runner(const SynthPlan& plan, std::uint64_t seed)
       : plan_(plan),
         seed_(seed),
-        model_{*plan.cable, plan.sheath->friction_coefficient, *plan.life} {}
+        model_{*plan.model.cable, plan.model.sheath->friction_coefficient, *plan.model.life} {}
 
   /// Specimens that all go through the same levels; `group` stands for the level in dealing lots.
   void run(const std::vector<std::size_t>& levels, const std::vector<double>& cycles,
@@ -73,7 +73,7 @@ class Runner {
       specimen.validation = validation;
       specimen.storage_days = plan_.lives->storage_days[number % plan_.lives->storage_days.size()];
       statistics::Random random(seed_, kStrengthStream, number);
-      const double strength = std::pow(exponential(random), 1 / plan_.life->weibull_shape);
+      const double strength = std::pow(exponential(random), 1 / plan_.model.life->weibull_shape);
       specimen.result = run_specimen(model_, steps, strength, specimen.storage_days,
                                      parts_for(plan_, specimen.place, seed_));
       specimens_.push_back(std::move(specimen));

@@ -46,27 +46,27 @@ std::string quoted(const std::string& text) {
 }
 
 bool has_table(const SynthPlan& plan, std::string_view table) {
-  return (table == "cable" && plan.cable) || (table == "sheath" && plan.sheath) ||
-         (table == "drive" && plan.drive) || (table == "counting" && plan.counting) ||
-         (table == "life" && plan.life);
+  return (table == "cable" && plan.model.cable) || (table == "sheath" && plan.model.sheath) ||
+         (table == "drive" && plan.model.drive) || (table == "counting" && plan.model.counting) ||
+         (table == "life" && plan.model.life);
 }
 
 Model model_of(const SynthPlan& plan) {
   Model model{};
-  if (plan.cable) {
-    model.cable = *plan.cable;
+  if (plan.model.cable) {
+    model.cable = *plan.model.cable;
   }
-  if (plan.sheath) {
-    model.sheath = *plan.sheath;
+  if (plan.model.sheath) {
+    model.sheath = *plan.model.sheath;
   }
-  if (plan.drive) {
-    model.drive = *plan.drive;
+  if (plan.model.drive) {
+    model.drive = *plan.model.drive;
   }
-  if (plan.counting) {
-    model.counting = *plan.counting;
+  if (plan.model.counting) {
+    model.counting = *plan.model.counting;
   }
-  if (plan.life) {
-    model.life = *plan.life;
+  if (plan.model.life) {
+    model.life = *plan.model.life;
   }
   return model;
 }
@@ -84,7 +84,10 @@ std::string campaign_text(const SynthPlan& plan) {
     if (table != key.table) {
       table = key.table;
       fmt::format_to(std::back_inserter(text), "\n[model.{}]\n", table);
-      text += table == "life" ? "mean_stress = \"gerber\"\n" : "";
+      if (table == "life") {
+        fmt::format_to(std::back_inserter(text), "mean_stress = \"{}\"\n",
+                       name_of(model.life.mean_stress));
+      }
     }
     fmt::format_to(std::back_inserter(text), "{} = {}\n", key.key, key.value(model));
   }

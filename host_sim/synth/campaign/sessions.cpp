@@ -94,9 +94,9 @@ void check_ranges(const SynthPlan& plan, const Setting& setting, const Channels&
 Rig rig_of(const SynthPlan& plan) {
   const RecordingPlan& recordings = *plan.recordings;
   Rig rig;
-  rig.friction_coefficient = plan.sheath->friction_coefficient;
-  if (plan.drive) {
-    rig.drive.emplace(*plan.drive);
+  rig.friction_coefficient = plan.model.sheath->friction_coefficient;
+  if (plan.model.drive) {
+    rig.drive.emplace(*plan.model.drive);
   }
   rig.motion = recordings.motion;
   rig.thermal = plan.thermal;
@@ -111,7 +111,7 @@ SessionScatter session_scatter(const SynthPlan& plan, std::uint64_t seed, std::s
   statistics::Random random(seed, kSessionStream, session);
   const double log_gain = plan.scatter.log_gain_sd * normal(random);
   const double friction = plan.scatter.friction_sd * normal(random);
-  return {log_gain, std::max(friction, -plan.sheath->friction_coefficient)};
+  return {log_gain, std::max(friction, -plan.model.sheath->friction_coefficient)};
 }
 
 Channels session_channels(const SynthPlan& plan, const Setting& setting,

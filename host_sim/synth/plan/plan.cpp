@@ -161,7 +161,7 @@ void check_hidden(const TomlTable& top, const SynthPlan& plan, const Hidden& hid
   needs(hidden.of_life ? plan.lives.has_value() : plan.recordings.has_value(),
         hidden.of_life ? "[lives]" : "[recordings]");
   if (std::find(kOfDrive.begin(), kOfDrive.end(), hidden.id) != kOfDrive.end()) {
-    needs(plan.drive.has_value(), "[model.drive]");
+    needs(plan.model.drive.has_value(), "[model.drive]");
   }
   if (hidden.id == "load_cell_cross_talk") {
     needs(plan.recordings->motion.pose_sway_deg > 0, "pose_sway_deg above 0 in [recordings]");
@@ -193,49 +193,10 @@ void check_agreement(const TomlTable& top, const SynthPlan& plan) {
   }
 }
 
-constexpr std::string_view kSchema = "schema";
-constexpr std::array<std::string_view, 10> kTop{kSchema,      "campaign", "model",   "thermal",
+constexpr std::array<std::string_view, 10> kTop{"schema",     "campaign", "model",   "thermal",
                                                 "recordings", "noise",    "scatter", "lives",
                                                 "effects",    "outside"};
 constexpr std::array<std::string_view, 1> kCampaign{"name"};
-
-void check_schema(const TomlTable& top) {
-  constexpr std::string_view kAccepted = "schema = 1";
-  if (!top.has(kSchema)) {
-    return;
-  }
-  const toml::node& schema = top.node(kSchema, kAccepted);
-  const auto* const value = schema.as_integer();
-  if (value == nullptr || value->get() != 1) {
-    top.fail(top.place_of(kSchema), "schema is " + describe(schema), kAccepted);
-  }
-}
-
-void read_model(const TomlTable& table, SynthPlan& plan) {
-  table.refuse_unknown_keys({}, model_table_names());
-  const ModelTables tables(table);
-  Model model{};
-  for (const std::string_view name : model_table_names()) {
-    if (tables.has(name)) {
-      tables.read(name, model);
-    }
-  }
-  const auto take = [&](std::string_view name, auto& part, const auto& value) {
-    if (tables.has(name)) {
-      part.emplace(value);
-    }
-  };
-  take("cable", plan.cable, model.cable);
-  take("sheath", plan.sheath, model.sheath);
-  take("counting", plan.counting, model.counting);
-  take("life", plan.life, model.life);
-  if (model.drive) {
-    plan.drive.emplace(*model.drive);
-  }
-  if (plan.cable && plan.counting) {
-    tables.check_hysteresis(model);
-  }
-}
 
 void append(std::vector<Hidden>& to, std::vector<Hidden> from) {
   for (Hidden& hidden : from) {
@@ -261,7 +222,7 @@ SynthPlan parse_synth_plan(std::string_view text, std::string_view name) {
   const TomlTable campaign = top.table("campaign");
   campaign.refuse_unknown_keys({}, kCampaign);
   plan.name = campaign.text("name");
-  read_model(top.table("model"), plan);
+  plan.model = known_tables_of(top.table("model"));
   const auto read = [&](std::string_view key, const auto& into) {
     if (top.has(key)) {
       into(top.table(key));

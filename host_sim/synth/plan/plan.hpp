@@ -87,11 +87,7 @@ struct Hidden {
 struct SynthPlan {
   std::string file;  ///< what stands for the plan in errors
   std::string name;
-  std::optional<Model::Cable> cable;
-  std::optional<Model::Sheath> sheath;
-  std::optional<Model::Drive> drive;
-  std::optional<Model::Counting> counting;
-  std::optional<Model::Life> life;
+  NominalModel model;
   Thermal thermal;
   std::optional<RecordingPlan> recordings;
   Noise noise;

@@ -222,7 +222,7 @@ void check_size(const TomlTable& table, const RecordingPlan& plan) {
 
 void check_channels(const TomlTable& top, const TomlTable& table, const SynthPlan& plan) {
   const RecordingPlan& recordings = *plan.recordings;
-  const bool drives = plan.drive.has_value();
+  const bool drives = plan.model.drive.has_value();
   for (const ProfileColumnId id : kChannelsOfDrive) {
     if (!drives && table.has("channels") && records(recordings, id)) {
       fail_for_model(top, "drive", profile_columns()[id].name);
@@ -241,7 +241,7 @@ void check_channels(const TomlTable& top, const TomlTable& table, const SynthPla
 
 void check_recordings(const TomlTable& top, const SynthPlan& plan) {
   const TomlTable table = top.table("recordings");
-  if (!plan.sheath) {
+  if (!plan.model.sheath) {
     fail_for_model(top, "sheath", "[recordings]");
   }
   check_listed(table, *plan.recordings);

@@ -162,7 +162,7 @@ constexpr std::size_t kSamplesBetweenChecks = 4096;
 
 /// The motor current that gives a tension at the spool.
 double current_A(const Model::Drive& drive, Parts parts, const Moment& moment, double tension_N) {
-  const double radius_m = drive.spool_radius_mm * 1e-3;
+  const double radius_m = drive.spool_radius_m();
   double efficiency = drive.gear_efficiency;
   double constant_Nm_per_A = drive.torque_constant_Nm_per_A;
   for (const auto& part : parts) {
@@ -212,7 +212,7 @@ class Session {
       const Model::Drive& drive = *rig_.drive;
       channels[kMotorCurrentColumn].push_back(current_A_);
       channels[kMotorAngle].push_back(moment_.position_m * drive.gear_ratio /
-                                      (drive.spool_radius_mm * 1e-3));
+                                      drive.spool_radius_m());
       channels[kWindingTemperature].push_back(moment_.winding_C);
     }
   }

@@ -113,14 +113,14 @@ Scenario scenario_of(const std::string& truth) {
 SynthPlan nominal_plan(const Scenario& scenario) {
   SynthPlan plan = plan_of(scenario);
   const NominalFactors& factors = scenario.nominal;
-  plan.sheath->friction_coefficient *= factors.friction_coefficient;
-  if (plan.drive) {
-    plan.drive->torque_constant_Nm_per_A *= factors.torque_constant;
+  plan.model.sheath->friction_coefficient *= factors.friction_coefficient;
+  if (plan.model.drive) {
+    plan.model.drive->torque_constant_Nm_per_A *= factors.torque_constant;
   }
-  if (plan.life) {
-    plan.life->ipl_scale *= factors.ipl_scale;
-    plan.life->ipl_exponent *= factors.ipl_exponent;
-    plan.life->weibull_shape *= factors.weibull_shape;
+  if (plan.model.life) {
+    plan.model.life->ipl_scale *= factors.ipl_scale;
+    plan.model.life->ipl_exponent *= factors.ipl_exponent;
+    plan.model.life->weibull_shape *= factors.weibull_shape;
   }
   return plan;
 }

@@ -65,8 +65,8 @@ Eigen::VectorXd left_by_law(SynthPlan plan, std::uint64_t seed, const Eigen::Vec
   for (int step = 0; step < kSteps; ++step) {
     const Eigen::MatrixX2d law = answers_to_law(plan, seed, wanted - left);
     const Eigen::Vector2d change = law.colPivHouseholderQr().solve(left);
-    plan.life->ipl_scale *= std::exp(change(0));
-    plan.life->ipl_exponent += change(1);
+    plan.model.life->ipl_scale *= std::exp(change(0));
+    plan.model.life->ipl_exponent += change(1);
     left = wanted - log_cycles_of(run_lives(plan, seed));
     if (left.norm() < least.norm()) {
       least = left;

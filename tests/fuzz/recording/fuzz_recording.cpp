@@ -17,8 +17,8 @@ namespace {
 using host_sim::fuzz::require;
 namespace recording = host_sim::recording;
 
-host_sim::Campaign::Nominal nominal() {
-  host_sim::Campaign::Nominal nominal;
+host_sim::NominalModel nominal() {
+  host_sim::NominalModel nominal;
   nominal.sheath = {.friction_coefficient = 0.128, .bend_angle_deg = 270};
   nominal.drive = {.torque_constant_Nm_per_A = 0.0325,
                    .gear_ratio = 9,
