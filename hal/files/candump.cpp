@@ -9,7 +9,7 @@
 namespace hal::files {
 namespace {
 
-using Kind = LoggedFrame::Kind;
+using FrameKind = LoggedFrame::Kind;
 
 constexpr std::string_view kAcceptedLine = "(seconds.microseconds) interface ID#DATA";
 constexpr std::string_view kAcceptedTime = "(seconds.microseconds) with 6 digits of microseconds";
@@ -123,7 +123,7 @@ class LineParser {
     }
     frame_.extended = digits == 8;
     if (frame_.extended && (id & kErrorFlag) != 0) {
-      frame_.kind = Kind::kError;
+      frame_.kind = FrameKind::kError;
       frame_.extended = false;
       id &= ~kErrorFlag;
     }
@@ -135,11 +135,11 @@ class LineParser {
   }
 
   void read_content() {
-    if (here() == '#' && frame_.kind == Kind::kData) {
+    if (here() == '#' && frame_.kind == FrameKind::kData) {
       ++at_;
       read_fd_flags();
       read_bytes(kAcceptedFd);
-    } else if (here() == 'R' && frame_.kind == Kind::kData) {
+    } else if (here() == 'R' && frame_.kind == FrameKind::kData) {
       ++at_;
       read_remote_length();
     } else {
@@ -152,13 +152,13 @@ class LineParser {
     if (flags < 0) {
       fail(kAcceptedFd);
     }
-    frame_.kind = Kind::kFd;
+    frame_.kind = FrameKind::kFd;
     frame_.fd_flags = static_cast<std::uint8_t>(flags);
     ++at_;
   }
 
   void read_remote_length() {
-    frame_.kind = Kind::kRemote;
+    frame_.kind = FrameKind::kRemote;
     if (here() >= '0' && here() <= '8') {
       frame_.length = static_cast<std::uint8_t>(here() - '0');
       ++at_;
@@ -167,7 +167,7 @@ class LineParser {
 
   void read_bytes(std::string_view accepted) {
     const std::size_t start = at_;
-    const std::size_t most = frame_.kind == Kind::kFd ? 64 : 8;
+    const std::size_t most = frame_.kind == FrameKind::kFd ? 64 : 8;
     std::size_t length = 0;
     while (hex_digit(here()) >= 0) {
       const int high = hex_digit(here());
@@ -198,7 +198,7 @@ class LineParser {
         return;
       }
     }
-    fail(start, frame_.kind == Kind::kFd ? kAcceptedFd : kAcceptedData);
+    fail(start, frame_.kind == FrameKind::kFd ? kAcceptedFd : kAcceptedData);
   }
 
   const TextPlace& line_;
@@ -215,17 +215,17 @@ LoggedFrame parse_candump_line(const TextPlace& line) {
 }
 
 std::string candump_line(const LoggedFrame& frame) {
-  const bool error = frame.kind == Kind::kError;
+  const bool error = frame.kind == FrameKind::kError;
   std::string line = fmt::format(
       "({:010}.{:06}) {} {:0{}X}#", frame.time_us / 1'000'000, frame.time_us % 1'000'000,
       frame.interface, error ? frame.id | kErrorFlag : frame.id, frame.extended || error ? 8 : 3);
-  if (frame.kind == Kind::kRemote) {
+  if (frame.kind == FrameKind::kRemote) {
     line += 'R';
     if (frame.length != 0) {
       line += static_cast<char>('0' + frame.length);
     }
   } else {
-    if (frame.kind == Kind::kFd) {
+    if (frame.kind == FrameKind::kFd) {
       fmt::format_to(std::back_inserter(line), "#{:X}", frame.fd_flags & 0xfu);
     }
     for (const std::byte byte : frame.payload()) {
@@ -249,7 +249,7 @@ std::string candump_line(std::uint64_t time_us, std::string_view interface,
 }
 
 std::optional<hal::CanFrame> LoggedFrame::classic() const {
-  if (kind != Kind::kData) {
+  if (kind != FrameKind::kData) {
     return std::nullopt;
   }
   hal::CanFrame frame{.id = id, .extended = extended, .length = length};

@@ -22,7 +22,7 @@ struct LoggedFrame {
     kData,    ///< a data frame of classic CAN
     kRemote,  ///< a remote frame: asks for `length` bytes and has none
     kFd,      ///< a frame of CAN FD
-    kError,   ///< not a frame but what the controller tells (linux/can/error.h); `id` is its class
+    kError,  ///< not a frame but what the controller reports (linux/can/error.h); `id` is its class
   };
   enum class Direction : std::uint8_t { kUnknown, kReceived, kSent };
 
@@ -73,7 +73,7 @@ class CandumpReader {
 };
 
 /// The line that `candump -L` writes for this frame, with its line end and without a direction.
-/// Precondition: the interface is a name of 1 .. 15 printable characters without spaces.
+/// @pre the interface is a name of 1 .. 15 printable characters without spaces.
 std::string candump_line(const LoggedFrame& frame);
 
 /// The same for a data frame.

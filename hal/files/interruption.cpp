@@ -14,7 +14,7 @@
 namespace hal::files {
 namespace {
 
-// timeout(1) sends its signal to the program and to its group: one wish to stop, told twice.
+// timeout(1) sends its signal to the program and to its group: one wish to stop, sent twice.
 constexpr std::int64_t kOneWish_ns = 500'000'000;
 constexpr std::int64_t kNever = 0;
 

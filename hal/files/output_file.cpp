@@ -98,7 +98,8 @@ Destination open_directly(const fs::path& path, bool fifo) {
   return {descriptor, true, {}, path};
 }
 
-// The lock tells a file that is being written from one left over by a process that was killed.
+// The lock distinguishes a file that is being written from one left over by a process that was
+// killed.
 int open_partial(const fs::path& partial, const fs::path& path) {
   const int descriptor = ::open(partial.c_str(), O_WRONLY | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666);
   if (descriptor < 0) {

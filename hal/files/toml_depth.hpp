@@ -16,7 +16,7 @@ inline constexpr std::size_t kMostTomlDepth = 32;
 class TomlDepth {
  public:
   /// From 1, the column in characters.
-  struct Place {
+  struct TextPosition {
     std::uint32_t line;
     std::uint32_t column;
   };
@@ -25,7 +25,7 @@ class TomlDepth {
 
   /// Where the text first goes deeper than kMostTomlDepth. It ends with what is no TOML, as a
   /// parser does.
-  constexpr std::optional<Place> first_too_deep() {
+  constexpr std::optional<TextPosition> first_too_deep() {
     while (at_ < text_.size()) {
       if (!take()) {
         return level_ > kMostTomlDepth ? std::optional(place()) : std::nullopt;
@@ -35,17 +35,17 @@ class TomlDepth {
   }
 
  private:
-  [[nodiscard]] constexpr Place place() const {
-    Place place{1, 1};
+  [[nodiscard]] constexpr TextPosition place() const {
+    TextPosition place{1, 1};
     for (const char c : text_.substr(0, at_)) {
       const bool continues = (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
-      place = c == '\n' ? Place{place.line + 1, 1}
-                        : Place{place.line, place.column + (continues ? 0U : 1U)};
+      place = c == '\n' ? TextPosition{place.line + 1, 1}
+                        : TextPosition{place.line, place.column + (continues ? 0U : 1U)};
     }
     return place;
   }
 
-  enum class Part { header, key, value };
+  enum class TomlPart { header, key, value };
 
   /// An array or inline table that is open.
   struct Open {
@@ -65,32 +65,32 @@ class TomlDepth {
         return skip_string();
       case '\n':
         if (opened_ == 0) {
-          part_ = Part::key;
+          part_ = TomlPart::key;
           in_key_ = false;
           level_ = table_;
         }
         break;
       case '[':
-        if (part_ == Part::value) {
+        if (part_ == TomlPart::value) {
           if (!open(']')) {
             return false;
           }
           ++level_;
         } else {
-          table_ = part_ == Part::header ? table_ + 1 : 1;
-          part_ = Part::header;
+          table_ = part_ == TomlPart::header ? table_ + 1 : 1;
+          part_ = TomlPart::header;
           level_ = table_;
         }
         break;
       case '{':
-        if (part_ != Part::value || !open('}')) {
+        if (part_ != TomlPart::value || !open('}')) {
           return false;
         }
-        part_ = Part::key;
+        part_ = TomlPart::key;
         in_key_ = false;
         break;
       case ']':
-        if (part_ == Part::header) {
+        if (part_ == TomlPart::header) {
           break;
         }
         [[fallthrough]];
@@ -99,23 +99,23 @@ class TomlDepth {
           return false;
         }
         level_ = open_[--opened_].level;
-        part_ = Part::value;
+        part_ = TomlPart::value;
         break;
       case ',':
         if (opened_ == 0) {
           return false;
         }
         level_ = open_[opened_ - 1].level;
-        part_ = open_[opened_ - 1].closed_by == ']' ? Part::value : Part::key;
+        part_ = open_[opened_ - 1].closed_by == ']' ? TomlPart::value : TomlPart::key;
         in_key_ = false;
-        level_ += part_ == Part::value ? 1 : 0;
+        level_ += part_ == TomlPart::value ? 1 : 0;
         break;
       case '.':
-        level_ += part_ == Part::value ? 0 : 1;
-        table_ += part_ == Part::header ? 1 : 0;
+        level_ += part_ == TomlPart::value ? 0 : 1;
+        table_ += part_ == TomlPart::header ? 1 : 0;
         break;
       case '=':
-        part_ = Part::value;
+        part_ = TomlPart::value;
         break;
       case ' ':
       case '\t':
@@ -133,7 +133,7 @@ class TomlDepth {
   }
 
   constexpr void begin_key() {
-    if (part_ == Part::key && !in_key_) {
+    if (part_ == TomlPart::key && !in_key_) {
       in_key_ = true;
       ++level_;
     }
@@ -182,7 +182,7 @@ class TomlDepth {
 
   std::string_view text_;
   std::size_t at_ = 0;
-  Part part_ = Part::key;
+  TomlPart part_ = TomlPart::key;
   bool in_key_ = false;
   std::size_t level_ = 0;  ///< of what is read
   std::size_t table_ = 0;  ///< of the table whose keys follow

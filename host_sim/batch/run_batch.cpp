@@ -58,8 +58,8 @@ class SharedProgress {
   std::optional<Progress> bar_;
 };
 
-/// What to do, found out by rank 0, on every rank. Nothing where rank 0 cannot go on; the error is
-/// thrown there.
+/// What to do, found out by rank 0, on every rank. Nothing where rank 0 cannot continue; the error
+/// is thrown there.
 std::vector<std::string> pieces_for_all(Ranks& ranks, const Batch& batch) {
   if (ranks.rank() != 0) {
     return unpacked(ranks.broadcast({}));
@@ -124,7 +124,7 @@ int run(Ranks& ranks, const Batch& batch) {
   for (const std::string& text : texts) {
     answers.push_back(nlohmann::json::parse(text).get<Answer>());
   }
-  return batch.tell(answers);
+  return batch.report(answers);
 }
 
 }  // namespace
@@ -133,7 +133,7 @@ int run_batch(Ranks& ranks, const Batch& batch) {
   try {
     return run(ranks, batch);
   } catch (const std::exception& error) {
-    // The other ranks are ended with this one, before anybody else can tell why.
+    // The other ranks are ended with this one, before anybody else can report why.
     if (ranks.count() > 1 && !ranks.has_left()) {
       std::cerr << "host_sim: " << error.what() << std::endl;
     }

@@ -33,12 +33,13 @@ struct Batch {
   /// The answer for a piece whose work threw `error`: it does not stop the others.
   std::function<Answer(const std::string& piece, const std::exception& error)> refuse;
   /// Writes the answers, in order of the pieces, and gives the exit status; on rank 0 alone.
-  std::function<int(const std::vector<Answer>& answers)> tell;
+  std::function<int(const std::vector<Answer>& answers)> report;
 };
 
 /// @param ranks made before the outputs: these are removed before a rank that fails ends all others
 /// @return the exit status; 0 on other ranks than rank 0
-/// @throws Interruption, what `list` and `tell` throw, and std::runtime_error where memory ran out
+/// @throws Interruption, what `list` and `report` throw, and std::runtime_error where memory ran
+/// out
 int run_batch(Ranks& ranks, const Batch& batch);
 
 /// An error of the work on `place` as one line.

@@ -38,8 +38,8 @@ std::string_view need_of(statistics::FitProblem problem) {
   return "";
 }
 
-/// Levels of too few failures that have a warning each; more are told together.
-constexpr std::size_t kLevelsToldApart = 3;
+/// Levels of too few failures that have a warning each; more are reported together.
+constexpr std::size_t kLevelsReportedApart = 3;
 
 bool has_too_few_failures(const LevelResult& level) {
   return level.weibull().problem == statistics::FitProblem::too_few_failures;
@@ -83,7 +83,7 @@ class Warnings {
 
   void add_levels() {
     const std::vector<std::uint64_t> few = lines_of_few_failures();
-    const bool together = few.size() > kLevelsToldApart;
+    const bool together = few.size() > kLevelsReportedApart;
     if (together) {
       add("{}: {} levels have fewer than 2 failures and so no Weibull fit of their own; their "
           "specimens still count in the life law; they begin at lines {}",
@@ -148,7 +148,7 @@ class Warnings {
     for (const UseLevel& use : result_.use_levels) {
       if (use.effective_tension_N < low || use.effective_tension_N > high) {
         add("use level {}: {:.1f} N lies outside of the tested {:.1f} to {:.1f} N: its intervals "
-            "hold only if the law goes on as it is",
+            "hold only if the law continues as it is",
             use.name, use.effective_tension_N, low, high);
       }
     }

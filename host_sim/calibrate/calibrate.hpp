@@ -15,7 +15,7 @@ struct CalibrateOptions {
   std::function<void(double)> progress;  ///< called with the share done, 0 .. 1
 };
 
-/// The whole calibration. What cannot be computed is missing from the result and told in its
+/// The whole calibration. What cannot be computed is missing from the result and reported in its
 /// warnings.
 /// @throws InputError where the campaign holds no two failures of role fit
 CalibrateResult calibrate(const Campaign& campaign, const CalibrateOptions& options);

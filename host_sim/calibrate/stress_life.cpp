@@ -154,7 +154,7 @@ void test_adequacy(std::span<const life_law::LifeDatum> data, const life_law::Li
 
 namespace {
 
-using Kind = life_law::LifeQuantity::Kind;
+using QuantityKind = life_law::LifeQuantity::Kind;
 
 /// The estimate over the mean of what simulation makes of it.
 double without_bias(double shape, std::span<const LifeLaw> refits) {
@@ -220,9 +220,9 @@ StressLife stress_life(std::span<const life_law::LifeDatum> data, const life_law
   StressLife result;
   result.law = fit.law();
   result.log_likelihood = fit.log_likelihood;
-  result.scale_ci95 = life_law::exp_of(profile_interval(data, fit, {Kind::ln_scale}));
-  result.exponent_ci95 = profile_interval(data, fit, {Kind::exponent});
-  result.shape_ci95 = profile_interval(data, fit, {Kind::shape});
+  result.scale_ci95 = life_law::exp_of(profile_interval(data, fit, {QuantityKind::ln_scale}));
+  result.exponent_ci95 = profile_interval(data, fit, {QuantityKind::exponent});
+  result.shape_ci95 = profile_interval(data, fit, {QuantityKind::shape});
   result.shape_unbiased = without_bias(result.law.shape, refits);
   if (shape) {
     fit_as_the_paper(levels, *shape, result);
@@ -234,7 +234,7 @@ StressLife stress_life(std::span<const life_law::LifeDatum> data, const life_law
       result.band_mean.size(),
       [&](std::size_t i) {
         result.band_mean[i] = life_law::exp_of(
-            profile_interval(data, fit, {Kind::ln_mean_life, result.band_tension_N[i]}));
+            profile_interval(data, fit, {QuantityKind::ln_mean_life, result.band_tension_N[i]}));
       },
       options.threads);
   return result;

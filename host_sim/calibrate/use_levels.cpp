@@ -12,7 +12,7 @@
 namespace host_sim::calibrate {
 namespace {
 
-using Kind = life_law::LifeQuantity::Kind;
+using QuantityKind = life_law::LifeQuantity::Kind;
 
 constexpr double kB10 = 0.1;
 constexpr double kB50 = 0.5;
@@ -59,10 +59,10 @@ UseLevel use_level(std::string name, double effective_tension_N,
   use.b10 = law.quantile(kB10, effective_tension_N);
   use.b50 = law.quantile(kB50, effective_tension_N);
   use.b90 = law.quantile(kB90, effective_tension_N);
-  use.mean_ci95 =
-      life_law::exp_of(profile_interval(data, fit, {Kind::ln_mean_life, effective_tension_N}));
-  use.b10_ci95 =
-      life_law::exp_of(profile_interval(data, fit, {Kind::ln_quantile, effective_tension_N, kB10}));
+  use.mean_ci95 = life_law::exp_of(
+      profile_interval(data, fit, {QuantityKind::ln_mean_life, effective_tension_N}));
+  use.b10_ci95 = life_law::exp_of(
+      profile_interval(data, fit, {QuantityKind::ln_quantile, effective_tension_N, kB10}));
   use.next_specimen_95 = prediction_interval(effective_tension_N, law, refits,
                                              stream_of(Purpose::next_specimen, index), options);
   return use;

@@ -104,7 +104,7 @@ void count_bands(std::span<const life_law::LifeDatum> specimens, const LifeLaw& 
   }
 }
 
-std::string words_for(const ValidationResult& result) {
+std::string prose_of(const ValidationResult& result) {
   const double difference = result.measured_mean / result.predicted_mean - 1;
   const std::string finding = fmt::format(
       "the measured mean is {:.1f} % {} than predicted; if the law is right, a difference as large "
@@ -140,7 +140,7 @@ std::optional<ValidationResult> validate(std::span<const life_law::LifeDatum> sp
   result.ratio_ci95 = {std::exp((measured - quantile_of(pivots, 1 - kTail)) / law.shape),
                        std::exp((measured - quantile_of(pivots, kTail)) / law.shape)};
   count_bands(specimens, law, result);
-  result.words = words_for(result);
+  result.words = prose_of(result);
   return result;
 }
 

@@ -24,13 +24,13 @@ namespace {
 constexpr NumberKey kShare{"share", "", {0.0, 1.0, true}};
 constexpr double kShareTolerance = 1e-9;
 
-Place to_place(const TomlTable& table, toml::source_position at) {
+FilePosition to_place(const TomlTable& table, toml::source_position at) {
   return {table.file(), at.line, at.column};
 }
 
 GivenLoad given_load(const TomlTable& table) {
   GivenLoad load;
-  load.accepted = load_words_of_use();
+  load.accepted = load_keys_prose_of_use();
   for (std::size_t id = 0; id < kLoadKeyCount; ++id) {
     const NumberKey& key = load_keys()[id];
     GivenLoad::Number& number = load.numbers[id];

@@ -18,7 +18,7 @@ struct CampaignFile {
   std::string name;
   bool two_sided = false;
   NominalModel nominal;
-  Place model;  ///< of [model]; the file where there is none
+  FilePosition model;  ///< of [model]; the file where there is none
   std::vector<Campaign::Use> uses;
 };
 
@@ -31,7 +31,7 @@ struct SpecimenRow {
   Campaign::Specimen specimen;  ///< without blocks
   double cycles = 0;
   GivenLoad load;
-  Place name_place, cycles_place;
+  FilePosition name_place, cycles_place;
 };
 
 /// Reads and checks specimens.csv; `name` stands for the file in errors.
@@ -45,7 +45,7 @@ struct BlockRow {
   std::uint64_t order = 0;  ///< from 1
   double cycles = 0;
   GivenLoad load;
-  Place specimen_place, order_place;
+  FilePosition specimen_place, order_place;
 };
 
 /// Reads and checks blocks.csv; `name` stands for the file in errors.

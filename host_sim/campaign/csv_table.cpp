@@ -174,7 +174,7 @@ double CsvTable::number(std::size_t column, const NumberRange& range) const {
   return value;
 }
 
-Place CsvTable::place(std::size_t column) const {
+FilePosition CsvTable::place(std::size_t column) const {
   return {name_, line_, has(column) ? row_[fields_[column]].column : 1};
 }
 

@@ -15,7 +15,7 @@
 namespace host_sim {
 
 /// A place in a file, counted from 1 in characters.
-struct Place {
+struct FilePosition {
   std::string file;
   std::uint64_t line = 0;
   std::uint64_t column = 0;
@@ -61,10 +61,10 @@ class CsvTable {
   double number(std::size_t column, const hal::files::NumberRange& range) const;
 
   /// The end of the header, where a column that is missing would stand.
-  const Place& header_end() const noexcept { return header_end_; }
+  const FilePosition& header_end() const noexcept { return header_end_; }
 
   /// Where a cell of this row starts; where the file lacks the column, the row.
-  Place place(std::size_t column) const;
+  FilePosition place(std::size_t column) const;
 
  private:
   static constexpr std::size_t kAbsent = static_cast<std::size_t>(-1);
@@ -87,7 +87,7 @@ class CsvTable {
   hal::files::LineBuffer lines_;
   std::vector<std::size_t> fields_;  ///< for each column the number of its field
   std::vector<Cell> row_;
-  Place header_end_;
+  FilePosition header_end_;
   std::uint64_t line_ = 0;
 };
 

@@ -43,11 +43,11 @@ std::span<const NumberKey, kLoadKeyCount> load_keys() {
   return kKeys;
 }
 
-std::string_view load_words() {
+std::string_view load_keys_prose() {
   return kWords;
 }
 
-std::string_view load_words_of_use() {
+std::string_view load_keys_prose_of_use() {
   return kWordsOfUse;
 }
 
@@ -85,7 +85,7 @@ GivenLoad GivenLoad::only(LoadKind kind) const {
   return part;
 }
 
-const Place& GivenLoad::place() const {
+const FilePosition& GivenLoad::place() const {
   return std::find_if(numbers.begin(), numbers.end(),
                       [](const Number& number) { return number.given; })
       ->place;
@@ -104,7 +104,7 @@ void refuse_at_limit(const GivenLoad& given, std::string_view what, double tensi
 
 }  // namespace
 
-LoadModel::LoadModel(const NominalModel& nominal, Place model)
+LoadModel::LoadModel(const NominalModel& nominal, FilePosition model)
     : nominal_(&nominal), model_(std::move(model)) {}
 
 Campaign::Load LoadModel::load(const GivenLoad& given) const {
@@ -160,7 +160,7 @@ void LoadModel::input_from_output(const GivenLoad& given, Campaign::Load& load) 
 
 void LoadModel::fail_missing(const GivenLoad& given, std::string_view table,
                              std::string_view key) const {
-  const Place& place = given.place();
+  const FilePosition& place = given.place();
   model_.fail(fmt::format("no table [model.{}]", table),
               fmt::format("[model.{}] with {}, which the load at {}:{} needs", table, key,
                           place.file, place.line));

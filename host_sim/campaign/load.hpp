@@ -29,8 +29,8 @@ inline constexpr std::size_t kLoadColumnCount = kEffectiveTensionKey;
 std::span<const hal::files::NumberKey, kLoadKeyCount> load_keys();
 
 /// What gives a load in a CSV file, in words; and in a use of campaign.toml.
-std::string_view load_words();
-std::string_view load_words_of_use();
+std::string_view load_keys_prose();
+std::string_view load_keys_prose_of_use();
 
 enum class LoadKind {
   none,
@@ -44,10 +44,10 @@ struct GivenLoad {
   struct Number {
     bool given = false;
     double value = 0;
-    Place place;  ///< also of a cell that is empty
+    FilePosition place;  ///< also of a cell that is empty
   };
   std::array<Number, kLoadKeyCount> numbers{};
-  std::string_view accepted = load_words();  ///< what errors say is accepted
+  std::string_view accepted = load_keys_prose();  ///< what errors say is accepted
 
   /// What kind of load the numbers give.
   /// @throws InputError where they give half a kind, or more than one
@@ -63,7 +63,7 @@ struct GivenLoad {
 
   /// Where the first of the numbers that are given stands.
   /// @pre kind() is not none
-  [[nodiscard]] const Place& place() const;
+  [[nodiscard]] const FilePosition& place() const;
 };
 
 /// Makes loads of what files give, with the nominal model of a campaign.
@@ -71,7 +71,7 @@ class LoadModel {
  public:
   /// `model` is the place of [model] in campaign.toml, for errors where it lacks a table. The
   /// nominal model must outlive this.
-  LoadModel(const NominalModel& nominal, Place model);
+  LoadModel(const NominalModel& nominal, FilePosition model);
 
   /// Input tension from output tension by the capstan equation (14), (12) and (13), effective
   /// tension by Gerber's equation (11). An effective tension that is given stands for an input
@@ -90,7 +90,7 @@ class LoadModel {
                                  std::string_view key) const;
 
   const NominalModel* nominal_;
-  Place model_;
+  FilePosition model_;
 };
 
 }  // namespace host_sim

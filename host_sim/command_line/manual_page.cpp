@@ -95,7 +95,7 @@ std::string synopsis_of(const Command& command, const std::string& path) {
   return text;
 }
 
-/// Help is the same for all, and told once.
+/// Help is the same for all, and described once.
 bool is_help(const Option& option) {
   return std::find(option.names.begin(), option.names.end(), "--help") != option.names.end();
 }

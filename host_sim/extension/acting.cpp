@@ -57,7 +57,7 @@ constexpr std::array<OffLine, 7> kOffLine{{
     {"slack", "needs the travel since each reversal to a fraction of a millimetre"},
 }};
 
-std::string_view in_words(InputKind kind) {
+std::string_view prose_of(InputKind kind) {
   switch (kind) {
     case InputKind::kInputTension:
       return "an input tension";
@@ -70,7 +70,7 @@ std::string_view in_words(InputKind kind) {
 }
 
 std::string not_of_kind(InputKind needed, InputKind given) {
-  return fmt::format("acts on {}, and the input is {}", in_words(needed), in_words(given));
+  return fmt::format("acts on {}, and the input is {}", prose_of(needed), prose_of(given));
 }
 
 /// A lag is that of the output where it is positive, else that of the current.

@@ -90,7 +90,7 @@ double ExtendedFriction::velocity(double velocity_m_s) const {
          value_of(*effect, "viscous_friction_s_m") * speed_m_s;
 }
 
-double ExtendedFriction::coefficient(const Circumstances& at) const {
+double ExtendedFriction::coefficient(const Covariates& at) const {
   const double product = model_.sheath.friction_coefficient * held_factor(wear(at.cycle)) *
                          held_factor(temperature(at.sheath_temperature_C)) *
                          held_factor(position(at.motor_angle_rad));
@@ -114,7 +114,7 @@ double ExtendedFriction::bend_angle_rad(double nominal_rad) const {
   return std::max(0.0, nominal_rad + errors_rad[nearest]);
 }
 
-double ExtendedFriction::log_ratio(double output_tension_N, const Circumstances& at) const {
+double ExtendedFriction::log_ratio(double output_tension_N, const Covariates& at) const {
   const double plain = coefficient(at) * bend_angle_rad(at.bend_angle_rad) * at.direction;
   const Extension* const effect = extension_of(model_.extensions, "friction_load");
   const double exponent = effect == nullptr ? 0 : value_of(*effect, "load_exponent");
@@ -135,14 +135,14 @@ double ExtendedInput::without_lag_N(double tension_N, double lag_s) {
   return tension_N + std::clamp(behind_N, -most_N, most_N);
 }
 
-double ExtendedInput::from_output_N(double output_tension_N, const Circumstances& at) {
+double ExtendedInput::from_output_N(double output_tension_N, const Covariates& at) {
   const double lag_s = std::max(0.0, parameter(model_, "filter_lag", "lag_s"));
   const double output_N = without_lag_N(output_tension_N, lag_s);
   return output_N * std::exp(friction_.log_ratio(output_N, at)) +
          parameter(model_, "friction_preload", "preload_N") * at.direction;
 }
 
-double ExtendedInput::from_current_N(double motor_current_A, const Circumstances& at) {
+double ExtendedInput::from_current_N(double motor_current_A, const Covariates& at) {
   const double current_A = motor_current_A -
                            parameter(model_, "current_offset", "current_offset_A") +
                            ripple_A(model_, at.motor_angle_rad);

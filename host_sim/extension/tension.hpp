@@ -8,7 +8,7 @@
 namespace host_sim {
 
 /// What the extended equations are evaluated at, at one instant.
-struct Circumstances {
+struct Covariates {
   double velocity_m_s = 0;  ///< of the tendon, positive while pulling
   double direction = 1;     ///< s: 1 while pulling, -1 while letting go
   double bend_angle_rad = 0;
@@ -29,7 +29,7 @@ class ExtendedFriction {
   explicit ExtendedFriction(const Model& model);
 
   /// mu, but for its dependence on the tension.
-  [[nodiscard]] double coefficient(const Circumstances& at) const;
+  [[nodiscard]] double coefficient(const Covariates& at) const;
 
   /// phi with the error of the pose next to it in bend angle; never below 0.
   [[nodiscard]] double bend_angle_rad(double nominal_rad) const;
@@ -37,7 +37,7 @@ class ExtendedFriction {
   /// ln(T_in / T_out) of a tendon that slides: mu phi s, and with mu (T/50 N)^-k at each place of
   /// the sheath the solution ln(1 + k mu phi s (T_out/50 N)^-k) / k; the argument of the logarithm
   /// is held at kLeastLoadTerm. Without load dependence where T_out is not above 0.
-  [[nodiscard]] double log_ratio(double output_tension_N, const Circumstances& at) const;
+  [[nodiscard]] double log_ratio(double output_tension_N, const Covariates& at) const;
   static constexpr double kLeastLoadTerm = 1.0 / 1024;
 
  private:
@@ -62,13 +62,13 @@ class ExtendedInput {
 
   /// From output tension: T_in = T_out exp(mu phi s) + F s, with mu and phi extended; the load
   /// dependence is solved along the sheath. The lag is taken out of T_out first.
-  double from_output_N(double output_tension_N, const Circumstances& at);
+  double from_output_N(double output_tension_N, const Covariates& at);
 
   /// From motor current, with offset b, ripple (a, c), droop alpha and asymmetry e:
   /// T_in = K_t (1 - alpha (T_winding - T_ref)) (I - I_0 - b + a sin(k theta) + c cos(k theta))
   ///        N eta_g (1 + e s) / r_spool. The lag of the current is taken out of T_in last.
   /// @pre the model has a drive
-  double from_current_N(double motor_current_A, const Circumstances& at);
+  double from_current_N(double motor_current_A, const Covariates& at);
 
   /// A sample is missing, so that the next has no rate.
   void gap() { before_N_.reset(); }

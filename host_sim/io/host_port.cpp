@@ -6,27 +6,27 @@
 namespace host_sim {
 namespace {
 
-struct Parts {
+struct HostAndRest {
   std::string_view host;
   std::string_view rest;
 };
 
-std::optional<Parts> divide(std::string_view text) {
+std::optional<HostAndRest> divide(std::string_view text) {
   if (!text.starts_with('[')) {
     const std::size_t colon = std::min(text.find(':'), text.size());
-    return Parts{text.substr(0, colon), text.substr(colon)};
+    return HostAndRest{text.substr(0, colon), text.substr(colon)};
   }
   const std::size_t end = text.find(']');
   if (end == std::string_view::npos) {
     return std::nullopt;
   }
-  return Parts{text.substr(1, end - 1), text.substr(end + 1)};
+  return HostAndRest{text.substr(1, end - 1), text.substr(end + 1)};
 }
 
 }  // namespace
 
 std::optional<HostPort> host_port_of(std::string_view text) {
-  const std::optional<Parts> parts = divide(text);
+  const std::optional<HostAndRest> parts = divide(text);
   if (!parts || parts->host.empty()) {
     return std::nullopt;
   }

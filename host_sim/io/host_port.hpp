@@ -6,7 +6,7 @@
 
 namespace host_sim {
 
-/// A host and, where it is told, a port. The host is a view into the text.
+/// A host and, where it is given, a port. The host is a view into the text.
 struct HostPort {
   std::string_view host;  ///< not empty; an IPv6 number without its brackets
   std::optional<std::uint16_t> port;

@@ -126,7 +126,7 @@ FitProblem problem_of(const LifeDesign& design, const Maximum& maximum) {
   return is_identified(design, maximum) ? FitProblem::none : FitProblem::not_identified;
 }
 
-Maximum climb_from(const LifeDesign& design, const Eigen::VectorXd& start) {
+Maximum maximize_from(const LifeDesign& design, const Eigen::VectorXd& start) {
   return maximise([&design](const Eigen::VectorXd& at,
                             Expansion& expansion) { expand_log_likelihood(design, at, expansion); },
                   start);
@@ -153,7 +153,7 @@ LifeFit fit_form(std::span<const LifeDatum> data, LifeForm form, const LifeFit* 
       start = near_start;
     }
   }
-  const Maximum maximum = climb_from(design, start);
+  const Maximum maximum = maximize_from(design, start);
   set_coefficients(fit, maximum.at, frame, participation);
   fit.log_likelihood = maximum.expansion.value;
   fit.problem = problem_of(design, maximum);

@@ -23,7 +23,7 @@ statistics::CensoringPlan plan_of(const LifeData& data, const std::vector<std::s
   return statistics::CensoringPlan(sample);
 }
 
-/// Loads `specimen` with its blocks until it fails at `damage`; one that failed before goes on in
+/// Loads `specimen` with its blocks until it fails at `damage`; one that failed before continues in
 /// its last block.
 void load_in_blocks(const LifeLaw& law, double damage, LifeDatum& specimen) {
   const bool goes_on = specimen.failed;

@@ -52,8 +52,8 @@ void limit_move(Eigen::VectorXd& step) {
 }
 
 /// Moves along `step`, or a part of it that gains enough; false where none does.
-bool climb(const Objective& objective, const Eigen::VectorXd& step, double promised,
-           Maximum& current) {
+bool ascend(const Objective& objective, const Eigen::VectorXd& step, double promised,
+            Maximum& current) {
   const double rounding = 1e-14 * (1 + std::abs(current.expansion.value));
   Maximum trial;
   double part = 1;
@@ -78,7 +78,7 @@ Maximum maximise(const Objective& objective, const Eigen::VectorXd& start) {
     Eigen::VectorXd step = newton_step(current.expansion);
     limit_move(step);
     const double promised = current.expansion.gradient.dot(step);
-    const bool moved = climb(objective, step, promised, current);
+    const bool moved = ascend(objective, step, promised, current);
     if (promised < kLastGain) {
       current.converged = true;
       return current;

@@ -28,7 +28,7 @@ struct Maximum {
   bool converged = false;  ///< what a further step would gain is below rounding
 };
 
-/// Climbs from `start` by Newton steps, damped where the full step gains too little; where the
+/// Ascends from `start` by Newton steps, damped where the full step gains too little; where the
 /// Hessian is not negative definite, steps follow its eigenvectors uphill.
 /// @pre the value at `start` is finite
 Maximum maximise(const Objective& objective, const Eigen::VectorXd& start);

@@ -47,32 +47,32 @@ class Quantity {
   Eigen::Index dependent_;
 };
 
-using Kind = LifeQuantity::Kind;
+using QuantityKind = LifeQuantity::Kind;
 
 Eigen::Vector3d linear_part(const LifeQuantity& wanted, const LogTensionFrame& frame) {
   switch (wanted.kind) {
-    case Kind::exponent:
+    case QuantityKind::exponent:
       return {0, 1 / frame.spread, 0};
-    case Kind::shape:
+    case QuantityKind::shape:
       return {0, 0, 1};
-    case Kind::ln_scale:
+    case QuantityKind::ln_scale:
       return {1, -frame.x(1), 0};
-    case Kind::ln_mean_life:
-    case Kind::ln_quantile:
+    case QuantityKind::ln_mean_life:
+    case QuantityKind::ln_quantile:
       break;
   }
   return {1, -frame.x(wanted.effective_tension_N), 0};
 }
 
-Eigen::Index dependent_of(Kind kind) {
+Eigen::Index dependent_of(QuantityKind kind) {
   switch (kind) {
-    case Kind::exponent:
+    case QuantityKind::exponent:
       return 1;
-    case Kind::shape:
+    case QuantityKind::shape:
       return 2;
-    case Kind::ln_scale:
-    case Kind::ln_mean_life:
-    case Kind::ln_quantile:
+    case QuantityKind::ln_scale:
+    case QuantityKind::ln_mean_life:
+    case QuantityKind::ln_quantile:
       break;
   }
   return 0;
@@ -86,11 +86,11 @@ Quantity::Quantity(const LifeQuantity& wanted, const LogTensionFrame& frame)
 
 Quantity::Part Quantity::part(double ln_shape) const {
   const double sigma = std::exp(-ln_shape);
-  if (kind_ == Kind::ln_quantile) {
+  if (kind_ == QuantityKind::ln_quantile) {
     const double term = std::log(-std::log1p(-p_)) * sigma;
     return {.value = term, .first = -term, .second = term};
   }
-  if (kind_ == Kind::ln_mean_life) {
+  if (kind_ == QuantityKind::ln_mean_life) {
     const double slope = sigma * boost::math::digamma(1 + sigma);
     return {.value = boost::math::lgamma(1 + sigma),
             .first = -slope,

@@ -8,7 +8,7 @@
 namespace host_sim::plan {
 namespace {
 
-void tell(const PlanRequest& request, std::size_t done, std::size_t designs) {
+void report_progress(const PlanRequest& request, std::size_t done, std::size_t designs) {
   if (request.progress) {
     request.progress(static_cast<double>(done) / static_cast<double>(designs));
   }
@@ -34,7 +34,7 @@ std::vector<PlannedTest> searched_tests(const PlanRequest& request) {
     const Found found = least_specimens(request.conditions, allocation, request.goal,
                                         request.specimens_max, request.simulation);
     tests.push_back({allocation.name, found.reached, found.design, found.outlook, std::nullopt});
-    tell(request, tests.size(), allocations.size() + 1);
+    report_progress(request, tests.size(), allocations.size() + 1);
   }
   return tests;
 }

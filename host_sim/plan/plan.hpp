@@ -17,7 +17,7 @@ struct PlanRequest {
   std::vector<std::size_t> specimens;
   std::size_t specimens_max = 400;          ///< of a whole design
   double curvature_factor = 2;              ///< see Curvature
-  std::optional<double> cycles_per_minute;  ///< of a rig, to tell test time
+  std::optional<double> cycles_per_minute;  ///< of a rig, for the duration of a test
   SimulationOptions simulation;
   std::function<void(double)> progress;  ///< called with the share of designs done, 0 .. 1
 };

@@ -86,7 +86,7 @@ Usable usable_part(const Recording& recording, const std::vector<Fault>& faults)
   return usable;
 }
 
-/// Of short strokes the settled samples are ends alone, and friction there speaks for no more.
+/// Of short strokes the settled samples are ends alone, and friction there is that of the ends.
 constexpr double kLeastShare = 0.25;
 
 }  // namespace

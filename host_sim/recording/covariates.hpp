@@ -27,7 +27,7 @@ struct Covariates {
   std::vector<double> sheath_temperature_C;
   std::vector<double> winding_temperature_C;
 
-  /// mu of this recording by itself, see settled_friction(); 0 where it does not tell.
+  /// mu of this recording by itself, see settled_friction(); 0 where it does not show.
   double settled_friction = 0;
 
   [[nodiscard]] std::size_t samples() const { return time_s.size(); }

@@ -56,7 +56,7 @@ bool has_to_show(const LiveChannel& channel, double value, const LiveChannel& ot
 
 /// Where a channel that has to change stands still for at least 0.25 s and 50 samples, though
 /// - its sensor is noisy (Sensor::longest_by_chance); not a velocity of exactly zero, as many
-///   drives tell standstill; or
+///   drives show standstill; or
 /// - another tension or current, for a tension or current, rises or falls by 30 % in a slip,
 ///   which this one has_to_show(); or
 /// - the motor angle turns back by 30 % of its range, for a velocity other than zero; or
@@ -66,7 +66,7 @@ std::vector<Stretch> stuck_in(const LiveChannel& channel, const SessionView& ses
 
 /// Where a channel that has to change stays at its largest or smallest value of the session, though
 /// - its sensor is noisy, for more samples than chance leaves; or
-/// - for at least 5 samples another tension or current goes on by 10 % in a slip: up for the
+/// - for at least 5 samples another tension or current continues by 10 % in a slip: up for the
 ///   largest value, down for the smallest, which this one has_to_show().
 std::vector<Stretch> saturated_in(const LiveChannel& channel, const SessionView& session);
 

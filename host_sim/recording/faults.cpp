@@ -44,20 +44,20 @@ std::string time_text(const Recording& recording, const Stretch& stretch) {
 }
 
 /// Where a fault is, what it is and what is done about it, in a sentence.
-std::string gap_words(const Recording& recording, const Stretch& gap) {
+std::string gap_prose(const Recording& recording, const Stretch& gap) {
   const std::vector<double>& time_s = recording[kTime];
   return fmt::format(
       "{}: no samples from {:g} s to {:g} s; direction and travel are taken up anew behind the gap",
       session_text(recording), time_s[gap.first - 1], time_s[gap.first]);
 }
 
-std::string constant_words(const Recording& recording, ProfileColumnId channel) {
+std::string constant_prose(const Recording& recording, ProfileColumnId channel) {
   const std::string value = value_text(channel, recording[channel].front());
   return fmt::format("{}: {} is {} in all samples; the channel is left out as if not recorded",
                      session_text(recording), name_of(channel), value);
 }
 
-std::string stuck_words(const Recording& recording, const LiveChannel& channel,
+std::string stuck_prose(const Recording& recording, const LiveChannel& channel,
                         const Stretch& stretch) {
   const bool noisy = channel.sensor.longest_by_chance != 0;
   return fmt::format(
@@ -67,7 +67,7 @@ std::string stuck_words(const Recording& recording, const LiveChannel& channel,
       kSamplesOut);
 }
 
-std::string saturated_words(const Recording& recording, const LiveChannel& channel,
+std::string saturated_prose(const Recording& recording, const LiveChannel& channel,
                             const Stretch& stretch) {
   const double value = channel.values[stretch.first];
   return fmt::format("{}: {} stays at {}, its {} value, {}: saturated; {}", session_text(recording),
@@ -76,7 +76,7 @@ std::string saturated_words(const Recording& recording, const LiveChannel& chann
                      time_text(recording, stretch), kSamplesOut);
 }
 
-std::string not_positive_words(const Recording& recording, const LiveChannel& channel,
+std::string not_positive_prose(const Recording& recording, const LiveChannel& channel,
                                const Stretch& stretch) {
   const bool always = channel.sensor.highest <= least_positive(channel.sensor);
   const auto values = channel.values.subspan(stretch.first, stretch.count);
@@ -107,12 +107,12 @@ class Session {
     const std::vector<Stretch> gaps = gaps_in(recording_[kTime]);
     find_slips(gaps);
     for (const Stretch& gap : gaps) {
-      add(kTime, Fault::Kind::gap, gap, gap_words(recording_, gap));
+      add(kTime, Fault::Kind::gap, gap, gap_prose(recording_, gap));
     }
     for (const LiveChannel& channel : channels_) {
       if (has_to_change(channel.id) && channel.sensor.span() == 0) {
         add(channel.id, Fault::Kind::constant, {0, recording_.samples()},
-            constant_words(recording_, channel.id));
+            constant_prose(recording_, channel.id));
       } else if (has_to_change(channel.id)) {
         add_faults_of(channel);
       }
@@ -149,10 +149,10 @@ class Session {
 
   void add_faults_of(const LiveChannel& channel) {
     const SessionView session{recording_[kTime], channels_, slips_};
-    add_all(channel, Fault::Kind::stuck, stuck_in(channel, session), stuck_words);
-    add_all(channel, Fault::Kind::saturated, saturated_in(channel, session), saturated_words);
+    add_all(channel, Fault::Kind::stuck, stuck_in(channel, session), stuck_prose);
+    add_all(channel, Fault::Kind::saturated, saturated_in(channel, session), saturated_prose);
     if (!two_sided_ && is_load(channel.id)) {
-      add_all(channel, Fault::Kind::not_positive, not_positive_in(channel), not_positive_words);
+      add_all(channel, Fault::Kind::not_positive, not_positive_in(channel), not_positive_prose);
     }
   }
 

@@ -92,7 +92,7 @@ class Follower {
     return first_motion;
   }
 
-  /// The samples before `end` that do not tell which way the tendon went.
+  /// The samples before `end` that do not show which way the tendon went.
   void mark_turning(std::size_t first, std::size_t end) {
     for (std::size_t i = end; i > first && std::abs(velocity_m_s_[i - 1]) <= band_m_s_; --i) {
       turning_[i - 1] = true;

@@ -15,9 +15,9 @@ namespace host_sim::recording {
 struct SessionRow {
   std::string session;
   std::string specimen;
-  std::string file;        ///< relative to the folder, within it as far as its text tells
+  std::string file;        ///< relative to the folder, within it as far as its text shows
   double start_cycle = 0;  ///< at least 0
-  Place specimen_place, file_place;
+  FilePosition specimen_place, file_place;
 };
 
 /// Reads and checks sessions.csv; `name` stands for the file in errors.

@@ -92,7 +92,7 @@ std::size_t longest_by_chance(std::span<const double> values) {
   return turning_share >= 0.25 && equal_share <= 0.3 ? kLongestOfCoarse : 0;
 }
 
-double climb(std::span<const double> values, const Stretch& stretch, double sign) {
+double largest_rise(std::span<const double> values, const Stretch& stretch, double sign) {
   double lowest = sign * values[stretch.first];
   double most = 0;
   for (const double value : values.subspan(stretch.first, stretch.count)) {
@@ -143,11 +143,11 @@ std::vector<Stretch> still_stretches(std::span<const double> values, std::size_t
 }
 
 double rise_in(std::span<const double> values, const Stretch& stretch) {
-  return climb(values, stretch, 1);
+  return largest_rise(values, stretch, 1);
 }
 
 double fall_in(std::span<const double> values, const Stretch& stretch) {
-  return climb(values, stretch, -1);
+  return largest_rise(values, stretch, -1);
 }
 
 double swing_in(std::span<const double> values, const Stretch& stretch) {

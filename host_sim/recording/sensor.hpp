@@ -27,9 +27,10 @@ struct Sensor {
   double noise_sigma = 0;  ///< see noise_sigma()
   double resolution = 0;   ///< see resolution()
   /// How many equal values in a row noise does not leave by chance; 0 where the sensor shows too
-  /// little noise to tell. It is judged by the tenth of the samples around which the values change
-  /// least, outside of rows of 8 and more equal ones. Independent noise turns back from two thirds
-  /// of them: 8 where 40 % turn back and at most 5 % repeat, 50 where 25 % and at most 30 % do.
+  /// little noise to judge by. It is judged by the tenth of the samples around which the values
+  /// change least, outside of rows of 8 and more equal ones. Independent noise turns back from two
+  /// thirds of them: 8 where 40 % turn back and at most 5 % repeat, 50 where 25 % and at most 30 %
+  /// do.
   std::size_t longest_by_chance = 0;
 
   [[nodiscard]] double span() const { return highest - lowest; }

@@ -62,7 +62,7 @@ ProfileInput::Extended::Extended(const Model& model,
                                  std::uint32_t start_cycle)
     : corrector(parameters.nominal, parameters.extension), exact(model) {
   corrector.start_at(start_cycle);
-  circumstances.cycle = start_cycle;
+  exact_covariates.cycle = start_cycle;
 }
 
 void ProfileInput::gap() {
@@ -116,7 +116,7 @@ void ProfileInput::take_surroundings(const ProfileRow& row) {
   target.winding =
       saturating<lifemodel::extension::Temperature>(row.winding_temperature_C, sample_flags_);
 
-  Circumstances& exact = extended_->circumstances;
+  Covariates& exact = extended_->exact_covariates;
   // The direction is the sample's: what rounds to no velocity keeps it.
   direction_ = reference::direction_of(to_double(target.velocity), direction_);
   exact.direction = direction_ == reference::Direction::kPulling ? 1 : -1;
@@ -134,11 +134,11 @@ void ProfileInput::take_surroundings(const ProfileRow& row) {
 /// In place of the nominal equations.
 void ProfileInput::take_extended(const ProfileRow& row) {
   if (kind_ == InputKind::kMotorCurrent) {
-    tension_N_ = extended_->exact.from_current_N(row.value, extended_->circumstances);
+    tension_N_ = extended_->exact.from_current_N(row.value, extended_->exact_covariates);
   } else if (kind_ == InputKind::kOutputTension) {
-    extended_->circumstances.bend_angle_rad =
+    extended_->exact_covariates.bend_angle_rad =
         has_bend_angle_ ? radians(row.bend_angle_deg) : model_bend_rad_;
-    tension_N_ = extended_->exact.from_output_N(row.value, extended_->circumstances);
+    tension_N_ = extended_->exact.from_output_N(row.value, extended_->exact_covariates);
   }
 }
 

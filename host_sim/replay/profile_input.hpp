@@ -85,7 +85,7 @@ class ProfileInput {
     lifemodel::extension::Corrector corrector;
     ExtendedInput exact;
     lifemodel::extension::Covariates covariates;
-    Circumstances circumstances;
+    host_sim::Covariates exact_covariates;
     bool pulled = true;  ///< before the last turn
   };
 

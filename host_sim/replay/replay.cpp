@@ -106,7 +106,7 @@ void Plots::finish(ReplayReport& report) {
   report.trajectory = trajectory_.finish();
 }
 
-/// A CSV file of readings over time: the life used, as the firmware would tell it.
+/// A CSV file of readings over time: the life used, as the firmware would report it.
 class TrajectoryFile {
  public:
   /// Writes the header. `ultimate_tension_N` turns tensions back into newtons.
@@ -202,11 +202,11 @@ class Pass {
       plots_->sample(row.time_s, input_.tension());
     }
     time_s_ = row.time_s;
-    tell(row.time_s >= next_told_s_);
+    report(row.time_s >= next_report_s_);
   }
 
   ReplayResult finish(InputKind kind) {
-    tell(true);
+    report(true);
     const Reading reading = estimator_.reading(0, cycles_to_plots());
     const reference::Reading exact = exact_.reading();
 
@@ -273,9 +273,9 @@ class Pass {
 
   [[nodiscard]] CyclesToPlots cycles_to_plots() { return {plots_ ? &*plots_ : nullptr}; }
 
-  /// Reads and tells the trajectory, unless the last sample has been told.
-  void tell(bool wanted) {
-    if (!wanted || time_s_ == told_s_ || (!trajectory_ && !plots_)) {
+  /// Reads and reports the trajectory, unless the last sample has been reported.
+  void report(bool wanted) {
+    if (!wanted || time_s_ == reported_s_ || (!trajectory_ && !plots_)) {
       return;
     }
     estimator_.flush(0, cycles_to_plots());
@@ -286,8 +286,8 @@ class Pass {
     if (plots_) {
       plots_->damage(time_s_, to_double(now.total));
     }
-    told_s_ = time_s_;
-    next_told_s_ = time_s_ + options_.trajectory_step_s;
+    reported_s_ = time_s_;
+    next_report_s_ = time_s_ + options_.trajectory_step_s;
   }
 
   const Model& model_;
@@ -304,8 +304,8 @@ class Pass {
   std::optional<VirtualBoard> board_;
   std::uint64_t can_frames_ = 0;
   double time_s_ = 0;
-  double told_s_ = std::numeric_limits<double>::quiet_NaN();
-  double next_told_s_ = -std::numeric_limits<double>::infinity();
+  double reported_s_ = std::numeric_limits<double>::quiet_NaN();
+  double next_report_s_ = -std::numeric_limits<double>::infinity();
 };
 
 }  // namespace

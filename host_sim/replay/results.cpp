@@ -28,13 +28,20 @@ ordered_json damage_json(const DamageSplit& damage) {
 }
 
 std::string repeats_text(double repeats) {
-  if (!std::isfinite(repeats)) {
-    return "any number of";
-  }
   return repeats < 1e6 ? fmt::format("{:.1f}", repeats) : fmt::format("{:.4g}", repeats);
 }
 
-std::string_view in_words(InputKind kind) {
+void write_repeats(std::ostream& out, const ReplayResult& result) {
+  if (!std::isfinite(result.repeats_to.b10)) {
+    fmt::print(out, "  repeats       unlimited, no damage in this profile\n");
+    return;
+  }
+  fmt::print(out, "  repeats       {} to B10, {} to B50, {} to the mean life, {} to B90\n",
+             repeats_text(result.repeats_to.b10), repeats_text(result.repeats_to.b50),
+             repeats_text(result.repeats_to.mean), repeats_text(result.repeats_to.b90));
+}
+
+std::string_view prose_of(InputKind kind) {
   switch (kind) {
     case InputKind::kInputTension:
       return "input tension";
@@ -101,7 +108,7 @@ std::string replay_json(const ReplayResult& result) {
 void write_summary(std::ostream& out, const ReplayResult& result, const std::string& profile_name,
                    const std::string& model_name) {
   fmt::print(out, "{}: {} samples of {}, {:.6g} s; model {} ({})\n", profile_name, result.samples,
-             in_words(result.input), result.duration_s, model_name, result.model_digest);
+             prose_of(result.input), result.duration_s, model_name, result.model_digest);
   fmt::print(out, "  cycles        {} full, {} half open; equivalent effective tension {:.2f} N\n",
              result.cycles.closed, result.cycles.open_half, result.equivalent_effective_tension_N);
   fmt::print(out, "  life used     {:.6g}  (closed {:.6g}, open {:.6g})\n", result.damage.total,
@@ -109,9 +116,7 @@ void write_summary(std::ostream& out, const ReplayResult& result, const std::str
   fmt::print(out, "  reference     {:.6g}  in double precision, relative error {:.1e}\n",
              result.reference_damage.total, result.relative_error);
   fmt::print(out, "  survival      {:.4f} %  after one pass\n", 100 * result.survival_probability);
-  fmt::print(out, "  repeats       {} to B10, {} to B50, {} to the mean life, {} to B90\n",
-             repeats_text(result.repeats_to.b10), repeats_text(result.repeats_to.b50),
-             repeats_text(result.repeats_to.mean), repeats_text(result.repeats_to.b90));
+  write_repeats(out, result);
   for (const std::string& id : result.extensions) {
     fmt::print(out, "  extension     {}\n", id);
   }
@@ -130,7 +135,7 @@ void write_summary(std::ostream& out, const ReplayResult& result, const std::str
 }
 
 void fill_report(ReplayReport& report, const ReplayResult& result, const Model& model) {
-  report.input_kind = in_words(result.input);
+  report.input_kind = prose_of(result.input);
   report.model_digest = result.model_digest;
   report.samples = result.samples;
   report.duration_s = result.duration_s;

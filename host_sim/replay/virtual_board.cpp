@@ -25,7 +25,7 @@ namespace fake = hal::fake;
 constexpr hal::Time kPollPeriod = hal::milliseconds(1);
 /// By then the lives have been read once more.
 constexpr hal::Time kReading = hal::milliseconds(101);
-/// By then they have been told, unless the bus budget is a long way behind.
+/// By then they are reported, unless the bus budget is a long way behind.
 constexpr hal::Time kTelling = hal::seconds(2);
 
 }  // namespace
@@ -130,9 +130,9 @@ class VirtualBoard::FirmwareFor final : public VirtualBoard::Firmware {
 
   lifemodel::Damage finish() override {
     pass_until(clock_.now() + kReading);
-    const std::uint64_t told = tap_.statuses;
+    const std::uint64_t reported = tap_.statuses;
     for (const hal::Time end = clock_.now() + kTelling;
-         tap_.statuses == told && next_poll_ < end;) {
+         tap_.statuses == reported && next_poll_ < end;) {
       pass_until(next_poll_ + kPollPeriod);
     }
     static_cast<void>(app_.stop());

@@ -41,11 +41,11 @@ class VirtualBoard {
   /// Lets the time go by until `time`, then runs one period of the control loop with this sample.
   /// @param missing periods that the control loop left out before it
   /// @param flags what became of the sample on its way from the file
-  /// Precondition: times do not fall; the sample is of the kind of the board.
+  /// @pre times do not fall; the sample is of the kind of the board.
   void take(hal::Time time, std::uint32_t missing, const BoardSample& sample,
             lifemodel::Flags flags);
 
-  /// The control loop has ended. Goes on until the bus has been told of all that was sampled, then
+  /// The control loop has ended. Continues until all that was sampled is reported on the bus, then
   /// stops the firmware. Gives the damage that it has counted.
   lifemodel::Damage finish();
 

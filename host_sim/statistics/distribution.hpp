@@ -66,7 +66,7 @@ class KaplanMeier {
   [[nodiscard]] std::span<const Step> steps() const { return steps_; }
   [[nodiscard]] double size() const { return size_; }
   [[nodiscard]] double last() const { return last_; }  ///< largest observation
-  /// All have failed at the last observation, so that the estimate goes on beyond it as 1.
+  /// All have failed at the last observation, so that the estimate continues beyond it as 1.
   [[nodiscard]] bool complete() const { return !steps_.empty() && steps_.back().after == 1; }
 
  private:

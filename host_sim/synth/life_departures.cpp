@@ -26,7 +26,7 @@ MeanStressLaw mean_stress_law(std::string_view name) {
 class MeanStress final : public LifePart {
  public:
   explicit MeanStress(const Values& values)
-      : law_(mean_stress_law(values.word("law"))), walker_exponent_(values["walker_exponent"]) {}
+      : law_(mean_stress_law(values.choice("law"))), walker_exponent_(values["walker_exponent"]) {}
 
   /// Goodman: T_a / (1 - T_m / T_u). Smith, Watson and Topper: sqrt(T_max T_a). Walker:
   /// T_max^(1 - w) T_a^w. Reference: Dowling, Mean stress effects in stress-life and strain-life

@@ -17,10 +17,10 @@ struct Parameter {
   bool list = false;                    ///< one number, or a list of them
 };
 
-/// A word that the table of an effect may give.
+/// A name that the table of an effect may give.
 struct Choice {
   std::string_view name;
-  std::vector<std::string_view> words;  ///< the first where the table leaves it out
+  std::vector<std::string_view> names;  ///< the first where the table leaves it out
 };
 
 /// What the table of an effect says, complete and checked.
@@ -29,8 +29,8 @@ class Values {
   void set(std::string_view name, std::vector<double> numbers) {
     numbers_[std::string(name)] = std::move(numbers);
   }
-  void choose(std::string_view name, std::string_view word) {
-    words_[std::string(name)] = std::string(word);
+  void choose(std::string_view name, std::string_view chosen) {
+    choices_[std::string(name)] = std::string(chosen);
   }
 
   /// @pre a parameter of the effect
@@ -41,18 +41,18 @@ class Values {
     return numbers_.at(std::string(name));
   }
   /// @pre a choice of the effect
-  [[nodiscard]] const std::string& word(std::string_view name) const {
-    return words_.at(std::string(name));
+  [[nodiscard]] const std::string& choice(std::string_view name) const {
+    return choices_.at(std::string(name));
   }
 
   [[nodiscard]] const std::map<std::string, std::vector<double>>& numbers() const {
     return numbers_;
   }
-  [[nodiscard]] const std::map<std::string, std::string>& words() const { return words_; }
+  [[nodiscard]] const std::map<std::string, std::string>& choices() const { return choices_; }
 
  private:
   std::map<std::string, std::vector<double>> numbers_;
-  std::map<std::string, std::string> words_;
+  std::map<std::string, std::string> choices_;
 };
 
 }  // namespace host_sim::synth

@@ -163,10 +163,10 @@ batch::Answer refused(const std::string& folder, const std::string& error) {
   return {calibrate::refused_row(name, error), object.dump(), error, {}};
 }
 
-int tell(const CalibrateArguments& arguments, BatchOutputs& outputs,
-         const std::vector<batch::Answer>& answers) {
+int report(const CalibrateArguments& arguments, BatchOutputs& outputs,
+           const std::vector<batch::Answer>& answers) {
   outputs.write(calibrate::table_head(), "campaigns", answers);
-  const std::size_t errors = tell_errors(answers);
+  const std::size_t errors = report_errors(answers);
   fmt::print(summary_stream(arguments.outputs()), "{}: {} campaigns calibrated, {} refused\n",
              printable(arguments.folder), answers.size() - errors, errors);
   return status_of(answers, arguments.fail_on);
@@ -195,8 +195,8 @@ int calibrate_batch(const CalibrateArguments& arguments) {
   batch.refuse = [](const std::string& folder, const std::exception& error) {
     return refused(folder, batch::error_line(error, folder));
   };
-  batch.tell = [&](const std::vector<batch::Answer>& answers) {
-    return tell(arguments, outputs, answers);
+  batch.report = [&](const std::vector<batch::Answer>& answers) {
+    return report(arguments, outputs, answers);
   };
   return run_batch(ranks, batch);
 }

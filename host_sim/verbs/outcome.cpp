@@ -78,13 +78,13 @@ void BatchOutputs::write(std::string_view head, std::string_view key,
   commit_all({&table, &json});
 }
 
-std::size_t tell_errors(const std::vector<batch::Answer>& answers) {
-  std::set<std::string_view> told;
+std::size_t report_errors(const std::vector<batch::Answer>& answers) {
+  std::set<std::string_view> reported;
   std::size_t errors = 0;
   for (const batch::Answer& answer : answers) {
     if (is_error(answer)) {
       ++errors;
-      if (told.insert(answer.error).second) {
+      if (reported.insert(answer.error).second) {
         fmt::print(std::cerr, "{}\n", answer.error);
       }
     }

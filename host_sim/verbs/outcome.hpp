@@ -38,8 +38,8 @@ struct BatchOutputs {
              const std::vector<batch::Answer>& answers);
 };
 
-/// Tells the errors on standard error, each line once. @return how many answers are errors
-std::size_t tell_errors(const std::vector<batch::Answer>& answers);
+/// Reports the errors on standard error, each line once. @return how many answers are errors
+std::size_t report_errors(const std::vector<batch::Answer>& answers);
 
 /// The exit status: 1 where a piece was refused, else kFoundInData where an answer has found what
 /// `--fail-on` asks for.

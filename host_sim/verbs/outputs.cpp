@@ -26,27 +26,27 @@ namespace fs = std::filesystem;
 
 constexpr const char* kSummary = "the summary";
 
-/// What stands at a path, or would: an inode, or a name in a folder that is one.
-struct Place {
-  enum class Kind { regular, folder, stream, nothing };
+enum class FileKind { regular, folder, stream, nothing };
 
-  Kind kind;
+/// What stands at a path, or would: an inode, or a name in a folder that is one.
+struct FileIdentity {
+  FileKind kind;
   dev_t device;
   ino_t inode;
   std::string name;  ///< only of nothing
 
-  friend bool operator==(const Place&, const Place&) = default;
+  friend bool operator==(const FileIdentity&, const FileIdentity&) = default;
 };
 
-Place place_in(const struct stat& status) {
-  const auto kind = S_ISREG(status.st_mode)   ? Place::Kind::regular
-                    : S_ISDIR(status.st_mode) ? Place::Kind::folder
-                                              : Place::Kind::stream;
+FileIdentity place_in(const struct stat& status) {
+  const auto kind = S_ISREG(status.st_mode)   ? FileKind::regular
+                    : S_ISDIR(status.st_mode) ? FileKind::folder
+                                              : FileKind::stream;
   return {kind, status.st_dev, status.st_ino, {}};
 }
 
 /// None where not even its folder is there.
-std::optional<Place> place_of(const fs::path& path, int standard_descriptor) {
+std::optional<FileIdentity> place_of(const fs::path& path, int standard_descriptor) {
   struct stat status {};
   if (path == "-") {
     return ::fstat(standard_descriptor, &status) == 0 ? std::optional(place_in(status))
@@ -59,7 +59,7 @@ std::optional<Place> place_of(const fs::path& path, int standard_descriptor) {
   if (::stat(folder.c_str(), &status) != 0) {
     return std::nullopt;
   }
-  return Place{Place::Kind::nothing, status.st_dev, status.st_ino, path.filename().string()};
+  return FileIdentity{FileKind::nothing, status.st_dev, status.st_ino, path.filename().string()};
 }
 
 bool is_null_device(const fs::path& path) {
@@ -71,10 +71,10 @@ bool is_null_device(const fs::path& path) {
 /// A file and its place. Streams hold nothing that could be lost, but take one output alone.
 struct Placed {
   NamedPath named;
-  std::optional<Place> place;
+  std::optional<FileIdentity> place;
 
   [[nodiscard]] bool is_same(const Placed& other) const { return place && place == other.place; }
-  [[nodiscard]] bool keeps() const { return place && place->kind != Place::Kind::stream; }
+  [[nodiscard]] bool keeps() const { return place && place->kind != FileKind::stream; }
 };
 
 std::vector<Placed> placed(const std::vector<NamedPath>& files, int standard_descriptor) {
@@ -87,7 +87,7 @@ std::vector<Placed> placed(const std::vector<NamedPath>& files, int standard_des
   return all;
 }
 
-bool lies_in(const fs::path& path, const std::optional<Place>& folder) {
+bool lies_in(const fs::path& path, const std::optional<FileIdentity>& folder) {
   std::error_code error;
   const fs::path absolute = fs::absolute(path, error);
   const fs::path real = error ? fs::path() : fs::weakly_canonical(absolute, error);
@@ -132,7 +132,7 @@ void check_reads(const Placed& output, const std::vector<Placed>& reads) {
 
 void check_folder(const std::string& verb, const NamedPath& folder,
                   const std::vector<Placed>& reads, const std::vector<Placed>& writes) {
-  const std::optional<Place> place = place_of(without_end_slash(folder.path), -1);
+  const std::optional<FileIdentity> place = place_of(without_end_slash(folder.path), -1);
   for (const Placed& read : reads) {
     if (lies_in(read.named.path, place)) {
       refuse_overwriting(folder, fmt::format("{} would overwrite {}, which {} reads", folder.option,

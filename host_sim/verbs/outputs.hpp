@@ -27,8 +27,8 @@ struct VerbFiles {
 };
 
 /// To be called before anything is read: no output takes the place of what is read, of another
-/// output, or of what lies in a folder that is written. Files are told apart by what they are, not
-/// by their names. The summary for people on standard output is an output as well.
+/// output, or of what lies in a folder that is written. Files are distinguished by what they are,
+/// not by their names. The summary for people on standard output is an output as well.
 /// @throws InputError for what is read, CLI::ValidationError for two outputs
 void check_files(const std::string& verb, const VerbFiles& files);
 

@@ -105,7 +105,8 @@ struct PlanDiagnosisArguments {
   unsigned threads = 0;
 };
 
-/// What a campaign of recordings could show and tell apart, before anyone runs it: the exit status.
+/// What a campaign of recordings could show and distinguish, before anyone runs it: the exit
+/// status.
 int plan_for_diagnosis(const PlanDiagnosisArguments& arguments) {
   const synth::SynthPlan plan = synth::read_synth_plan(arguments.plan);
   auto json = open_if_asked(arguments.json);
@@ -196,7 +197,7 @@ void add_design_options(CLI::App& verb, PlanRequest& request) {
       ->check(command_line::in_range(1, kMostSpecimens))
       ->capture_default_str();
   verb.add_option("--cycles-per-minute", request.cycles_per_minute,
-                  "Speed of a rig, to tell the time of a test")
+                  "Speed of a rig, for the duration of a test")
       ->check(above(0));
 }
 

@@ -107,8 +107,8 @@ double life_used(const nlohmann::json& profile) {
   return profile["result"]["damage"]["total"].get<double>();
 }
 
-/// The first of those that use the most life; null where all were refused.
-nlohmann::json most_life_used(const std::vector<batch::Answer>& answers) {
+/// The first of those with the most damage; null where all were refused.
+nlohmann::json most_damaged(const std::vector<batch::Answer>& answers) {
   nlohmann::json most;
   for (const batch::Answer& answer : answers) {
     if (!answer.error.empty()) {
@@ -196,8 +196,8 @@ void write_totals(std::ostream& out, const std::vector<batch::Answer>& answers) 
       std::count_if(answers.begin(), answers.end(),
                     [](const batch::Answer& answer) { return !answer.error.empty(); });
   fmt::print(out, "{} profiles replayed, {} refused\n", std::ssize(answers) - refused, refused);
-  if (const nlohmann::json most = most_life_used(answers); !most.is_null()) {
-    fmt::print(out, "  most life     {:.6g} in {}\n", life_used(most),
+  if (const nlohmann::json most = most_damaged(answers); !most.is_null()) {
+    fmt::print(out, "  most damage   {:.6g} in {}\n", life_used(most),
                most["profile"].get<std::string>());
   }
   for (const std::string& flag : all_flag_names()) {
@@ -227,9 +227,9 @@ int replay_many(const ReplayArguments& arguments) {
     const ListedProfile listed = from_piece(piece);
     return refused(listed, batch::error_line(error, listed.path.string()));
   };
-  batch.tell = [&](const std::vector<batch::Answer>& answers) {
+  batch.report = [&](const std::vector<batch::Answer>& answers) {
     outputs.write(replay_table_head(), "profiles", answers);
-    tell_errors(answers);
+    report_errors(answers);
     write_totals(summary_stream(arguments.outputs()), answers);
     return status_of(answers, arguments.fail_on);
   };

@@ -17,7 +17,7 @@
 namespace lifemodel::extension {
 namespace {
 
-using host_sim::Circumstances;
+using host_sim::Covariates;
 using pack::from_double;
 using pack::to_double;
 
@@ -41,20 +41,20 @@ struct Both {
   Both(const Both&) = delete;
   Both& operator=(const Both&) = delete;
 
-  double output_N(double tension_N, const Circumstances& at) {
+  double output_N(double tension_N, const Covariates& at) {
     const SheathSample sample{pack::tension(tension_N, kUltimate_N),
                               from_double<Angle>(at.bend_angle_rad), fixed_covariates(at)};
     return kUltimate_N * to_double(corrector.input_tension(sample, flags));
   }
-  double current_N(double current_A, const Circumstances& at) {
+  double current_N(double current_A, const Covariates& at) {
     const DriveSample sample{from_double<MotorCurrent>(current_A), fixed_covariates(at)};
     return kUltimate_N * to_double(corrector.input_tension(sample, flags));
   }
-  double exact_output_N(double tension_N, const Circumstances& at) {
+  double exact_output_N(double tension_N, const Covariates& at) {
     return exact.from_output_N(tension_N, at);
   }
 
-  static lifemodel::extension::Covariates fixed_covariates(const Circumstances& at) {
+  static lifemodel::extension::Covariates fixed_covariates(const Covariates& at) {
     lifemodel::extension::Covariates fixed;
     fixed.velocity = from_double<Velocity>(at.velocity_m_s);
     fixed.rotor.raw = std::llround(
@@ -77,8 +77,8 @@ double drawn(double low, double high) {
   return std::lerp(low, high, std::ldexp(static_cast<double>(share), -40));
 }
 
-Circumstances drawn_circumstances() {
-  Circumstances at;
+Covariates drawn_covariates() {
+  Covariates at;
   at.velocity_m_s = drawn(-0.5, 0.5);
   at.direction = at.velocity_m_s < 0 ? -1 : 1;
   at.bend_angle_rad = drawn(0, 2 * std::numbers::pi);
@@ -96,10 +96,10 @@ bool is_near(double fixed_N, double exact_N) {
   return std::abs(fixed_N - exact_N) <= kAbsolute_N + kRelative * std::abs(exact_N);
 }
 
-/// The output, by both, of a tension in circumstances that are drawn.
+/// The output, by both, of a tension with covariates that are drawn.
 void check_output(const std::string& tables) {
   Both both(tables);
-  Circumstances at = drawn_circumstances();
+  Covariates at = drawn_covariates();
   const double output_N = drawn(0.5, 120);
   const auto turned = both.corrector.cycles();
   const double fixed_N = both.output_N(output_N, at);
@@ -113,7 +113,7 @@ void check_output(const std::string& tables) {
 
 void check_current(const std::string& tables) {
   Both both(tables);
-  const Circumstances at = drawn_circumstances();
+  const Covariates at = drawn_covariates();
   const double current_A = drawn(-2, 8);
   const double fixed_N = both.current_N(current_A, at);
   const double exact_N = both.exact.from_current_N(current_A, at);
@@ -181,7 +181,7 @@ RC_GTEST_PROP(Corrector, BendAngle, ()) {
 void check_wear(const std::string& table, std::uint32_t cycles) {
   Both both(table);
   both.corrector.start_at(cycles);
-  Circumstances at = drawn_circumstances();
+  Covariates at = drawn_covariates();
   at.velocity_m_s = 0.1;
   at.direction = 1;
   at.cycle = cycles;
@@ -209,7 +209,7 @@ RC_GTEST_PROP(Corrector, RunIn, ()) {
 
 RC_GTEST_PROP(Corrector, Lag, ()) {
   Both both(fmt::format("[extension.filter_lag]\nlag_s = {}\n", drawn(0.0001, 0.05)));
-  Circumstances at;
+  Covariates at;
   for (int i = 0; i < 10; ++i) {
     const double output_N = drawn(20, 21);
     RC_ASSERT(is_near(both.output_N(output_N, at) / 50, both.exact_output_N(output_N, at) / 50));
@@ -239,7 +239,7 @@ RC_GTEST_PROP(Corrector, TheWholeDriveAtOnce, ()) {
 TEST(Corrector, CountsACycleForTwoTurns) {
   Both both("[extension.friction_preload]\npreload_N = 2\n");
   const auto move = [&](double velocity_m_s) {
-    Circumstances at;
+    Covariates at;
     at.velocity_m_s = velocity_m_s;
     static_cast<void>(both.output_N(40, at));
     return both.corrector.cycles();
@@ -255,7 +255,7 @@ TEST(Corrector, CountsACycleForTwoTurns) {
 TEST(Corrector, PreloadWorksAgainstTheMotion) {
   // 49 exp(+-0.128 * 1.5 pi) +- 2 N
   Both both("[extension.friction_preload]\npreload_N = 2\n");
-  Circumstances at;
+  Covariates at;
   at.bend_angle_rad = 1.5 * std::numbers::pi;
   at.velocity_m_s = 0.1;
   EXPECT_NEAR(both.output_N(49, at), 89.5687 + 2, 1e-3);
@@ -265,7 +265,7 @@ TEST(Corrector, PreloadWorksAgainstTheMotion) {
 
 TEST(Corrector, AGapLeavesNoRate) {
   Both both("[extension.filter_lag]\nlag_s = 0.005\n");
-  const Circumstances at;
+  const Covariates at;
   static_cast<void>(both.output_N(40, at));
   EXPECT_NEAR(both.output_N(40.1, at), 40.6, 1e-5);
   both.corrector.gap();
@@ -276,7 +276,7 @@ TEST(Corrector, FrictionBeyondItsBoundsIsHeldAndFlagged) {
   Both both(
       "[extension.friction_velocity]\nstribeck_friction = -0.5\nviscous_friction_s_m = 0\n"
       "stribeck_velocity_m_s = 0.1\n");
-  Circumstances at;
+  Covariates at;
   at.bend_angle_rad = 3;
   EXPECT_NEAR(both.output_N(40, at), 40, 1e-5);
   EXPECT_TRUE(both.flags.has(Flag::saturated));

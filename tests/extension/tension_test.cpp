@@ -15,22 +15,22 @@ using extension_test::model_with;
 constexpr double kPhi = 1.5 * std::numbers::pi;  // 270 deg
 constexpr double kMu = 0.128;
 
-Circumstances pulling() {
-  Circumstances at;
+Covariates pulling() {
+  Covariates at;
   at.bend_angle_rad = kPhi;
   return at;
 }
 
-double from_output_N(std::string_view tables, double output_N, const Circumstances& at) {
+double from_output_N(std::string_view tables, double output_N, const Covariates& at) {
   return ExtendedInput(model_with(tables)).from_output_N(output_N, at);
 }
 
-double from_current_N(std::string_view tables, double current_A, const Circumstances& at) {
+double from_current_N(std::string_view tables, double current_A, const Covariates& at) {
   return ExtendedInput(model_with(tables)).from_current_N(current_A, at);
 }
 
 TEST(ExtendedInput, WithoutExtensionsItIsTheCapstanLaw) {
-  Circumstances at = pulling();
+  Covariates at = pulling();
   EXPECT_NEAR(from_output_N("", 49, at), 49 * std::exp(kMu * kPhi), 1e-12);
   at.direction = -1;
   EXPECT_NEAR(from_output_N("", 49, at), 49 * std::exp(-kMu * kPhi), 1e-12);
@@ -42,7 +42,7 @@ TEST(ExtendedInput, WithoutExtensionsItIsTheDrive) {
 }
 
 TEST(ExtendedInput, WearGrowsWithTheCycles) {
-  Circumstances at = pulling();
+  Covariates at = pulling();
   at.cycle = 4000;
   // 1 + 0.3 * 4^0.5 = 1.6
   EXPECT_NEAR(from_output_N("[extension.friction_wear]\nwear_coefficient = 0.3\n"
@@ -52,7 +52,7 @@ TEST(ExtendedInput, WearGrowsWithTheCycles) {
 }
 
 TEST(ExtendedInput, RunInFades) {
-  Circumstances at = pulling();
+  Covariates at = pulling();
   at.cycle = 1000 * std::numbers::ln2;
   // 1 + 0.3 / 2 after n0 ln 2 cycles
   EXPECT_NEAR(from_output_N("[extension.friction_wear]\nwear_coefficient = 0.3\n"
@@ -62,7 +62,7 @@ TEST(ExtendedInput, RunInFades) {
 }
 
 TEST(ExtendedInput, TemperatureCountsFromItsReference) {
-  Circumstances at = pulling();
+  Covariates at = pulling();
   at.sheath_temperature_C = 45;
   EXPECT_NEAR(from_output_N("[extension.friction_temperature]\n"
                             "temperature_coefficient_1_K = 0.01\nsheath_reference_C = 25\n",
@@ -71,7 +71,7 @@ TEST(ExtendedInput, TemperatureCountsFromItsReference) {
 }
 
 TEST(ExtendedInput, VelocityAddsToMu) {
-  Circumstances at = pulling();
+  Covariates at = pulling();
   at.direction = -1;
   at.velocity_m_s = -0.02;
   // 0.05/e + 0.5 * 0.02
@@ -97,7 +97,7 @@ TEST(ExtendedInput, LoadDependenceOfNoneIsTheCapstanLaw) {
 }
 
 TEST(ExtendedInput, PreloadHelpsWhileLettingGo) {
-  Circumstances at = pulling();
+  Covariates at = pulling();
   EXPECT_NEAR(from_output_N("[extension.friction_preload]\npreload_N = 2\n", 49, at),
               49 * std::exp(kMu * kPhi) + 2, 1e-12);
   at.direction = -1;
@@ -106,7 +106,7 @@ TEST(ExtendedInput, PreloadHelpsWhileLettingGo) {
 }
 
 TEST(ExtendedInput, PositionGoesWithTheRotor) {
-  Circumstances at = pulling();
+  Covariates at = pulling();
   // A quarter of the wavelength of 0.08 m: 0.02 m = theta * 0.0125 m / 9.
   at.motor_angle_rad = 0.02 * 9 / 0.0125;
   const std::string table =
@@ -121,14 +121,14 @@ TEST(ExtendedInput, PositionGoesWithTheRotor) {
 TEST(ExtendedInput, BendAngleTakesTheErrorOfTheNextPose) {
   const std::string table =
       "[extension.bend_angle]\nbend_angle_error_rad = [0.1, -0.2]\nbend_angles_deg = [90, 270]\n";
-  Circumstances at = pulling();
+  Covariates at = pulling();
   EXPECT_NEAR(from_output_N(table, 49, at), 49 * std::exp(kMu * (kPhi - 0.2)), 1e-10);
   at.bend_angle_rad = 2.0;
   EXPECT_NEAR(from_output_N(table, 49, at), 49 * std::exp(kMu * 2.1), 1e-10);
 }
 
 TEST(ExtendedInput, OffsetDroopAsymmetryAndRippleChangeTheCurrent) {
-  Circumstances at = pulling();
+  Covariates at = pulling();
   at.direction = -1;
   at.winding_temperature_C = 60;
   at.motor_angle_rad = std::numbers::pi / 12;
@@ -147,7 +147,7 @@ TEST(ExtendedInput, OffsetDroopAsymmetryAndRippleChangeTheCurrent) {
 
 TEST(ExtendedInput, ALagOfTheOutputIsTakenOutOfARamp) {
   ExtendedInput input(model_with("[extension.filter_lag]\nlag_s = 0.005\n"));
-  Circumstances at;  // no bend
+  Covariates at;  // no bend
   EXPECT_NEAR(input.from_output_N(40, at), 40, 1e-12);
   // 0.1 N in 1 ms for 5 ms
   EXPECT_NEAR(input.from_output_N(40.1, at), 40.6, 1e-10);
@@ -159,7 +159,7 @@ TEST(ExtendedInput, ALagOfTheOutputIsTakenOutOfARamp) {
 
 TEST(ExtendedInput, ANegativeLagIsThatOfTheInput) {
   ExtendedInput input(model_with("[extension.filter_lag]\nlag_s = -0.005\n"));
-  const Circumstances at;
+  const Covariates at;
   static_cast<void>(input.from_output_N(40, at));
   EXPECT_NEAR(input.from_output_N(40.1, at), 40.1, 1e-12);
   input.gap();
@@ -168,7 +168,7 @@ TEST(ExtendedInput, ANegativeLagIsThatOfTheInput) {
 }
 
 TEST(ExtendedInput, MuStaysWithinItsBounds) {
-  Circumstances at = pulling();
+  Covariates at = pulling();
   at.cycle = 1e9;
   const double most = ExtendedFriction::kMostFactor * kMu;
   EXPECT_NEAR(from_output_N("[extension.friction_wear]\nwear_coefficient = 1\n"

@@ -22,7 +22,7 @@ using hal::files::parse_candump_line;
 namespace {
 
 using Direction = LoggedFrame::Direction;
-using Kind = LoggedFrame::Kind;
+using FrameKind = LoggedFrame::Kind;
 using test::complaint_of;
 using testing::HasSubstr;
 using testing::StartsWith;
@@ -47,7 +47,7 @@ TEST(Candump, ReadsADataFrame) {
   const LoggedFrame frame = parsed("(1436509052.249713) vcan0 044#2A366C2BBA");
   EXPECT_EQ(frame.time_us, 1'436'509'052'249'713u);
   EXPECT_EQ(frame.interface, "vcan0");
-  EXPECT_EQ(frame.kind, Kind::kData);
+  EXPECT_EQ(frame.kind, FrameKind::kData);
   EXPECT_EQ(frame.direction, Direction::kUnknown);
   EXPECT_EQ(frame.id, 0x44u);
   EXPECT_FALSE(frame.extended);
@@ -70,7 +70,7 @@ TEST(Candump, ReadsWhatComesAfterTheFrame) {
 
 TEST(Candump, ReadsRemoteFrames) {
   const LoggedFrame frame = parsed("(0.000000) can0 123#R5");
-  EXPECT_EQ(frame.kind, Kind::kRemote);
+  EXPECT_EQ(frame.kind, FrameKind::kRemote);
   EXPECT_EQ(frame.length, 5);
   EXPECT_EQ(parsed("(0.000000) can0 123#R").length, 0);
   EXPECT_FALSE(frame.classic().has_value());
@@ -78,7 +78,7 @@ TEST(Candump, ReadsRemoteFrames) {
 
 TEST(Candump, ReadsFramesOfCanFd) {
   const LoggedFrame frame = parsed("(0.000000) can0 123##3000102030405060708090A0B");
-  EXPECT_EQ(frame.kind, Kind::kFd);
+  EXPECT_EQ(frame.kind, FrameKind::kFd);
   EXPECT_EQ(frame.fd_flags, 3);
   EXPECT_EQ(frame.length, 12);
   EXPECT_EQ(bytes_of(frame)[11], 11);
@@ -90,7 +90,7 @@ TEST(Candump, ReadsFramesOfCanFd) {
 // CAN_ERR_FLAG and CAN_ERR_BUSOFF of linux/can/error.h.
 TEST(Candump, ReadsWhatTheControllerTells) {
   const LoggedFrame frame = parsed("(0.000000) can0 20000040#0000000000000000");
-  EXPECT_EQ(frame.kind, Kind::kError);
+  EXPECT_EQ(frame.kind, FrameKind::kError);
   EXPECT_EQ(frame.id, 0x40u);
   EXPECT_EQ(frame.length, 8);
   EXPECT_FALSE(frame.classic().has_value());

@@ -11,7 +11,7 @@
 namespace host_sim::life_law {
 namespace {
 
-using Kind = LifeQuantity::Kind;
+using QuantityKind = LifeQuantity::Kind;
 
 /// The largest value of f between two bounds.
 double largest(const std::function<double(double)>& f, double low, double high) {
@@ -25,13 +25,13 @@ double largest(const std::function<double(double)>& f, double low, double high) 
 /// ln alpha at the quantity's tension less the quantity.
 double ln_alpha_above(const LifeQuantity& quantity, double shape) {
   switch (quantity.kind) {
-    case Kind::ln_mean_life:
+    case QuantityKind::ln_mean_life:
       return -std::log(std::tgamma(1 + 1 / shape));
-    case Kind::ln_quantile:
+    case QuantityKind::ln_quantile:
       return -std::log(-std::log(1 - quantity.p)) / shape;
-    case Kind::ln_scale:
-    case Kind::exponent:
-    case Kind::shape:
+    case QuantityKind::ln_scale:
+    case QuantityKind::exponent:
+    case QuantityKind::shape:
       break;
   }
   return 0;
@@ -47,12 +47,12 @@ class SearchedProfile {
   double operator()(double value) const {
     const double shape = fit_.law().shape;
     const double exponent = fit_.law().exponent;
-    if (quantity_.kind == Kind::shape) {
+    if (quantity_.kind == QuantityKind::shape) {
       return over_exponent([&](double e) { return over_ln_alpha(e, value); }, exponent);
     }
     return largest(
         [&](double b) {
-          if (quantity_.kind == Kind::exponent) {
+          if (quantity_.kind == QuantityKind::exponent) {
             return over_ln_alpha(value, b);
           }
           return over_exponent([&](double e) { return of(ln_alpha_at_centre(value, e, b), e, b); },
@@ -72,7 +72,8 @@ class SearchedProfile {
   }
 
   double ln_alpha_at_centre(double value, double exponent, double shape) const {
-    const double tension_N = quantity_.kind == Kind::ln_scale ? 1 : quantity_.effective_tension_N;
+    const double tension_N =
+        quantity_.kind == QuantityKind::ln_scale ? 1 : quantity_.effective_tension_N;
     const double x = std::log(tension_N) - fit_.centre_ln_N;
     return value + ln_alpha_above(quantity_, shape) + exponent * x;
   }
@@ -111,23 +112,24 @@ TEST_P(ProfileInterval, EndsWhereTheSearchedProfileLosesHalfOfChiSquare) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Quantities, ProfileInterval,
-                         ::testing::Values(LifeQuantity{Kind::ln_scale},
-                                           LifeQuantity{Kind::exponent}, LifeQuantity{Kind::shape},
-                                           LifeQuantity{Kind::ln_mean_life, 35.1},
-                                           LifeQuantity{Kind::ln_quantile, 35.1, 0.1},
-                                           LifeQuantity{Kind::ln_quantile, 25.5, 0.9}));
+                         ::testing::Values(LifeQuantity{QuantityKind::ln_scale},
+                                           LifeQuantity{QuantityKind::exponent},
+                                           LifeQuantity{QuantityKind::shape},
+                                           LifeQuantity{QuantityKind::ln_mean_life, 35.1},
+                                           LifeQuantity{QuantityKind::ln_quantile, 35.1, 0.1},
+                                           LifeQuantity{QuantityKind::ln_quantile, 25.5, 0.9}));
 
 double estimate_of(const LifeLaw& law, const LifeQuantity& quantity) {
   switch (quantity.kind) {
-    case Kind::ln_scale:
+    case QuantityKind::ln_scale:
       return std::log(law.scale);
-    case Kind::exponent:
+    case QuantityKind::exponent:
       return law.exponent;
-    case Kind::shape:
+    case QuantityKind::shape:
       return law.shape;
-    case Kind::ln_mean_life:
+    case QuantityKind::ln_mean_life:
       return std::log(law.mean_life(quantity.effective_tension_N));
-    case Kind::ln_quantile:
+    case QuantityKind::ln_quantile:
       break;
   }
   return std::log(law.quantile(quantity.p, quantity.effective_tension_N));
@@ -157,9 +159,9 @@ TEST_P(ProfileInterval, HoldsTheEstimateAndWidensWithConfidence) {
 TEST(ProfileIntervalOfAQuantile, AtOneLessOneOverEIsThatOfAlpha) {
   const LifeData data = campaign();
   const LifeFit fit = fit_life(data);
-  const statistics::Interval scale = profile_interval(data, fit, {Kind::ln_scale});
+  const statistics::Interval scale = profile_interval(data, fit, {QuantityKind::ln_scale});
   const statistics::Interval quantile =
-      profile_interval(data, fit, {Kind::ln_quantile, 1, 1 - std::exp(-1)});
+      profile_interval(data, fit, {QuantityKind::ln_quantile, 1, 1 - std::exp(-1)});
   EXPECT_NEAR(scale.low, quantile.low, 1e-7);
   EXPECT_NEAR(scale.high, quantile.high, 1e-7);
 }

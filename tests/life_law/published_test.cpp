@@ -12,7 +12,7 @@
 #include "tests/life_law/data_sets.hpp"
 #include "tests/statistics/survreg.hpp"
 
-/// The same likelihoods by R's survreg, other code that climbs in other parameters.
+/// The same likelihoods by R's survreg, other code that maximizes in other parameters.
 namespace host_sim::life_law {
 namespace {
 

@@ -35,7 +35,7 @@ double Share::tolerance(double expected, double sigmas) const {
   return sigmas * std::sqrt(expected * (1 - expected) / static_cast<double>(campaigns));
 }
 
-void tell(const std::string& what, const Share& share) {
+void report(const std::string& what, const Share& share) {
   fmt::print("proof: {}: {:.2f} % of {} campaigns\n", what, 100 * share.value(), share.campaigns);
 }
 
@@ -66,7 +66,7 @@ void expect_uniform(const std::string& what, std::vector<double> p, std::size_t 
   EXPECT_LT(distance, allowed) << what;
   const auto rejected = std::upper_bound(p.begin(), p.end(), kSignificance + kRounding) - p.begin();
   const Share share{static_cast<std::size_t>(rejected), p.size()};
-  tell(what + ", rejected at 5 % under the null", share);
+  report(what + ", rejected at 5 % under the null", share);
   EXPECT_NEAR(share.value(), kSignificance, share.tolerance(kSignificance, 3)) << what;
 }
 

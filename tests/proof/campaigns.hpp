@@ -36,7 +36,7 @@ struct Share {
 };
 
 /// Prints `proof: what: share of campaigns`.
-void tell(const std::string& what, const Share& share);
+void report(const std::string& what, const Share& share);
 
 /// Expects p-values that are each one of 1 / (replicates + 1), 2 / (replicates + 1) .. 1 to be
 /// uniform: the largest distance of their distribution from the diagonal is below what one sample

@@ -13,7 +13,7 @@
 namespace host_sim::proof {
 namespace {
 
-using Kind = life_law::LifeQuantity::Kind;
+using QuantityKind = life_law::LifeQuantity::Kind;
 
 struct Wanted {
   std::string name;
@@ -23,14 +23,14 @@ struct Wanted {
 
 std::array<Wanted, 5> wanted() {
   return {{
-      {"scale", {.kind = Kind::ln_scale}, std::log(kTruth.scale)},
-      {"exponent", {.kind = Kind::exponent}, kTruth.exponent},
-      {"shape", {.kind = Kind::shape}, kTruth.shape},
+      {"scale", {.kind = QuantityKind::ln_scale}, std::log(kTruth.scale)},
+      {"exponent", {.kind = QuantityKind::exponent}, kTruth.exponent},
+      {"shape", {.kind = QuantityKind::shape}, kTruth.shape},
       {"mean life at the use",
-       {.kind = Kind::ln_mean_life, .effective_tension_N = kUseTension_N},
+       {.kind = QuantityKind::ln_mean_life, .effective_tension_N = kUseTension_N},
        std::log(kTruth.mean_life(kUseTension_N))},
       {"B10 at the use",
-       {.kind = Kind::ln_quantile, .effective_tension_N = kUseTension_N, .p = 0.1},
+       {.kind = QuantityKind::ln_quantile, .effective_tension_N = kUseTension_N, .p = 0.1},
        std::log(kTruth.quantile(0.1, kUseTension_N))},
   }};
 }
@@ -64,8 +64,8 @@ void prove_profile_intervals(const std::string& what, const plan::Design& design
       inside.holds += truths[i] == Truth::inside ? 1U : 0U;
       below.holds += truths[i] == Truth::below ? 1U : 0U;
     }
-    tell(what + ", 95 % interval of the " + quantities[i].name + " holds the truth", inside);
-    tell(what + ", 95 % interval of the " + quantities[i].name + " is above the truth", below);
+    report(what + ", 95 % interval of the " + quantities[i].name + " holds the truth", inside);
+    report(what + ", 95 % interval of the " + quantities[i].name + " is above the truth", below);
     // 0.02 is what is wanted; it is 4 binomial errors of 2,000 campaigns.
     EXPECT_NEAR(inside.value(), 0.95, std::max(0.02, inside.tolerance(0.95, 4)))
         << quantities[i].name;
@@ -104,7 +104,7 @@ void prove_prediction_interval(const std::string& what, const plan::Design& desi
   for (const char one : held) {
     share.holds += one != 0 ? 1U : 0U;
   }
-  tell(what + ", 95 % prediction interval holds the next life", share);
+  report(what + ", 95 % prediction interval holds the next life", share);
   EXPECT_NEAR(share.value(), 0.95, std::max(0.02, share.tolerance(0.95, 4)));
 }
 

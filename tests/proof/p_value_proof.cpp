@@ -43,7 +43,7 @@ void prove_adequacy(const std::string& what, const plan::Design& design) {
       chi_square.holds += each[which].p_chi_square <= 0.05 ? 1U : 0U;
     }
     expect_uniform(what + ", against " + names[which], p, kAdequacyReplicates);
-    tell(what + ", against " + names[which] + ", rejected by chi-square", chi_square);
+    report(what + ", against " + names[which] + ", rejected by chi-square", chi_square);
   }
 }
 
@@ -142,8 +142,8 @@ Shares judge_all(double odd_shape) {
 
 TEST(OddShape, IsNamed) {
   const Shares shares = judge_all(2.0);
-  tell("4 levels of 20, shape 2 against 6, the odd level is named", shares.odd);
-  tell("4 levels of 20, shape 2 against 6, another is named", shares.other);
+  report("4 levels of 20, shape 2 against 6, the odd level is named", shares.odd);
+  report("4 levels of 20, shape 2 against 6, another is named", shares.other);
   constexpr double kMeasured = 0.982;  // over 500 campaigns
   EXPECT_GE(shares.odd.value(), kMeasured - shares.odd.tolerance(kMeasured, 3));
 }
@@ -151,7 +151,7 @@ TEST(OddShape, IsNamed) {
 TEST(OddShape, IsRarelySeenWhereThereIsNone) {
   const Shares shares = judge_all(6.0);
   const Share any{shares.odd.holds + shares.other.holds, shares.odd.campaigns};
-  tell("4 levels of 20 of one shape, a level is named", any);
+  report("4 levels of 20 of one shape, a level is named", any);
   EXPECT_LE(any.value(), 0.05 + any.tolerance(0.05, 3));
 }
 

@@ -20,7 +20,7 @@ using hal::files::ProfileColumnId;
 
 namespace {
 
-using Kind = Fault::Kind;
+using FaultKind = Fault::Kind;
 using test::change;
 using test::Rig;
 
@@ -60,7 +60,7 @@ TEST(Faults, AreNoneInSoundRecordings) {
 }
 
 /// The only faults of the recording are of one kind in one channel; returns them.
-std::vector<Fault> only(const Recording& recording, ProfileColumnId channel, Kind kind) {
+std::vector<Fault> only(const Recording& recording, ProfileColumnId channel, FaultKind kind) {
   const auto faults = faults_of({recording});
   if (faults.empty()) {
     ADD_FAILURE() << "no fault";
@@ -79,7 +79,7 @@ TEST(Faults, NameAChannelThatNeverChanges) {
                                         kOutputTensionColumn, kTendonVelocity, kMotorAngle}) {
     Recording recording = test::recording_of({});
     change(recording, channel, 0, 20, [](double) { return 7.5; });
-    const auto faults = only(recording, channel, Kind::constant);
+    const auto faults = only(recording, channel, FaultKind::constant);
     ASSERT_EQ(faults.size(), 1U);
     EXPECT_EQ(faults[0].first, 0U);
     EXPECT_EQ(faults[0].count, 4000U);
@@ -101,7 +101,7 @@ TEST(Faults, NameASensorThatLosesItsNoise) {
       Recording recording = test::recording_of({.noise = 0.003, .resolution = resolution});
       const double value = recording[channel][1030] + 1e-6;
       change(recording, channel, 5.15, 6.75, [&](double) { return value; });
-      const auto faults = only(recording, channel, Kind::stuck);
+      const auto faults = only(recording, channel, FaultKind::stuck);
       ASSERT_EQ(faults.size(), 1U);
       EXPECT_EQ(faults[0].first, 1030U);
       EXPECT_EQ(faults[0].count, 320U);
@@ -123,7 +123,7 @@ TEST(Faults, NameASensorWithoutNoiseThatStandsStillWhileOthersMove) {
     Recording recording = test::recording_of({.resolution = 0.002});
     const double value = recording[channel][820];
     change(recording, channel, 4.1, 6.0, [&](double) { return value; });
-    const auto faults = only(recording, channel, Kind::stuck);
+    const auto faults = only(recording, channel, FaultKind::stuck);
     ASSERT_EQ(faults.size(), 1U);
     EXPECT_EQ(faults[0].first, 820U);
     EXPECT_EQ(faults[0].count, 380U);
@@ -145,7 +145,7 @@ TEST(Faults, NameASensorThatIsClipped) {
       const std::vector<double>& values = recording[channel];
       const double top = 0.7 * *std::max_element(values.begin(), values.end());
       change(recording, channel, 0, 20, [&](double value) { return std::min(value, top); });
-      const auto faults = only(recording, channel, Kind::saturated);
+      const auto faults = only(recording, channel, FaultKind::saturated);
       EXPECT_GE(faults.size(), 9U);  // of ten cycles
       std::size_t touched = 0;
       for (const Fault& fault : faults) {
@@ -162,7 +162,7 @@ TEST(Faults, NameASensorThatIsClippedBelow) {
   Recording recording = test::recording_of({.noise = 0.003});
   change(recording, kOutputTensionColumn, 0, 20,
          [](double value) { return std::max(value, 32.0); });
-  const auto faults = only(recording, kOutputTensionColumn, Kind::saturated);
+  const auto faults = only(recording, kOutputTensionColumn, FaultKind::saturated);
   EXPECT_THAT(faults[0].words, testing::HasSubstr("output_tension_N stays at 32 N, its smallest "
                                                   "value, from "));
 }
@@ -173,7 +173,7 @@ TEST(Faults, NameGapsInTime) {
     values.erase(values.begin() + 1000, values.begin() + 1005);
     values.erase(values.begin() + 500, values.begin() + 504);
   }
-  const auto faults = only(recording, kTime, Kind::gap);
+  const auto faults = only(recording, kTime, FaultKind::gap);
   ASSERT_EQ(faults.size(), 1U);  // four samples are missing in the other: 5 steps, not more
   EXPECT_EQ(faults[0].first, 996U);
   EXPECT_EQ(faults[0].count, 1U);
@@ -188,10 +188,10 @@ TEST(Faults, NameTensionsWithoutALogarithm) {
   change(recording, kOutputTensionColumn, 5.52, 5.55, [](double value) { return -value; });
   auto faults = faults_of({recording});
   faults.erase(std::remove_if(faults.begin(), faults.end(),
-                              [](const Fault& fault) { return fault.kind == Kind::stuck; }),
+                              [](const Fault& fault) { return fault.kind == FaultKind::stuck; }),
                faults.end());
   ASSERT_EQ(faults.size(), 1U) << all_words(faults);
-  EXPECT_EQ(faults[0].kind, Kind::not_positive);
+  EXPECT_EQ(faults[0].kind, FaultKind::not_positive);
   EXPECT_EQ(faults[0].first, 1000U);
   EXPECT_EQ(faults[0].count, 110U);
 }
@@ -199,7 +199,7 @@ TEST(Faults, NameTensionsWithoutALogarithm) {
 TEST(Faults, AskForTheSignWhereATensionIsNeverPositive) {
   Recording recording = test::recording_of({});
   change(recording, kMotorCurrentColumn, 0, 20, [](double value) { return -value; });
-  const auto faults = only(recording, kMotorCurrentColumn, Kind::not_positive);
+  const auto faults = only(recording, kMotorCurrentColumn, FaultKind::not_positive);
   ASSERT_EQ(faults.size(), 1U);
   EXPECT_EQ(faults[0].count, 4000U);
   EXPECT_THAT(faults[0].words, testing::HasSubstr("is its sign the other way round?"));
@@ -233,16 +233,16 @@ TEST(Faults, ComeInOrderOfSessionAndChannel) {
 
 TEST(FaultSummary, IsOneLineForEachKindAndChannel) {
   const std::vector<Fault> faults{
-      {"s1", kTime, Kind::gap, 5, 1, "a gap"},
-      {"s1", kOutputTensionColumn, Kind::not_positive, 5, 10, "below zero"},
-      {"s1", kOutputTensionColumn, Kind::not_positive, 50, 20, "below zero again"},
-      {"s2", kOutputTensionColumn, Kind::stuck, 50, 7, "stuck"},
-      {"s2", kOutputTensionColumn, Kind::not_positive, 5, 3, "below zero there"},
+      {"s1", kTime, FaultKind::gap, 5, 1, "a gap"},
+      {"s1", kOutputTensionColumn, FaultKind::not_positive, 5, 10, "below zero"},
+      {"s1", kOutputTensionColumn, FaultKind::not_positive, 50, 20, "below zero again"},
+      {"s2", kOutputTensionColumn, FaultKind::stuck, 50, 7, "stuck"},
+      {"s2", kOutputTensionColumn, FaultKind::not_positive, 5, 3, "below zero there"},
   };
   const auto summaries = summary_of(faults);
   ASSERT_EQ(summaries.size(), 3U);
   EXPECT_EQ(summaries[0].words, "a gap");
-  EXPECT_EQ(summaries[1].kind, Kind::stuck);
+  EXPECT_EQ(summaries[1].kind, FaultKind::stuck);
   EXPECT_EQ(summaries[2].words, "below zero; 3 times like this, in 2 sessions and 33 samples");
   EXPECT_EQ(summaries[2].sessions, 2U);
   EXPECT_EQ(summaries[2].samples, 33U);

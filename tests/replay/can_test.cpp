@@ -21,7 +21,7 @@ struct Sent {
   hal::CanFrame frame;
 };
 
-/// The life of one pass of a profile, as the bus was told of it.
+/// The life of one pass of a profile, as it was reported on the bus.
 class ReplayToBus : public host_sim_test::Program {
  protected:
   std::vector<Sent> log(const std::string& name) {

@@ -64,7 +64,7 @@ const Bad kBad[]{
     {replaced(kRecordings, "270.0", "[270.0, 3.0]") + "pose_sway_deg = 4\n",
      "a sway of 4 deg about 3 deg"},
     {kRecordings + "channels = [\"output_tension_N\", \"tendon_velocity_m_s\"]\n",
-     "channels that tell no friction"},
+     "channels that show no friction"},
     {kRecordings + "channels = [\"output_tension\"]\n", "channels holds 'output_tension'"},
     {kRecordings + "channels = [\"output_tension_N\", \"output_tension_N\"]\n", "twice"},
     {kRecordings + "channels = [\"time_s\"]\n", "channels holds 'time_s'"},
@@ -138,14 +138,14 @@ TEST(SynthPlan, ReadsWhatIsHiddenInTheOrderOfTheCatalogue) {
                                  "[outside.sheath_creep]\nshare = 0.05\ntime_constant_s = 3\n"
                                  "[effects.slack]\ndead_zone_mm = 1\nheld_share = 0.5\n"
                                  "[effects.bend_angle]\nerror_deg = [1, 2]\n");
-  ASSERT_EQ(plan.hidden.size(), 3U);
-  EXPECT_EQ(plan.hidden[0].id, "slack");
-  EXPECT_EQ(plan.hidden[0].values["held_share"], 0.5);
-  EXPECT_EQ(plan.hidden[1].id, "bend_angle");
-  EXPECT_EQ(plan.hidden[1].values.list("error_deg"), (std::vector<double>{1, 2}));
-  EXPECT_EQ(plan.hidden[1].values["sd_deg"], 0);
-  EXPECT_EQ(plan.hidden[2].id, "sheath_creep");
-  EXPECT_TRUE(plan.hidden[2].outside);
+  ASSERT_EQ(plan.departures.size(), 3U);
+  EXPECT_EQ(plan.departures[0].id, "slack");
+  EXPECT_EQ(plan.departures[0].values["held_share"], 0.5);
+  EXPECT_EQ(plan.departures[1].id, "bend_angle");
+  EXPECT_EQ(plan.departures[1].values.list("error_deg"), (std::vector<double>{1, 2}));
+  EXPECT_EQ(plan.departures[1].values["sd_deg"], 0);
+  EXPECT_EQ(plan.departures[2].id, "sheath_creep");
+  EXPECT_TRUE(plan.departures[2].outside);
 }
 
 std::string recordings(const std::string& design) {

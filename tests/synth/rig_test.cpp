@@ -66,7 +66,7 @@ TEST(SynthBaseline, PoseSwaysAboutItsAngle) {
   const Channels channels = session(kRecordings + "pose_sway_deg = 5.0\npose_sway_Hz = 0.25\n");
   EXPECT_NEAR(channels[kBendAngle][200], 275, 1e-9);
   EXPECT_NEAR(channels[kBendAngle][600], 265, 1e-9);
-  // The capstan equation takes the angle of the moment.
+  // The capstan equation takes the angle of the covariates.
   EXPECT_NEAR(std::log(channels[kInputTensionColumn][200] / channels[kOutputTensionColumn][200]),
               kMu * 275 * std::numbers::pi / 180, 1e-9);
 }

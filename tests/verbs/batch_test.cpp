@@ -36,7 +36,7 @@ class RunBatch : public testing::Test {
     batch_.refuse = [](const std::string& piece, const std::exception& error) {
       return Answer{"none", "{}", error_line(error, piece), {}};
     };
-    batch_.tell = [this](const std::vector<Answer>& answers) {
+    batch_.report = [this](const std::vector<Answer>& answers) {
       answers_ = answers;
       return kStatus;
     };

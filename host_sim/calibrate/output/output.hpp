@@ -40,7 +40,7 @@ std::string refused_row(std::string_view name, std::string_view error);
 /// All that found_in() can name, in its order.
 std::vector<std::string> all_findings();
 
-/// What speaks against the model or its data:
+/// What is evidence against the model or its data:
 ///   left-out    a level of role fit is not in the life model;
 ///   shape       one shape for all levels of the life model is rejected;
 ///   fit         the law is rejected against free levels, curvature or growing scatter, or there is

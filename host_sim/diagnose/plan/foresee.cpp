@@ -42,7 +42,7 @@ NoiseModel noise_of(const synth::SynthPlan& plan) {
 }
 
 std::vector<Session> simulated_sessions(synth::SynthPlan plan, const ForeseeOptions& options) {
-  plan.hidden.clear();
+  plan.departures.clear();
   plan.lives.reset();
   plan.noise = {};
   plan.scatter = {};

@@ -150,7 +150,7 @@ void add_use(Slots& slots, const CalibrateResult& result) {
       "There is no life law, or no use or validation level to draw it at.";
   slots["use_table"] =
       sections::table_or(!result.use_levels.empty(), tables::use_levels(result),
-                         "No use level was asked for, or there is no law to tell its life.");
+                         "No use level was asked for, or there is no law to predict its life.");
   slots["use"] = sections::chart(calibrate_page::use_chart(result, StressLifeAxes::linear),
                                  captions::use(), kNoUse);
   slots["use_log"] = sections::chart(calibrate_page::use_chart(result, StressLifeAxes::logarithmic),

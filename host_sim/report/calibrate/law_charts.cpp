@@ -74,18 +74,19 @@ using Place = std::function<std::optional<double>(const LevelResult&)>;
 
 /// Estimates as points over their intervals, one pair of layers for each part.
 void add_scales(Chart& chart, const CalibrateResult& result, const Place& place) {
-  constexpr std::pair<Part, const char*> kParts[] = {{Part::fitted, "Scale, fitted level"},
-                                                     {Part::validation, "Scale, validation level"},
-                                                     {Part::left_out, "Scale, left out"}};
+  constexpr std::pair<LevelKind, const char*> kParts[] = {
+      {LevelKind::fitted, "Scale, fitted level"},
+      {LevelKind::validation, "Scale, validation level"},
+      {LevelKind::left_out, "Scale, left out"}};
   for (const auto& [part, name] : kParts) {
-    Layer points = specimen_points(part, true, part == Part::left_out ? "muted" : "line");
+    Layer points = specimen_points(part, true, part == LevelKind::left_out ? "muted" : "line");
     points.name = name;
     Layer bars;
     bars.kind = Layer::Kind::bars;
     bars.colour = points.colour;
     for (const LevelResult& level : result.levels) {
       const std::optional<double> at = place(level);
-      if (!at || !has_fit(level) || part_of(level) != part) {
+      if (!at || !has_fit(level) || kind_of(level) != part) {
         continue;
       }
       points.x.push_back(*at);
@@ -196,11 +197,12 @@ void add_if_any(Chart& chart, Layer layer) {
   }
 }
 
-Layer specimens(const CalibrateResult& result, Part part, bool failed, std::string_view colour) {
+Layer specimens(const CalibrateResult& result, LevelKind part, bool failed,
+                std::string_view colour) {
   Layer layer = specimen_points(part, failed, colour);
   for (const LevelResult& level : result.levels) {
     for (const statistics::Observation& specimen : level.sample) {
-      if (part_of(level) == part && specimen.failed == failed) {
+      if (kind_of(level) == part && specimen.failed == failed) {
         layer.x.push_back(level.load.effective_tension_N);
         layer.y.push_back(specimen.value);
         layer.texts.push_back(level.name());
@@ -238,17 +240,17 @@ void add_law(Chart& chart, const StressLife& law, TensionRange range) {
 /// Specimens of constant load: fitted, validation, left out; suspended with arrows.
 void add_specimens(Chart& chart, const CalibrateResult& result) {
   struct Kind {
-    Part part;
+    LevelKind part;
     bool failed;
     const char* colour;
     const char* name;
   };
-  constexpr Kind kKinds[] = {{Part::left_out, true, "muted", "Failed, left out"},
-                             {Part::left_out, false, "muted", "Suspended, left out"},
-                             {Part::fitted, true, "line", "Failed"},
-                             {Part::fitted, false, "line", "Suspended: lives longer"},
-                             {Part::validation, true, "level-2", "Failed, validation"},
-                             {Part::validation, false, "level-2", "Suspended, validation"}};
+  constexpr Kind kKinds[] = {{LevelKind::left_out, true, "muted", "Failed, left out"},
+                             {LevelKind::left_out, false, "muted", "Suspended, left out"},
+                             {LevelKind::fitted, true, "line", "Failed"},
+                             {LevelKind::fitted, false, "line", "Suspended: lives longer"},
+                             {LevelKind::validation, true, "level-2", "Failed, validation"},
+                             {LevelKind::validation, false, "level-2", "Suspended, validation"}};
   for (const Kind& kind : kKinds) {
     Layer layer = specimens(result, kind.part, kind.failed, kind.colour);
     layer.name = kind.name;
@@ -262,7 +264,7 @@ void add_left_out_names(Chart& chart, const CalibrateResult& result) {
   labels.kind = Layer::Kind::labels;
   labels.colour = "ink-soft";
   for (const LevelResult& level : result.levels) {
-    if (part_of(level) == Part::left_out && !level.sample.empty()) {
+    if (kind_of(level) == LevelKind::left_out && !level.sample.empty()) {
       const auto longest =
           std::max_element(level.sample.begin(), level.sample.end(),
                            [](const auto& a, const auto& b) { return a.value < b.value; });

@@ -10,7 +10,7 @@
 namespace host_sim::calibrate_page {
 namespace {
 
-/// Neighbours stand beside each other, so that equal lives can be told apart.
+/// Neighbours stand beside each other, so that equal lives can be distinguished.
 double beside(std::size_t specimen) {
   constexpr std::size_t kColumns = 5;
   constexpr double kStep = 0.07;
@@ -24,14 +24,14 @@ std::string category_of(const calibrate::LevelResult& level) {
                                    : tension;
 }
 
-Layer specimens(const calibrate::CalibrateResult& result, Part part, bool failed) {
-  Layer layer = specimen_points(part, failed, part == Part::left_out ? "muted" : "line");
-  if (part == Part::validation) {
+Layer specimens(const calibrate::CalibrateResult& result, LevelKind part, bool failed) {
+  Layer layer = specimen_points(part, failed, part == LevelKind::left_out ? "muted" : "line");
+  if (part == LevelKind::validation) {
     layer.colour = "level-2";
   }
   for (std::size_t i = 0; i < result.levels.size(); ++i) {
     const calibrate::LevelResult& level = result.levels[i];
-    for (std::size_t j = 0; part_of(level) == part && j < level.sample.size(); ++j) {
+    for (std::size_t j = 0; kind_of(level) == part && j < level.sample.size(); ++j) {
       if (level.sample[j].failed == failed) {
         layer.x.push_back(static_cast<double>(i) + beside(j));
         layer.y.push_back(level.sample[j].value);
@@ -60,16 +60,16 @@ Layer means(const calibrate::CalibrateResult& result) {
 
 Chart lives_chart(const calibrate::CalibrateResult& result) {
   struct Kind {
-    Part part;
+    LevelKind part;
     bool failed;
     const char* name;
   };
-  constexpr Kind kKinds[] = {{Part::fitted, true, "Failed"},
-                             {Part::fitted, false, "Suspended: lives longer"},
-                             {Part::validation, true, "Failed, validation"},
-                             {Part::validation, false, "Suspended, validation"},
-                             {Part::left_out, true, "Failed, left out"},
-                             {Part::left_out, false, "Suspended, left out"}};
+  constexpr Kind kKinds[] = {{LevelKind::fitted, true, "Failed"},
+                             {LevelKind::fitted, false, "Suspended: lives longer"},
+                             {LevelKind::validation, true, "Failed, validation"},
+                             {LevelKind::validation, false, "Suspended, validation"},
+                             {LevelKind::left_out, true, "Failed, left out"},
+                             {LevelKind::left_out, false, "Suspended, left out"}};
   Chart chart;
   chart.id = "lives";
   chart.name = "The life of every specimen";
@@ -122,7 +122,7 @@ Layer lives(const calibrate::LevelResult& level) {
 Layer suspended(const calibrate::LevelResult& level) {
   constexpr double kOverFoot = 0.1;
 
-  Layer layer = specimen_points(part_of(level), false, "line");
+  Layer layer = specimen_points(kind_of(level), false, "line");
   layer.arrow = Layer::Arrow::right;
   for (const statistics::Observation& specimen : level.sample) {
     if (!specimen.failed) {
@@ -161,7 +161,7 @@ Chart density_chart(const calibrate::CalibrateResult& result) {
     }
     Layer curve = density(level.weibull().distribution);
     curve.name = title_of(level);
-    curve.dashed = part_of(level) != Part::fitted;
+    curve.dashed = kind_of(level) != LevelKind::fitted;
     for (Layer layer : {curve, lives(level), suspended(level), mean(level)}) {
       layer.colour = colour_of(result, i);
       if (!layer.x.empty()) {
@@ -211,7 +211,7 @@ Layer band_outline(const statistics::QuantileBand& band) {
 }
 
 Layer failures(const LevelResult& level) {
-  Layer layer = specimen_points(part_of(level), true, "line");
+  Layer layer = specimen_points(kind_of(level), true, "line");
   for (const statistics::PlottingPosition& position : level.positions) {
     layer.x.push_back(position.life);
     layer.y.push_back(position.p);
@@ -221,7 +221,7 @@ Layer failures(const LevelResult& level) {
 
 /// Suspended specimens have no plotting position; they stand at the foot of the plot.
 Layer suspended_at_the_foot(const LevelResult& level) {
-  Layer layer = specimen_points(part_of(level), false, "line");
+  Layer layer = specimen_points(kind_of(level), false, "line");
   layer.name = "Suspended: lives longer";
   layer.arrow = Layer::Arrow::right;
   for (const statistics::Observation& specimen : level.sample) {
@@ -263,7 +263,7 @@ Chart common_shape_chart(const CalibrateResult& result) {
   std::vector<statistics::Sample> samples;
   std::vector<std::size_t> fitted;
   for (std::size_t i = 0; i < result.levels.size(); ++i) {
-    if (part_of(result.levels[i]) == Part::fitted && !result.levels[i].positions.empty()) {
+    if (kind_of(result.levels[i]) == LevelKind::fitted && !result.levels[i].positions.empty()) {
       samples.push_back(result.levels[i].sample);
       fitted.push_back(i);
     }

@@ -13,39 +13,39 @@ constexpr std::size_t kColours = 6;
 
 }  // namespace
 
-Part part_of(const calibrate::LevelResult& level) {
+LevelKind kind_of(const calibrate::LevelResult& level) {
   if (level.role == Campaign::Role::validation) {
-    return Part::validation;
+    return LevelKind::validation;
   }
-  return level.left_out.empty() ? Part::fitted : Part::left_out;
+  return level.left_out.empty() ? LevelKind::fitted : LevelKind::left_out;
 }
 
-std::string_view shape_of(Part part) {
+std::string_view shape_of(LevelKind part) {
   switch (part) {
-    case Part::validation:
+    case LevelKind::validation:
       return "diamond";
-    case Part::left_out:
+    case LevelKind::left_out:
       return "cross";
-    case Part::fitted:
+    case LevelKind::fitted:
       break;
   }
   return "circle";
 }
 
 std::string colour_of(const calibrate::CalibrateResult& result, std::size_t level) {
-  if (part_of(result.levels[level]) == Part::left_out) {
+  if (kind_of(result.levels[level]) == LevelKind::left_out) {
     return "muted";
   }
   return fmt::format("level-{}", level % kColours);
 }
 
 std::string title_of(const calibrate::LevelResult& level) {
-  switch (part_of(level)) {
-    case Part::validation:
+  switch (kind_of(level)) {
+    case LevelKind::validation:
       return level.name() + " (validation)";
-    case Part::left_out:
+    case LevelKind::left_out:
       return level.name() + " (left out)";
-    case Part::fitted:
+    case LevelKind::fitted:
       break;
   }
   return level.name();
@@ -55,7 +55,7 @@ bool has_fit(const calibrate::LevelResult& level) {
   return level.weibull().problem == statistics::FitProblem::none;
 }
 
-Layer specimen_points(Part part, bool failed, std::string_view colour) {
+Layer specimen_points(LevelKind part, bool failed, std::string_view colour) {
   Layer layer;
   layer.kind = Layer::Kind::points;
   layer.shape = shape_of(part);

@@ -13,11 +13,11 @@
 namespace host_sim::calibrate_page {
 
 /// What a level is to the law.
-enum class Part { fitted, validation, left_out };
-[[nodiscard]] Part part_of(const calibrate::LevelResult& level);
+enum class LevelKind { fitted, validation, left_out };
+[[nodiscard]] LevelKind kind_of(const calibrate::LevelResult& level);
 
 /// circle, diamond or cross.
-[[nodiscard]] std::string_view shape_of(Part part);
+[[nodiscard]] std::string_view shape_of(LevelKind part);
 
 /// A colour of its own for each of the first six levels; grey where it is left out.
 [[nodiscard]] std::string colour_of(const calibrate::CalibrateResult& result, std::size_t level);
@@ -30,7 +30,7 @@ enum class Part { fitted, validation, left_out };
 
 /// Points for the specimens that failed, or for the suspended: open, with an arrow where they point
 /// beyond.
-[[nodiscard]] Layer specimen_points(Part part, bool failed, std::string_view colour);
+[[nodiscard]] Layer specimen_points(LevelKind part, bool failed, std::string_view colour);
 
 /// "315°".
 [[nodiscard]] std::string angle_text(double angle_deg);

@@ -47,7 +47,7 @@ std::string caution(const CalibrateResult& result) {
 std::string levels_used(const CalibrateResult& result) {
   const auto used =
       std::count_if(result.levels.begin(), result.levels.end(),
-                    [](const LevelResult& level) { return part_of(level) == Part::fitted; });
+                    [](const LevelResult& level) { return kind_of(level) == LevelKind::fitted; });
   return counted_text(static_cast<std::uint64_t>(used), "level");
 }
 
@@ -127,7 +127,7 @@ std::vector<std::string> adequacy_words(const CalibrateResult& result) {
 std::vector<std::string> left_out_words(const CalibrateResult& result) {
   std::vector<std::string> words;
   for (const LevelResult& level : result.levels) {
-    if (part_of(level) == Part::left_out) {
+    if (kind_of(level) == LevelKind::left_out) {
       words.push_back(fmt::format("{} is left out: {}.", level.name(), level.left_out));
     }
   }
@@ -200,7 +200,7 @@ std::string stress_life(const calibrate::CalibrateResult& result) {
 
 std::string stress_life_log() {
   return "The same with logarithmic axes, where the law is a straight line; specimens that bend "
-         "away from it at one end speak against it.";
+         "away from it at one end are evidence against it.";
 }
 
 std::string use() {

@@ -31,7 +31,7 @@ constexpr std::array kFlags = {
     KnownFlag{lifemodel::Flag::gap,
               "gap",
               {"Samples are missing",
-               "Counting went on after each gap; cycles inside a gap were not seen."}},
+               "Counting continued after each gap; cycles inside a gap were not seen."}},
     KnownFlag{lifemodel::Flag::residue_overflow,
               "residue_overflow",
               {"More open cycles than there is room for",

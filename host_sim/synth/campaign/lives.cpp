@@ -13,20 +13,20 @@
 namespace host_sim::synth {
 namespace {
 
-std::unique_ptr<LifePart> make(const Hidden& hidden) {
-  const auto kinds = hidden.outside ? outside_life_kinds() : life_kinds();
+std::unique_ptr<LifePart> make(const Departure& departure) {
+  const auto kinds = departure.outside ? outside_life_kinds() : life_kinds();
   const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const LifeKind& candidate) {
-    return candidate.id == hidden.id;
+    return candidate.id == departure.id;
   });
-  return kind->make(hidden.values);
+  return kind->make(departure.values);
 }
 
 std::vector<std::unique_ptr<LifePart>> parts_for(const SynthPlan& plan, const SpecimenPlace& place,
                                                  std::uint64_t seed) {
   std::vector<std::unique_ptr<LifePart>> parts;
-  for (const Hidden& hidden : plan.hidden) {
-    if (hidden.of_life) {
-      parts.push_back(make(hidden));
+  for (const Departure& departure : plan.departures) {
+    if (departure.of_life) {
+      parts.push_back(make(departure));
       parts.back()->begin(place, seed);
     }
   }

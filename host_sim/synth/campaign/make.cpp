@@ -98,24 +98,24 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json of(const Hidden& hidden) {
+Json of(const Departure& departure) {
   Json parameters = Json::object();
-  for (const auto& [name, word] : hidden.values.words()) {
+  for (const auto& [name, word] : departure.values.choices()) {
     parameters[name] = word;
   }
-  for (const auto& [name, numbers] : hidden.values.numbers()) {
+  for (const auto& [name, numbers] : departure.values.numbers()) {
     parameters[name] = numbers.size() == 1 ? Json(numbers.front()) : Json(numbers);
   }
-  return {{"id", hidden.id},
-          {"data", hidden.of_life ? "lives" : "recordings"},
+  return {{"id", departure.id},
+          {"data", departure.of_life ? "lives" : "recordings"},
           {"parameters", std::move(parameters)}};
 }
 
 Json hidden_of(const SynthPlan& plan, bool outside) {
   Json list = Json::array();
-  for (const Hidden& hidden : plan.hidden) {
-    if (hidden.outside == outside) {
-      list.push_back(of(hidden));
+  for (const Departure& departure : plan.departures) {
+    if (departure.outside == outside) {
+      list.push_back(of(departure));
     }
   }
   return list;

@@ -28,12 +28,12 @@ using hal::files::write_file;
 
 namespace {
 
-std::unique_ptr<TensionPart> tension_part(const Hidden& hidden) {
-  const auto kinds = hidden.outside ? outside_tension_kinds() : tension_kinds();
+std::unique_ptr<TensionPart> tension_part(const Departure& departure) {
+  const auto kinds = departure.outside ? outside_tension_kinds() : tension_kinds();
   const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const TensionKind& candidate) {
-    return candidate.id == hidden.id;
+    return candidate.id == departure.id;
   });
-  return kind->make(hidden.values);
+  return kind->make(departure.values);
 }
 
 /// What a plan hides in its recordings, made and begun for one session; with `only`, the part of
@@ -42,9 +42,9 @@ std::vector<std::unique_ptr<TensionPart>> tension_parts(const SynthPlan& plan,
                                                         const Setting& setting, std::uint64_t seed,
                                                         std::string_view only = {}) {
   std::vector<std::unique_ptr<TensionPart>> parts;
-  for (const Hidden& hidden : plan.hidden) {
-    if (!hidden.of_life && (only.empty() || only == hidden.id)) {
-      parts.push_back(tension_part(hidden));
+  for (const Departure& departure : plan.departures) {
+    if (!departure.of_life && (only.empty() || only == departure.id)) {
+      parts.push_back(tension_part(departure));
       parts.back()->begin(setting, seed);
     }
   }

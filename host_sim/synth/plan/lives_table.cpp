@@ -49,7 +49,7 @@ LifeLevel level_in(const TomlTable& table) {
   level.load.wire_to_bend_ratio = number_or(table, kRatio, 0);
   level.specimens = whole_or(table, kLevelSpecimens, 0);
   level.suspend_at_cycles = number_or(table, kSuspend, level.suspend_at_cycles);
-  level.validation = word(table, "role", kRoles) == 1;
+  level.validation = choice_of(table, "role", kRoles) == 1;
   return level;
 }
 
@@ -76,7 +76,7 @@ LifeProgram program_in(const TomlTable& table, std::size_t levels) {
   }
   static_cast<void>(table.number(kSpecimens));
   program.specimens = whole_or(table, kSpecimens, 0);
-  program.validation = word(table, "role", kRoles) == 1;
+  program.validation = choice_of(table, "role", kRoles) == 1;
   return program;
 }
 
@@ -86,7 +86,7 @@ LifePlan lives_in(const TomlTable& table) {
   table.refuse_unknown_keys(kLives, kLivesOthers);
   LifePlan plan;
   plan.lots = whole_or(table, kLots, 1);
-  plan.lots_by = static_cast<LifePlan::LotsBy>(word(table, "lots_by", kLotsBy));
+  plan.lots_by = static_cast<LifePlan::LotsBy>(choice_of(table, "lots_by", kLotsBy));
   plan.rigs = whole_or(table, kRigs, 1);
   plan.storage_days = numbers_or(table, kStorage, 0);
   plan.record_days = table.flag("record_days");

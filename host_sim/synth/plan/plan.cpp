@@ -104,7 +104,7 @@ Values values_in(const TomlTable& table, const std::vector<Parameter>& parameter
     }
   }
   for (const Choice& choice : choices) {
-    values.choose(choice.name, choice.words[word(table, choice.name, choice.words)]);
+    values.choose(choice.name, choice.names[choice_of(table, choice.name, choice.names)]);
   }
   return values;
 }
@@ -117,59 +117,59 @@ void add_ids(const Kinds& kinds, std::vector<std::string_view>& ids) {
 }
 
 template <class Kinds>
-void read(const TomlTable& table, const Kinds& kinds, const Hidden& like,
-          std::vector<Hidden>& hidden) {
+void read(const TomlTable& table, const Kinds& kinds, const Departure& like,
+          std::vector<Departure>& departures) {
   for (const auto& kind : kinds) {
     if (table.has(kind.id)) {
-      Hidden one = like;
+      Departure one = like;
       one.id = kind.id;
       one.values = values_in(table.table(kind.id), kind.parameters, kind.choices);
-      hidden.push_back(std::move(one));
+      departures.push_back(std::move(one));
     }
   }
 }
 
 /// The departures of [effects], or of [outside].
-std::vector<Hidden> hidden_in(const TomlTable& table, bool outside) {
+std::vector<Departure> departures_in(const TomlTable& table, bool outside) {
   const auto tension = outside ? outside_tension_kinds() : tension_kinds();
   const auto life = outside ? outside_life_kinds() : life_kinds();
   std::vector<std::string_view> ids;
   add_ids(tension, ids);
   add_ids(life, ids);
   table.refuse_unknown_keys({}, ids);
-  std::vector<Hidden> hidden;
-  Hidden like;
+  std::vector<Departure> departures;
+  Departure like;
   like.outside = outside;
-  read(table, tension, like, hidden);
+  read(table, tension, like, departures);
   like.of_life = true;
-  read(table, life, like, hidden);
-  return hidden;
+  read(table, life, like, departures);
+  return departures;
 }
 
 constexpr std::array<std::string_view, 5> kOfDrive{
     "current_offset", "torque_gain", "gear_asymmetry", "torque_ripple", "rotor_inertia"};
 
-void check_hidden(const TomlTable& top, const SynthPlan& plan, const Hidden& hidden) {
-  const std::string_view above = hidden.outside ? "outside" : "effects";
-  const TomlTable table = top.table(above).table(hidden.id);
+void check_departure(const TomlTable& top, const SynthPlan& plan, const Departure& departure) {
+  const std::string_view above = departure.outside ? "outside" : "effects";
+  const TomlTable table = top.table(above).table(departure.id);
   const auto needs = [&](bool given, std::string_view what) {
     if (!given) {
-      table.fail(table.place(), fmt::format("[{}.{}] without {}", above, hidden.id, what),
+      table.fail(table.place(), fmt::format("[{}.{}] without {}", above, departure.id, what),
                  fmt::format("{}, which it needs", what));
     }
   };
-  needs(hidden.of_life ? plan.lives.has_value() : plan.recordings.has_value(),
-        hidden.of_life ? "[lives]" : "[recordings]");
-  if (std::find(kOfDrive.begin(), kOfDrive.end(), hidden.id) != kOfDrive.end()) {
+  needs(departure.of_life ? plan.lives.has_value() : plan.recordings.has_value(),
+        departure.of_life ? "[lives]" : "[recordings]");
+  if (std::find(kOfDrive.begin(), kOfDrive.end(), departure.id) != kOfDrive.end()) {
     needs(plan.model.drive.has_value(), "[model.drive]");
   }
-  if (hidden.id == "load_cell_cross_talk") {
+  if (departure.id == "load_cell_cross_talk") {
     needs(plan.recordings->motion.pose_sway_deg > 0, "pose_sway_deg above 0 in [recordings]");
   }
-  if (hidden.id == "rig_bias") {
+  if (departure.id == "rig_bias") {
     needs(plan.lives->rigs > 1, "rigs above 1 in [lives]");
   }
-  if (hidden.id == "bending_fatigue") {
+  if (departure.id == "bending_fatigue") {
     const auto& levels = plan.lives->levels;
     needs(std::all_of(levels.begin(), levels.end(),
                       [](const LifeLevel& level) { return level.load.wire_to_bend_ratio > 0; }),
@@ -188,8 +188,8 @@ void check_agreement(const TomlTable& top, const SynthPlan& plan) {
   if (plan.lives) {
     check_lives(top, plan);
   }
-  for (const Hidden& hidden : plan.hidden) {
-    check_hidden(top, plan, hidden);
+  for (const Departure& departure : plan.departures) {
+    check_departure(top, plan, departure);
   }
 }
 
@@ -198,9 +198,9 @@ constexpr std::array<std::string_view, 10> kTop{"schema",     "campaign", "model
                                                 "effects",    "outside"};
 constexpr std::array<std::string_view, 1> kCampaign{"name"};
 
-void append(std::vector<Hidden>& to, std::vector<Hidden> from) {
-  for (Hidden& hidden : from) {
-    to.push_back(std::move(hidden));
+void append(std::vector<Departure>& to, std::vector<Departure> from) {
+  for (Departure& departure : from) {
+    to.push_back(std::move(departure));
   }
 }
 
@@ -234,8 +234,10 @@ SynthPlan parse_synth_plan(std::string_view text, std::string_view name) {
   read("noise", [&](const TomlTable& table) { plan.noise = noise_in(table); });
   read("scatter", [&](const TomlTable& table) { plan.scatter = scatter_in(table); });
   read("lives", [&](const TomlTable& table) { plan.lives.emplace(lives_in(table)); });
-  read("effects", [&](const TomlTable& table) { append(plan.hidden, hidden_in(table, false)); });
-  read("outside", [&](const TomlTable& table) { append(plan.hidden, hidden_in(table, true)); });
+  read("effects",
+       [&](const TomlTable& table) { append(plan.departures, departures_in(table, false)); });
+  read("outside",
+       [&](const TomlTable& table) { append(plan.departures, departures_in(table, true)); });
   check_agreement(top, plan);
   return plan;
 }

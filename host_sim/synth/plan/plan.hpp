@@ -76,7 +76,7 @@ struct LifePlan {
 };
 
 /// A departure from the nominal model that is to be hidden.
-struct Hidden {
+struct Departure {
   std::string id;
   bool outside = false;  ///< of [outside], not of the catalogue
   bool of_life = false;
@@ -93,7 +93,7 @@ struct SynthPlan {
   Noise noise;
   ScatterPlan scatter;
   std::optional<LifePlan> lives;
-  std::vector<Hidden> hidden;  ///< in order of the catalogue
+  std::vector<Departure> departures;  ///< in order of the catalogue
 };
 
 /// Reads and checks a plan; `name` stands for the file in errors.

@@ -96,7 +96,7 @@ std::vector<ProfileColumnId> channels_in(const TomlTable& table) {
 
 Motion motion_in(const TomlTable& table) {
   Motion motion;
-  motion.form = static_cast<Motion::Form>(word(table, "motion", kForms));
+  motion.form = static_cast<Motion::Form>(choice_of(table, "motion", kForms));
   motion.load_phase_deg = number_or(table, kLoadPhase, motion.load_phase_deg);
   motion.load_frequency_ratio = number_or(table, kLoadRatio, motion.load_frequency_ratio);
   motion.pose_sway_deg = number_or(table, kSway, motion.pose_sway_deg);
@@ -106,7 +106,7 @@ Motion motion_in(const TomlTable& table) {
 }
 
 void read_sessions(const TomlTable& table, RecordingPlan& plan) {
-  plan.design = static_cast<RecordingPlan::Design>(word(table, "design", kDesigns));
+  plan.design = static_cast<RecordingPlan::Design>(choice_of(table, "design", kDesigns));
   const bool balanced = plan.design == RecordingPlan::Design::balanced;
   if (balanced != table.has(kSessions.name)) {
     table.fail(table.place_of(balanced ? "design" : kSessions.name),
@@ -232,7 +232,7 @@ void check_channels(const TomlTable& top, const TomlTable& table, const SynthPla
                          (drives && records(recordings, kMotorCurrentColumn));
   if (!has_input || !records(recordings, kOutputTensionColumn) ||
       !records(recordings, kTendonVelocity)) {
-    table.fail(table.place_of("channels"), "channels that tell no friction",
+    table.fail(table.place_of("channels"), "channels that show no friction",
                "input_tension_N or motor_current_A, with output_tension_N and tendon_velocity_m_s");
   }
 }

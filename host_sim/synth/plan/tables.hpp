@@ -26,9 +26,9 @@ std::vector<double> numbers(const hal::files::TomlTable& table, const hal::files
 std::vector<double> numbers_or(const hal::files::TomlTable& table, const hal::files::NumberKey& key,
                                double standard);
 
-/// The place in `words` of the word of a key, 0 where the table leaves it out. @throws InputError
-std::size_t word(const hal::files::TomlTable& table, std::string_view key,
-                 std::span<const std::string_view> words);
+/// The place in `names` of the name at a key, 0 where the table leaves it out. @throws InputError
+std::size_t choice_of(const hal::files::TomlTable& table, std::string_view key,
+                      std::span<const std::string_view> names);
 
 /// The tables of an array of tables, none where the table leaves it out. @throws InputError
 std::vector<hal::files::TomlTable> tables(const hal::files::TomlTable& above, std::string_view key);

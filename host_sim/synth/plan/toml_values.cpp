@@ -69,20 +69,20 @@ std::vector<double> numbers_or(const TomlTable& table, const NumberKey& key, dou
   return table.has(key.name) ? numbers(table, key) : std::vector<double>{standard};
 }
 
-std::size_t word(const TomlTable& table, std::string_view key,
-                 std::span<const std::string_view> words) {
+std::size_t choice_of(const TomlTable& table, std::string_view key,
+                      std::span<const std::string_view> names) {
   if (!table.has(key)) {
     return 0;
   }
-  const std::string accepted = fmt::format("{} as one of {}", key, fmt::join(words, ", "));
+  const std::string accepted = fmt::format("{} as one of {}", key, fmt::join(names, ", "));
   const toml::node& node = table.node(key, accepted);
   const auto* const text = node.as_string();
   const auto found =
-      text == nullptr ? words.end() : std::find(words.begin(), words.end(), text->get());
-  if (found == words.end()) {
+      text == nullptr ? names.end() : std::find(names.begin(), names.end(), text->get());
+  if (found == names.end()) {
     table.fail(table.place_of(key), fmt::format("{} is {}", key, describe(node)), accepted);
   }
-  return static_cast<std::size_t>(found - words.begin());
+  return static_cast<std::size_t>(found - names.begin());
 }
 
 std::vector<TomlTable> tables(const TomlTable& above, std::string_view key) {

@@ -18,11 +18,11 @@ class FrictionWear final : public TensionPart {
       : change_(values["change"]),
         reference_cycles_(values["reference_cycles"]),
         exponent_(values["exponent"]),
-        run_in_(values.word("law") == "run_in") {}
+        run_in_(values.choice("law") == "run_in") {}
 
-  [[nodiscard]] double friction(double mu, const Moment& moment,
+  [[nodiscard]] double friction(double mu, const Covariates& covariates,
                                 double /*tension_N*/) const override {
-    const double age = moment.cycle / reference_cycles_;
+    const double age = covariates.cycle / reference_cycles_;
     return mu * (1 + change_ * (run_in_ ? std::exp(-age) : std::pow(age, exponent_)));
   }
 
@@ -46,9 +46,9 @@ class FrictionTemperature final : public TensionPart {
   explicit FrictionTemperature(const Values& values)
       : slope_1_K_(values["slope_1_K"]), reference_C_(values["reference_C"]) {}
 
-  [[nodiscard]] double friction(double mu, const Moment& moment,
+  [[nodiscard]] double friction(double mu, const Covariates& covariates,
                                 double /*tension_N*/) const override {
-    return mu * (1 + slope_1_K_ * (moment.sheath_C - reference_C_));
+    return mu * (1 + slope_1_K_ * (covariates.sheath_C - reference_C_));
   }
 
  private:
@@ -71,9 +71,9 @@ class FrictionVelocity final : public TensionPart {
         stribeck_velocity_m_s_(values["stribeck_velocity_mm_s"] * 1e-3),
         viscous_s_m_(values["viscous_s_m"]) {}
 
-  [[nodiscard]] double friction(double mu, const Moment& moment,
+  [[nodiscard]] double friction(double mu, const Covariates& covariates,
                                 double /*tension_N*/) const override {
-    const double speed_m_s = std::abs(moment.slide_m_s);
+    const double speed_m_s = std::abs(covariates.slide_m_s);
     return mu + (static_coefficient_ - mu) * std::exp(-speed_m_s / stribeck_velocity_m_s_) +
            viscous_s_m_ * speed_m_s;
   }
@@ -117,7 +117,7 @@ class FrictionLoad final : public TensionPart {
   explicit FrictionLoad(const Values& values)
       : exponent_(values["exponent"]), reference_N_(values["reference_N"]) {}
 
-  [[nodiscard]] double friction(double mu, const Moment& /*moment*/,
+  [[nodiscard]] double friction(double mu, const Covariates& /*covariates*/,
                                 double tension_N) const override {
     return mu * std::pow(tension_N / reference_N_, -exponent_);
   }
@@ -140,7 +140,7 @@ class FrictionPreload final : public TensionPart {
   explicit FrictionPreload(const Values& values) : force_N_(values["force_N"]) {}
 
   [[nodiscard]] double input_tension_N(double tension_N, double friction_state,
-                                       const Moment& /*moment*/) const override {
+                                       const Covariates& /*covariates*/) const override {
     return tension_N + force_N_ * friction_state;
   }
 
@@ -161,9 +161,9 @@ class FrictionPosition final : public TensionPart {
         centre_m_(values["centre_mm"] * 1e-3),
         width_m_(values["width_mm"] * 1e-3) {}
 
-  [[nodiscard]] double friction(double mu, const Moment& moment,
+  [[nodiscard]] double friction(double mu, const Covariates& covariates,
                                 double /*tension_N*/) const override {
-    const double from_centre = (moment.position_m - centre_m_) / width_m_;
+    const double from_centre = (covariates.position_m - centre_m_) / width_m_;
     return mu * (1 + change_ * std::exp(-from_centre * from_centre / 2));
   }
 
@@ -187,12 +187,12 @@ class Slack final : public TensionPart {
   explicit Slack(const Values& values)
       : dead_zone_m_(values["dead_zone_mm"] * 1e-3), held_(values["held_share"]) {}
 
-  void advance(const Moment& moment) override {
-    taken_up_m_ = std::clamp(taken_up_m_ + moment.travel_m, 0.0, dead_zone_m_);
+  void advance(const Covariates& covariates) override {
+    taken_up_m_ = std::clamp(taken_up_m_ + covariates.travel_m, 0.0, dead_zone_m_);
   }
 
   [[nodiscard]] double input_tension_N(double tension_N, double /*friction_state*/,
-                                       const Moment& /*moment*/) const override {
+                                       const Covariates& /*covariates*/) const override {
     const bool loose = taken_up_m_ > 0 && taken_up_m_ < dead_zone_m_;
     return loose ? held_ * tension_N : tension_N;
   }
@@ -229,7 +229,7 @@ class CurrentOffset final : public TensionPart {
  public:
   explicit CurrentOffset(const Values& values) : offset_A_(values["offset_A"]) {}
 
-  double reading(Sensor sensor, double value, const Moment& /*moment*/) override {
+  double reading(Sensor sensor, double value, const Covariates& /*covariates*/) override {
     return sensor == Sensor::motor_current ? value + offset_A_ : value;
   }
 
@@ -251,8 +251,8 @@ class TorqueGain final : public TensionPart {
         reference_C_(values["reference_C"]) {}
 
   [[nodiscard]] double torque_constant_Nm_per_A(double constant_Nm_per_A,
-                                                const Moment& moment) const override {
-    const double gain = 1 + error_ - droop_1_K_ * (moment.winding_C - reference_C_);
+                                                const Covariates& covariates) const override {
+    const double gain = 1 + error_ - droop_1_K_ * (covariates.winding_C - reference_C_);
     return constant_Nm_per_A * std::max(kLeastGain, gain);
   }
 
@@ -278,8 +278,9 @@ class GearAsymmetry final : public TensionPart {
   explicit GearAsymmetry(const Values& values)
       : pulling_(values["pulling_efficiency"]), releasing_(values["releasing_efficiency"]) {}
 
-  [[nodiscard]] double gear_efficiency(double /*efficiency*/, const Moment& moment) const override {
-    return moment.direction > 0 ? pulling_ : releasing_;
+  [[nodiscard]] double gear_efficiency(double /*efficiency*/,
+                                       const Covariates& covariates) const override {
+    return covariates.direction > 0 ? pulling_ : releasing_;
   }
 
  private:
@@ -307,7 +308,8 @@ class BendAngle final : public TensionPart {
     error_rad_ = error_deg * std::numbers::pi / 180;
   }
 
-  [[nodiscard]] double bend_angle_rad(double angle_rad, const Moment& /*moment*/) const override {
+  [[nodiscard]] double bend_angle_rad(double angle_rad,
+                                      const Covariates& /*covariates*/) const override {
     return angle_rad + error_rad_;
   }
 
@@ -332,9 +334,9 @@ class TorqueRipple final : public TensionPart {
         periods_per_turn_(values["periods_per_turn"]),
         phase_rad_(values["phase_deg"] * std::numbers::pi / 180) {}
 
-  [[nodiscard]] double motor_torque_Nm(double torque_Nm, const Moment& moment,
+  [[nodiscard]] double motor_torque_Nm(double torque_Nm, const Covariates& covariates,
                                        double rotor_per_travel_rad_m) const override {
-    const double rotor_rad = moment.position_m * rotor_per_travel_rad_m;
+    const double rotor_rad = covariates.position_m * rotor_per_travel_rad_m;
     return torque_Nm + torque_Nm_ * std::sin(periods_per_turn_ * rotor_rad + phase_rad_);
   }
 
@@ -362,18 +364,18 @@ Sensor sensor_of(const std::string& word) {
 class FilterLag final : public TensionPart {
  public:
   explicit FilterLag(const Values& values)
-      : sensor_(sensor_of(values.word("sensor"))), lag_s_(values["time_constant_ms"] * 1e-3) {}
+      : sensor_(sensor_of(values.choice("sensor"))), lag_s_(values["time_constant_ms"] * 1e-3) {}
 
-  double reading(Sensor sensor, double value, const Moment& moment) override {
+  double reading(Sensor sensor, double value, const Covariates& covariates) override {
     if (sensor != sensor_) {
       return value;
     }
-    if (moment.step_s <= 0) {
+    if (covariates.step_s <= 0) {
       state_ = last_ = value;
       return value;
     }
-    const double behind = lag_s_ * (value - last_) / moment.step_s;
-    state_ = value - behind + (state_ - last_ + behind) * std::exp(-moment.step_s / lag_s_);
+    const double behind = lag_s_ * (value - last_) / covariates.step_s;
+    state_ = value - behind + (state_ - last_ + behind) * std::exp(-covariates.step_s / lag_s_);
     last_ = value;
     return state_;
   }
@@ -397,7 +399,7 @@ TensionKind filter_lag() {
 class Undersampling final : public TensionPart {
  public:
   explicit Undersampling(const Values& values)
-      : rate_Hz_(values["rate_Hz"]), hold_(values.word("between") == "hold") {}
+      : rate_Hz_(values["rate_Hz"]), hold_(values.choice("between") == "hold") {}
 
   void record(Sensor sensor, std::vector<double>& readings, double sample_rate_Hz) const override {
     if (sensor == Sensor::output_tension || rate_Hz_ >= sample_rate_Hz) {

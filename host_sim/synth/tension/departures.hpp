@@ -27,15 +27,16 @@ class TensionPart {
   virtual void begin(const Setting& /*setting*/, std::uint64_t /*seed*/) {}
 
   /// Once an instant, before anything is asked.
-  virtual void advance(const Moment& /*moment*/) {}
+  virtual void advance(const Covariates& /*covariates*/) {}
 
   /// The angle that the tendon really turns by.
-  [[nodiscard]] virtual double bend_angle_rad(double angle_rad, const Moment& /*moment*/) const {
+  [[nodiscard]] virtual double bend_angle_rad(double angle_rad,
+                                              const Covariates& /*covariates*/) const {
     return angle_rad;
   }
 
   /// Friction coefficient where the tendon carries `tension_N`.
-  [[nodiscard]] virtual double friction(double mu, const Moment& /*moment*/,
+  [[nodiscard]] virtual double friction(double mu, const Covariates& /*covariates*/,
                                         double /*tension_N*/) const {
     return mu;
   }
@@ -50,7 +51,7 @@ class TensionPart {
 
   /// Tension at the drive's end of the sheath.
   [[nodiscard]] virtual double input_tension_N(double tension_N, double /*friction_state*/,
-                                               const Moment& /*moment*/) const {
+                                               const Covariates& /*covariates*/) const {
     return tension_N;
   }
 
@@ -59,21 +60,22 @@ class TensionPart {
     return std::numeric_limits<double>::infinity();
   }
 
-  [[nodiscard]] virtual double gear_efficiency(double efficiency, const Moment& /*moment*/) const {
+  [[nodiscard]] virtual double gear_efficiency(double efficiency,
+                                               const Covariates& /*covariates*/) const {
     return efficiency;
   }
   /// Torque of the motor, which turns by `rotor_per_travel_rad_m` for each metre of tendon.
-  [[nodiscard]] virtual double motor_torque_Nm(double torque_Nm, const Moment& /*moment*/,
+  [[nodiscard]] virtual double motor_torque_Nm(double torque_Nm, const Covariates& /*covariates*/,
                                                double /*rotor_per_travel_rad_m*/) const {
     return torque_Nm;
   }
   [[nodiscard]] virtual double torque_constant_Nm_per_A(double constant_Nm_per_A,
-                                                        const Moment& /*moment*/) const {
+                                                        const Covariates& /*covariates*/) const {
     return constant_Nm_per_A;
   }
 
   /// What a sensor says, in N or A; asked once an instant.
-  virtual double reading(Sensor /*sensor*/, double value, const Moment& /*moment*/) {
+  virtual double reading(Sensor /*sensor*/, double value, const Covariates& /*covariates*/) {
     return value;
   }
 

@@ -21,7 +21,7 @@ struct Setting {
 };
 
 /// The state of the rig at one instant of a session.
-struct Moment {
+struct Covariates {
   double time_s = 0;
   double step_s = 0;        ///< since the instant before; 0 for the first
   double wall_clock_h = 0;  ///< since the first session began
@@ -55,7 +55,7 @@ struct Motion {
 };
 
 /// Position, velocity, bend angle and output tension at a time; a session begins at the lower end
-/// of the stroke, at rest and about to pull. `moment` is the one before and keeps the rest.
-void move_to(double time_s, const Motion& motion, const Setting& setting, Moment& moment);
+/// of the stroke, at rest and about to pull. `covariates` is the one before and keeps the rest.
+void move_to(double time_s, const Motion& motion, const Setting& setting, Covariates& covariates);
 
 }  // namespace host_sim::synth

@@ -19,8 +19,8 @@ class SheathCreep final : public TensionPart {
       : share_(values["share"]), time_constant_s_(values["time_constant_s"]) {}
 
   [[nodiscard]] double input_tension_N(double tension_N, double /*friction_state*/,
-                                       const Moment& moment) const override {
-    return tension_N * (1 + share_ * -std::expm1(-moment.time_s / time_constant_s_));
+                                       const Covariates& covariates) const override {
+    return tension_N * (1 + share_ * -std::expm1(-covariates.time_s / time_constant_s_));
   }
 
  private:
@@ -34,7 +34,7 @@ TensionKind sheath_creep() {
           make_part<SheathCreep>};
 }
 
-/// Bursts of stick-slip at random times: within one, friction climbs by a share and lets go, as a
+/// Bursts of stick-slip at random times: within one, friction rises by a share and lets go, as a
 /// saw tooth. Bursts begin at a constant rate and do not overlap.
 class StickSlip final : public TensionPart {
  public:
@@ -49,18 +49,18 @@ class StickSlip final : public TensionPart {
     next_s_ = mean_wait_s_ * exponential(*random_);
   }
 
-  void advance(const Moment& moment) override {
-    while (moment.time_s >= next_s_ + burst_s_) {
+  void advance(const Covariates& covariates) override {
+    while (covariates.time_s >= next_s_ + burst_s_) {
       next_s_ += burst_s_ + mean_wait_s_ * exponential(*random_);
     }
   }
 
-  [[nodiscard]] double friction(double mu, const Moment& moment,
+  [[nodiscard]] double friction(double mu, const Covariates& covariates,
                                 double /*tension_N*/) const override {
-    if (moment.time_s < next_s_) {
+    if (covariates.time_s < next_s_) {
       return mu;
     }
-    const double teeth = (moment.time_s - next_s_) * frequency_Hz_;
+    const double teeth = (covariates.time_s - next_s_) * frequency_Hz_;
     return mu * (1 + share_ * (teeth - std::floor(teeth)));
   }
 
@@ -86,8 +86,8 @@ class LoadCellCrossTalk final : public TensionPart {
   explicit LoadCellCrossTalk(const Values& values)
       : newtons_per_rad_s_(values["sensitivity_N_s_rad"]) {}
 
-  double reading(Sensor sensor, double value, const Moment& moment) override {
-    return sensor == Sensor::input_tension ? value + newtons_per_rad_s_ * moment.bend_rate_rad_s
+  double reading(Sensor sensor, double value, const Covariates& covariates) override {
+    return sensor == Sensor::input_tension ? value + newtons_per_rad_s_ * covariates.bend_rate_rad_s
                                            : value;
   }
 
@@ -110,9 +110,9 @@ class HumidityCycle final : public TensionPart {
         period_h_(values["period_h"]),
         phase_rad_(values["phase_deg"] * std::numbers::pi / 180) {}
 
-  [[nodiscard]] double friction(double mu, const Moment& moment,
+  [[nodiscard]] double friction(double mu, const Covariates& covariates,
                                 double /*tension_N*/) const override {
-    const double turn_rad = 2 * std::numbers::pi * moment.wall_clock_h / period_h_;
+    const double turn_rad = 2 * std::numbers::pi * covariates.wall_clock_h / period_h_;
     return mu * (1 + share_ * std::sin(turn_rad + phase_rad_));
   }
 
@@ -135,8 +135,9 @@ class TensionDependentBend final : public TensionPart {
   explicit TensionDependentBend(const Values& values)
       : share_1_N_(values["share_1_N"]), reference_N_(values["reference_N"]) {}
 
-  [[nodiscard]] double bend_angle_rad(double angle_rad, const Moment& moment) const override {
-    return angle_rad * std::max(0.0, 1 + share_1_N_ * (moment.output_tension_N - reference_N_));
+  [[nodiscard]] double bend_angle_rad(double angle_rad,
+                                      const Covariates& covariates) const override {
+    return angle_rad * std::max(0.0, 1 + share_1_N_ * (covariates.output_tension_N - reference_N_));
   }
 
  private:
@@ -163,11 +164,12 @@ class LoadCellThermalLag final : public TensionPart {
     cell_C_ = reference_C_;
   }
 
-  void advance(const Moment& moment) override {
-    cell_C_ += (moment.ambient_C - cell_C_) * -std::expm1(-moment.step_s / time_constant_s_);
+  void advance(const Covariates& covariates) override {
+    cell_C_ +=
+        (covariates.ambient_C - cell_C_) * -std::expm1(-covariates.step_s / time_constant_s_);
   }
 
-  double reading(Sensor sensor, double value, const Moment& /*moment*/) override {
+  double reading(Sensor sensor, double value, const Covariates& /*covariates*/) override {
     return sensor == Sensor::input_tension ? value + drift_N_K_ * (cell_C_ - reference_C_) : value;
   }
 
@@ -190,9 +192,9 @@ class RotorInertia final : public TensionPart {
  public:
   explicit RotorInertia(const Values& values) : inertia_kg_m2_(values["inertia_g_cm2"] * 1e-7) {}
 
-  [[nodiscard]] double motor_torque_Nm(double torque_Nm, const Moment& moment,
+  [[nodiscard]] double motor_torque_Nm(double torque_Nm, const Covariates& covariates,
                                        double rotor_per_travel_rad_m) const override {
-    return torque_Nm + inertia_kg_m2_ * moment.acceleration_m_s2 * rotor_per_travel_rad_m;
+    return torque_Nm + inertia_kg_m2_ * covariates.acceleration_m_s2 * rotor_per_travel_rad_m;
   }
 
  private:

@@ -47,7 +47,7 @@ constexpr int kPieces = 16;
 constexpr int kBits = 40;
 constexpr std::uintmax_t kMostSteps = 60;
 
-double stiffness_of(Parts parts) {
+double stiffness_of(TensionParts parts) {
   double compliance_m_N = 0;
   for (const auto& part : parts) {
     compliance_m_N += 1 / part->stiffness_N_m();
@@ -55,25 +55,26 @@ double stiffness_of(Parts parts) {
   return 1 / compliance_m_N;
 }
 
-double friction(Parts parts, const Moment& moment, double mu, double tension_N) {
+double friction(TensionParts parts, const Covariates& covariates, double mu, double tension_N) {
   for (const auto& part : parts) {
-    mu = part->friction(mu, moment, tension_N);
+    mu = part->friction(mu, covariates, tension_N);
   }
   return std::clamp(mu, 0.0, kMostFriction);
 }
 
-double along_sheath_N(Parts parts, const Moment& moment, double mu, double exponent_rad) {
-  double tension_N = moment.output_tension_N;
+double along_sheath_N(TensionParts parts, const Covariates& covariates, double mu,
+                      double exponent_rad) {
+  double tension_N = covariates.output_tension_N;
   const double piece_rad = exponent_rad / kPieces;
   for (int i = 0; i < kPieces; ++i) {
-    const double here = friction(parts, moment, mu, tension_N);
+    const double here = friction(parts, covariates, mu, tension_N);
     const double middle_N = tension_N * std::exp(here * piece_rad / 2);
-    tension_N *= std::exp(friction(parts, moment, mu, middle_N) * piece_rad);
+    tension_N *= std::exp(friction(parts, covariates, mu, middle_N) * piece_rad);
   }
   return tension_N;
 }
 
-double state_after(Parts parts, double before, double direction, double slide_m) {
+double state_after(TensionParts parts, double before, double direction, double slide_m) {
   double state = direction;
   for (const auto& part : parts) {
     state = part->friction_state(state, before, slide_m);
@@ -102,43 +103,44 @@ double root_between_0_and(double end, const Excess& excess) {
 
 }  // namespace
 
-double tension_at_drive_N(Parts parts, const Moment& moment, double mu, double friction_state) {
-  double angle_rad = moment.bend_angle_rad;
+double tension_at_drive_N(TensionParts parts, const Covariates& covariates, double mu,
+                          double friction_state) {
+  double angle_rad = covariates.bend_angle_rad;
   bool along_sheath = false;
   for (const auto& part : parts) {
-    angle_rad = part->bend_angle_rad(angle_rad, moment);
+    angle_rad = part->bend_angle_rad(angle_rad, covariates);
     along_sheath = along_sheath || part->along_sheath();
   }
   const double exponent_rad = std::max(0.0, angle_rad) * friction_state;
-  const double output_N = moment.output_tension_N;
+  const double output_N = covariates.output_tension_N;
   double tension_N =
-      along_sheath ? along_sheath_N(parts, moment, mu, exponent_rad)
-                   : output_N * std::exp(friction(parts, moment, mu, output_N) * exponent_rad);
+      along_sheath ? along_sheath_N(parts, covariates, mu, exponent_rad)
+                   : output_N * std::exp(friction(parts, covariates, mu, output_N) * exponent_rad);
   for (const auto& part : parts) {
-    tension_N = part->input_tension_N(tension_N, friction_state, moment);
+    tension_N = part->input_tension_N(tension_N, friction_state, covariates);
   }
   return std::clamp(tension_N, 0.0, kMost_N);
 }
 
-double Contact::step(Parts parts, double mu, Moment& moment) {
-  const double direction = moment.direction;
-  const double travel_m = std::max(0.0, direction * moment.travel_m);
+double Contact::step(TensionParts parts, double mu, Covariates& covariates) {
+  const double direction = covariates.direction;
+  const double travel_m = std::max(0.0, direction * covariates.travel_m);
   const double stiffness = stiffness_of(parts);
   if (!std::isfinite(stiffness)) {
-    moment.slide_m_s = moment.velocity_m_s;
+    covariates.slide_m_s = covariates.velocity_m_s;
     state_ = state_after(parts, state_, direction, direction * travel_m);
-    return tension_at_drive_N(parts, moment, mu, state_);
+    return tension_at_drive_N(parts, covariates, mu, state_);
   }
-  if (moment.step_s <= 0) {
-    moment.slide_m_s = 0;
-    return tension_N_ = tension_at_drive_N(parts, moment, mu, state_);
+  if (covariates.step_s <= 0) {
+    covariates.slide_m_s = 0;
+    return tension_N_ = tension_at_drive_N(parts, covariates, mu, state_);
   }
   const auto sliding_N = [&](double slid_m) {
-    moment.slide_m_s = direction * slid_m / moment.step_s;
-    return tension_at_drive_N(parts, moment, mu,
+    covariates.slide_m_s = direction * slid_m / covariates.step_s;
+    return tension_at_drive_N(parts, covariates, mu,
                               state_after(parts, state_, direction, direction * slid_m));
   };
-  // Pulling, the tension climbs with the stretch until the contact slides; letting go, it falls.
+  // Pulling, the tension rises with the stretch until the contact slides; letting go, it falls.
   const double slid_m = root_between_0_and(travel_m, [&](double slide_m) {
     const double stretched_N = tension_N_ + direction * stiffness * (travel_m - slide_m);
     return direction * (sliding_N(slide_m) - stretched_N);
@@ -148,9 +150,9 @@ double Contact::step(Parts parts, double mu, Moment& moment) {
     state_ = state_after(parts, state_, direction, direction * slid_m);
     return tension_N_;
   }
-  moment.slide_m_s = 0;
+  covariates.slide_m_s = 0;
   const double stuck_N = tension_N_ + direction * stiffness * travel_m;
-  const double slips_back_N = tension_at_drive_N(parts, moment, mu, -direction);
+  const double slips_back_N = tension_at_drive_N(parts, covariates, mu, -direction);
   tension_N_ = direction > 0 ? std::max(stuck_N, slips_back_N) : std::min(stuck_N, slips_back_N);
   return tension_N_;
 }
@@ -161,78 +163,80 @@ constexpr double kDegPerRad = 180 / std::numbers::pi;
 constexpr std::size_t kSamplesBetweenChecks = 4096;
 
 /// The motor current that gives a tension at the spool.
-double current_A(const Model::Drive& drive, Parts parts, const Moment& moment, double tension_N) {
+double current_A(const Model::Drive& drive, TensionParts parts, const Covariates& covariates,
+                 double tension_N) {
   const double radius_m = drive.spool_radius_m();
   double efficiency = drive.gear_efficiency;
   double constant_Nm_per_A = drive.torque_constant_Nm_per_A;
   for (const auto& part : parts) {
-    efficiency = part->gear_efficiency(efficiency, moment);
-    constant_Nm_per_A = part->torque_constant_Nm_per_A(constant_Nm_per_A, moment);
+    efficiency = part->gear_efficiency(efficiency, covariates);
+    constant_Nm_per_A = part->torque_constant_Nm_per_A(constant_Nm_per_A, covariates);
   }
   double torque_Nm = tension_N * radius_m / (drive.gear_ratio * efficiency);
   for (const auto& part : parts) {
-    torque_Nm = part->motor_torque_Nm(torque_Nm, moment, drive.gear_ratio / radius_m);
+    torque_Nm = part->motor_torque_Nm(torque_Nm, covariates, drive.gear_ratio / radius_m);
   }
   return torque_Nm / constant_Nm_per_A + drive.current_offset_A;
 }
 
 class Session {
  public:
-  Session(const Rig& rig, const Setting& setting, const SessionScatter& scatter, Parts parts)
+  Session(const Rig& rig, const Setting& setting, const SessionScatter& scatter, TensionParts parts)
       : rig_(rig), setting_(setting), scatter_(scatter), parts_(parts) {
-    moment_.sheath_C = rig.thermal.room_C;
-    moment_.winding_C = setting.winding_start_C;
-    move_to(0, rig.motion, setting, moment_);
+    covariates_.sheath_C = rig.thermal.room_C;
+    covariates_.winding_C = setting.winding_start_C;
+    move_to(0, rig.motion, setting, covariates_);
   }
 
   /// Goes on to a time and reads all sensors.
   void go_to(double time_s) {
-    move_to(time_s, rig_.motion, setting_, moment_);
+    move_to(time_s, rig_.motion, setting_, covariates_);
     warm_up();
     for (const auto& part : parts_) {
-      part->advance(moment_);
+      part->advance(covariates_);
     }
-    tension_N_ = contact_.step(parts_, rig_.friction_coefficient + scatter_.friction, moment_);
-    output_N_ = read(Sensor::output_tension, moment_.output_tension_N);
+    tension_N_ = contact_.step(parts_, rig_.friction_coefficient + scatter_.friction, covariates_);
+    output_N_ = read(Sensor::output_tension, covariates_.output_tension_N);
     input_N_ = read(Sensor::input_tension, tension_N_);
     if (rig_.drive) {
-      true_current_A_ = current_A(*rig_.drive, parts_, moment_, tension_N_);
+      true_current_A_ = current_A(*rig_.drive, parts_, covariates_, tension_N_);
       current_A_ = read(Sensor::motor_current, true_current_A_);
     }
   }
 
   void sample(Channels& channels) const {
-    channels[kTime].push_back(moment_.time_s);
+    channels[kTime].push_back(covariates_.time_s);
     channels[kInputTensionColumn].push_back(input_N_);
     channels[kOutputTensionColumn].push_back(output_N_ * std::exp(scatter_.log_gain));
-    channels[kTendonVelocity].push_back(moment_.velocity_m_s);
-    channels[kBendAngle].push_back(moment_.bend_angle_rad * kDegPerRad);
-    channels[kSheathTemperature].push_back(moment_.sheath_C);
+    channels[kTendonVelocity].push_back(covariates_.velocity_m_s);
+    channels[kBendAngle].push_back(covariates_.bend_angle_rad * kDegPerRad);
+    channels[kSheathTemperature].push_back(covariates_.sheath_C);
     if (rig_.drive) {
       const Model::Drive& drive = *rig_.drive;
       channels[kMotorCurrentColumn].push_back(current_A_);
-      channels[kMotorAngle].push_back(moment_.position_m * drive.gear_ratio /
+      channels[kMotorAngle].push_back(covariates_.position_m * drive.gear_ratio /
                                       drive.spool_radius_m());
-      channels[kWindingTemperature].push_back(moment_.winding_C);
+      channels[kWindingTemperature].push_back(covariates_.winding_C);
     }
   }
 
  private:
   void warm_up() {
     const Thermal& thermal = rig_.thermal;
-    const double friction_W = std::abs((tension_N_ - moment_.output_tension_N) * moment_.slide_m_s);
-    moment_.sheath_C = temperature_after(
-        moment_.sheath_C, setting_.sheath_ambient_C + thermal.sheath_K_per_W * friction_W,
-        moment_.step_s, thermal.sheath_time_constant_s);
-    const double winding_W = winding_heat(true_current_A_, moment_.winding_C, thermal);
-    moment_.winding_C =
-        temperature_after(moment_.winding_C, thermal.room_C + thermal.winding_K_per_W * winding_W,
-                          moment_.step_s, thermal.winding_time_constant_s);
+    const double friction_W =
+        std::abs((tension_N_ - covariates_.output_tension_N) * covariates_.slide_m_s);
+    covariates_.sheath_C = temperature_after(
+        covariates_.sheath_C, setting_.sheath_ambient_C + thermal.sheath_K_per_W * friction_W,
+        covariates_.step_s, thermal.sheath_time_constant_s);
+    const double winding_W = winding_heat(true_current_A_, covariates_.winding_C, thermal);
+    covariates_.winding_C = temperature_after(covariates_.winding_C,
+                                              thermal.room_C + thermal.winding_K_per_W * winding_W,
+                                              covariates_.step_s, thermal.winding_time_constant_s);
   }
 
   double read(Sensor sensor, double value) {
     for (const auto& part : parts_) {
-      value = part->reading(sensor, value, moment_);
+      value = part->reading(sensor, value, covariates_);
     }
     return value;
   }
@@ -240,8 +244,8 @@ class Session {
   const Rig& rig_;
   const Setting& setting_;
   const SessionScatter& scatter_;
-  Parts parts_;
-  Moment moment_;
+  TensionParts parts_;
+  Covariates covariates_;
   Contact contact_;
   double tension_N_ = 0;
   double true_current_A_ = 0;
@@ -250,7 +254,7 @@ class Session {
   double current_A_ = 0;
 };
 
-void record(Parts parts, const Rig& rig, Channels& channels) {
+void record(TensionParts parts, const Rig& rig, Channels& channels) {
   for (const auto& part : parts) {
     part->record(Sensor::output_tension, channels[kOutputTensionColumn], rig.sample_rate_Hz);
     part->record(Sensor::input_tension, channels[kInputTensionColumn], rig.sample_rate_Hz);
@@ -261,7 +265,7 @@ void record(Parts parts, const Rig& rig, Channels& channels) {
 }  // namespace
 
 Channels simulate(const Rig& rig, const Setting& setting, const SessionScatter& scatter,
-                  Parts parts) {
+                  TensionParts parts) {
   const auto samples = static_cast<std::size_t>(std::lround(rig.duration_s * rig.sample_rate_Hz));
   const auto steps = static_cast<std::size_t>(std::ceil(kLeastRate_Hz / rig.sample_rate_Hz));
   Channels channels;

@@ -29,22 +29,23 @@ double temperature_after(double now_C, double end_C, double step_s, double time_
 /// temperature.
 double winding_heat(double current_A, double winding_C, const Thermal& thermal);
 
-using Parts = std::span<const std::unique_ptr<TensionPart>>;
+using TensionParts = std::span<const std::unique_ptr<TensionPart>>;
 
 /// Tension at the drive's end of the sheath at full slip or less: the capstan equation
 /// dT/dphi = mu T z along the angle, solved exactly where mu does not depend on the tension, else
 /// by exponential midpoint steps; never below 0.
 /// @param mu before the parts
 /// @param friction_state z, -1 .. 1
-double tension_at_drive_N(Parts parts, const Moment& moment, double mu, double friction_state);
+double tension_at_drive_N(TensionParts parts, const Covariates& covariates, double mu,
+                          double friction_state);
 
 /// The contact of tendon and sheath, with what it remembers.
 class Contact {
  public:
-  /// What the contact does in one step: the tendon at the spool moves as `moment` says, a part of
-  /// it stretches the tendon, the rest slides. Sets moment.slide_m_s.
+  /// What the contact does in one step: the tendon at the spool moves as `covariates` says, a part
+  /// of it stretches the tendon, the rest slides. Sets covariates.slide_m_s.
   /// @return the tension at the drive's end
-  double step(Parts parts, double mu, Moment& moment);
+  double step(TensionParts parts, double mu, Covariates& covariates);
 
   [[nodiscard]] double friction_state() const { return state_; }
 
@@ -73,7 +74,7 @@ struct SessionScatter {
 /// sample_rate_Hz. Motor current is there only with a drive.
 /// @param parts of this session alone, whose begin() has been called
 Channels simulate(const Rig& rig, const Setting& setting, const SessionScatter& scatter,
-                  Parts parts);
+                  TensionParts parts);
 
 inline constexpr double kLeastRate_Hz = 4000;
 

@@ -116,7 +116,7 @@ TEST(Generator, PlansAreAcceptedAndHideWhatTheyShould) {
     const Scenario scenario = draw_recordings(seed);
     const auto plan = parse_synth_plan(scenario.plan, "plan");
     std::set<std::string> hidden;
-    for (const auto& one : plan.hidden) {
+    for (const auto& one : plan.departures) {
       hidden.insert(one.id);
       EXPECT_EQ(one.outside, scenario.kind == CampaignKind::outside);
     }
@@ -141,7 +141,7 @@ TEST(Generator, LivesAreFortyEightOrNinetySix) {
     const Scenario scenario = draw_lives(seed, 0);
     const auto plan = parse_synth_plan(scenario.plan, "plan");
     EXPECT_EQ(plan.lives->specimens(), scenario.specimens);
-    EXPECT_EQ(plan.hidden.size(), scenario.hidden.size());
+    EXPECT_EQ(plan.departures.size(), scenario.hidden.size());
     ++counts[scenario.specimens];
     for (const HiddenEffect& one : scenario.hidden) {
       seen.insert(one.id);

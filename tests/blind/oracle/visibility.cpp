@@ -47,9 +47,9 @@ Eigen::MatrixX2d answers_to_law(const SynthPlan& plan, std::uint64_t seed,
                                 const Eigen::VectorXd& base) {
   constexpr double kStep = 0.1;
   SynthPlan scaled = plan;
-  scaled.life->ipl_scale *= std::exp(kStep);
+  scaled.model.life->ipl_scale *= std::exp(kStep);
   SynthPlan steeper = plan;
-  steeper.life->ipl_exponent += kStep;
+  steeper.model.life->ipl_exponent += kStep;
   Eigen::MatrixX2d law(base.size(), 2);
   law << (log_cycles_of(run_lives(scaled, seed)) - base) / kStep,
       (log_cycles_of(run_lives(steeper, seed)) - base) / kStep;
@@ -87,7 +87,7 @@ SynthPlan silent(const Scenario& scenario) {
 }
 
 SynthPlan without(SynthPlan plan, const std::string& id) {
-  std::erase_if(plan.hidden, [&](const auto& hidden) { return hidden.id == id; });
+  std::erase_if(plan.departures, [&](const auto& hidden) { return hidden.id == id; });
   return plan;
 }
 
@@ -222,10 +222,10 @@ double sigmas_of(const Information& information) {
 double life_visibility(const Scenario& scenario, const std::string& id) {
   const SynthPlan all = host_sim::synth::parse_synth_plan(scenario.plan, "blind plan");
   SynthPlan fewer = all;
-  std::erase_if(fewer.hidden, [&](const auto& hidden) { return hidden.id == id; });
+  std::erase_if(fewer.departures, [&](const auto& departure) { return departure.id == id; });
   const Eigen::VectorXd with = log_cycles_of(run_lives(all, scenario.seed));
   const Eigen::VectorXd left = left_by_law(std::move(fewer), scenario.seed, with);
-  const double sd = std::numbers::pi / (std::sqrt(6.0) * all.life->weibull_shape);
+  const double sd = std::numbers::pi / (std::sqrt(6.0) * all.model.life->weibull_shape);
   return left.norm() / sd;
 }
 
@@ -258,7 +258,7 @@ double rmse_floor_N(const Scenario& scenario) {
     return 0;
   }
   SynthPlan nothing = host_sim::synth::parse_synth_plan(scenario.plan, "blind plan");
-  nothing.hidden.clear();
+  nothing.departures.clear();
   return rmse_N(samples_of(nothing, scenario));
 }
 

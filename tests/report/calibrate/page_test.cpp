@@ -124,10 +124,10 @@ TEST(Texts, SayWhatANumberCannot) {
 }
 
 TEST(Texts, PreferTheSimulatedP) {
-  EXPECT_TRUE(rejects({4, 1, 0.06, 0.04}));
-  EXPECT_FALSE(rejects({4, 1, 0.04, 0.06}));
-  EXPECT_TRUE(rejects({4, 1, 0.04, kNotANumber}));
-  EXPECT_FALSE(rejects({4, 1, kNotANumber, kNotANumber}));
+  EXPECT_TRUE(calibrate::rejected({4, 1, 0.06, 0.04}));
+  EXPECT_FALSE(calibrate::rejected({4, 1, 0.04, 0.06}));
+  EXPECT_TRUE(calibrate::rejected({4, 1, 0.04, kNotANumber}));
+  EXPECT_FALSE(calibrate::rejected({4, 1, kNotANumber, kNotANumber}));
 }
 
 TEST(Verdict, TellsTheLawAndTheFirstUseLevel) {
