@@ -114,7 +114,7 @@ TEST_F(TableProgram, HasOneRowForEachProfileInNaturalOrder) {
   EXPECT_NEAR(std::stod(table[2].at("damage_total")) / life_used(40), 1, 1e-4);
   EXPECT_NEAR(std::stod(table[2].at("reference_damage_total")) / life_used(40), 1, 1e-12);
   EXPECT_NE(out_.find("3 profiles replayed, 0 refused"), std::string::npos) << out_;
-  EXPECT_NE(out_.find(" in r2/day9.csv"), std::string::npos) << "most life: " << out_;
+  EXPECT_NE(out_.find(" in r2/day9.csv"), std::string::npos) << "most damage: " << out_;
 }
 
 /// Each number and name of the result of one profile in the column of its name.
