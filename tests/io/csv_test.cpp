@@ -1,9 +1,9 @@
+#include "hal/files/csv.hpp"
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <limits>
-
-#include "hal/files/csv.hpp"
 
 namespace {
 

@@ -49,7 +49,7 @@ std::string with(std::string_view from, std::string_view to) {
   return text.replace(at, from.size(), to);
 }
 
-std::string complaint(std::string_view text) {
+std::string model_complaint(std::string_view text) {
   return test::complaint_of([&] { parse_model(text, "m.toml"); });
 }
 
@@ -97,7 +97,7 @@ class BadModels : public testing::TestWithParam<BadModel> {};
 
 TEST_P(BadModels, AreRefusedWithPlaceFoundAndAccepted) {
   const BadModel& bad = GetParam();
-  EXPECT_EQ(complaint(with(bad.from, bad.to)), "m.toml" + bad.complaint);
+  EXPECT_EQ(model_complaint(with(bad.from, bad.to)), "m.toml" + bad.complaint);
 }
 
 const std::vector<BadModel> kBadModels{
@@ -158,7 +158,7 @@ INSTANTIATE_TEST_SUITE_P(Model, BadModels, testing::ValuesIn(kBadModels),
 TEST(Model, RefusesAHysteresisOfTheUltimateTension) {
   std::string text = with("ultimate_tension_N = 177.4", "ultimate_tension_N = 50");
   text.replace(text.find("hysteresis_N = 0.2"), 18, "hysteresis_N = 50");
-  EXPECT_EQ(complaint(text),
+  EXPECT_EQ(model_complaint(text),
             "m.toml:16:1: hysteresis_N is 50; accepted: less than ultimate_tension_N, which is 50");
 }
 
@@ -167,16 +167,16 @@ TEST(Model, RefusesATableThatIsAValue) {
   const std::size_t drive = text.find("[drive]");
   text.erase(drive, text.find("[counting]") - drive);
   text.replace(0, 10, "schema = 1\ndrive = \"on\"");
-  EXPECT_EQ(complaint(text), "m.toml:2:1: drive is 'on'; accepted: a table [drive]");
+  EXPECT_EQ(model_complaint(text), "m.toml:2:1: drive is 'on'; accepted: a table [drive]");
 }
 
 TEST(Model, RefusesWhatIsNotToml) {
-  EXPECT_THAT(complaint(with("gear_ratio = 9.0", "gear_ratio = ")), StartsWith("m.toml:10:"));
-  EXPECT_THAT(complaint(with("gear_ratio", "gear_ratio = 9.0\ngear_ratio")),
+  EXPECT_THAT(model_complaint(with("gear_ratio = 9.0", "gear_ratio = ")), StartsWith("m.toml:10:"));
+  EXPECT_THAT(model_complaint(with("gear_ratio", "gear_ratio = 9.0\ngear_ratio")),
               StartsWith("m.toml:11:"));
-  EXPECT_THAT(complaint("\x01"), StartsWith("m.toml:1:1: "));
-  EXPECT_EQ(complaint(""), "m.toml: no key schema; accepted: schema = 1");
-  EXPECT_EQ(complaint("a = \"\n\x1b[2J").find('\x1b'), std::string::npos);
+  EXPECT_THAT(model_complaint("\x01"), StartsWith("m.toml:1:1: "));
+  EXPECT_EQ(model_complaint(""), "m.toml: no key schema; accepted: schema = 1");
+  EXPECT_EQ(model_complaint("a = \"\n\x1b[2J").find('\x1b'), std::string::npos);
 }
 
 // Each number at the ends of its range and just outside; the ranges are those of the format.
@@ -212,16 +212,16 @@ std::string with_value(std::string_view key, double value) {
 TEST(Model, AcceptsTheEndsOfEachRangeAndNothingBeyond) {
   for (const Range& range : kRanges) {
     SCOPED_TRACE(range.key);
-    EXPECT_EQ(complaint(with_value(range.key, range.minimum)), "");
-    EXPECT_EQ(complaint(with_value(range.key, range.maximum)), "");
+    EXPECT_EQ(model_complaint(with_value(range.key, range.minimum)), "");
+    EXPECT_EQ(model_complaint(with_value(range.key, range.maximum)), "");
     const double below = std::nextafter(range.minimum, -HUGE_VAL);
     const double above = std::nextafter(range.maximum, HUGE_VAL);
-    EXPECT_NE(complaint(with_value(range.key, below)).find(range.key), std::string::npos);
-    EXPECT_NE(complaint(with_value(range.key, above)).find(range.key), std::string::npos);
+    EXPECT_NE(model_complaint(with_value(range.key, below)).find(range.key), std::string::npos);
+    EXPECT_NE(model_complaint(with_value(range.key, above)).find(range.key), std::string::npos);
   }
-  EXPECT_EQ(complaint(with_value("ipl_scale", 1e300)), "");
-  EXPECT_EQ(complaint(with_value("ipl_scale", 5e-324)), "");
-  EXPECT_NE(complaint(with_value("ipl_scale", 1.0001e300)), "");
+  EXPECT_EQ(model_complaint(with_value("ipl_scale", 1e300)), "");
+  EXPECT_EQ(model_complaint(with_value("ipl_scale", 5e-324)), "");
+  EXPECT_NE(model_complaint(with_value("ipl_scale", 1.0001e300)), "");
 }
 
 TEST(ModelKeys, NameTheirUnits) {

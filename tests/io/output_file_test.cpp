@@ -49,7 +49,7 @@ using test::WithoutPrivileges;
 using test::write_text;
 
 template <typename Act>
-std::string complaint_of(Act act) {
+std::string write_complaint(Act act) {
   try {
     act();
   } catch (const OutputError& error) {
@@ -58,8 +58,8 @@ std::string complaint_of(Act act) {
   return {};
 }
 
-std::string opening_complaint(const fs::path& path) {
-  return complaint_of([&] { const OutputFile file(path); });
+std::string creation_complaint(const fs::path& path) {
+  return write_complaint([&] { const OutputFile file(path); });
 }
 
 TEST(OutputFile, AppearsWithCommitAlone) {
@@ -102,7 +102,7 @@ TEST(OutputFile, TakesEveryNameThatTheSystemTakes) {
   }
   EXPECT_EQ(folder.file_count(), 0U);
   const std::string name = (folder / std::string(256, 'n')).string();
-  EXPECT_EQ(opening_complaint(name),
+  EXPECT_EQ(creation_complaint(name),
             name + ": cannot be written: its name has 256 bytes; accepted: 255 at most");
 }
 
@@ -177,13 +177,14 @@ TEST(OutputFile, MovesWithItsContent) {
 TEST(OutputFile, FindsAtOnceWhatCannotBeWritten) {
   const TemporaryFolder folder;
   const std::string missing = (folder / "none/out.json").string();
-  EXPECT_EQ(opening_complaint(missing), missing + ": cannot be written: No such file or directory");
+  EXPECT_EQ(creation_complaint(missing),
+            missing + ": cannot be written: No such file or directory");
   const std::string directory = (folder / "directory").string();
   fs::create_directory(directory);
-  EXPECT_EQ(opening_complaint(directory), directory + ": cannot be written: Is a directory");
-  EXPECT_EQ(opening_complaint(directory + "/"),
+  EXPECT_EQ(creation_complaint(directory), directory + ": cannot be written: Is a directory");
+  EXPECT_EQ(creation_complaint(directory + "/"),
             directory + "/: cannot be written: it names no file");
-  EXPECT_EQ(opening_complaint(""), ": cannot be written: it names no file");
+  EXPECT_EQ(creation_complaint(""), ": cannot be written: it names no file");
   EXPECT_EQ(folder.file_count(), 1U);
 }
 
@@ -193,7 +194,7 @@ TEST(OutputFile, RespectsPermissions) {
   const fs::path path = folder / "out.json";
   write_text(path, "old");
   fs::permissions(path, fs::perms::owner_read);
-  EXPECT_EQ(opening_complaint(path), path.string() + ": cannot be written: Permission denied");
+  EXPECT_EQ(creation_complaint(path), path.string() + ": cannot be written: Permission denied");
   EXPECT_EQ(folder.file_count(), 1U);
 }
 
@@ -201,14 +202,14 @@ TEST(OutputFile, FindsAtOnceAFolderThatCannotBeWritten) {
   const TemporaryFolder folder;
   fs::permissions(folder / "", fs::perms::owner_read | fs::perms::owner_exec);
   const WithoutPrivileges nobody;
-  EXPECT_NE(opening_complaint(folder / "out.json").find("Permission denied"), std::string::npos);
+  EXPECT_NE(creation_complaint(folder / "out.json").find("Permission denied"), std::string::npos);
 }
 
 TEST(OutputFile, RefusesASecondWriterOfTheSameFile) {
   const TemporaryFolder folder;
   const fs::path path = folder / "out.json";
   OutputFile first(path);
-  EXPECT_EQ(opening_complaint(path),
+  EXPECT_EQ(creation_complaint(path),
             path.string() + ": cannot be written: it is being written already");
   first.write("first");
   first.commit();
@@ -229,13 +230,13 @@ TEST(OutputFile, ReportsAFullDevice) {
   ASSERT_TRUE(fs::is_character_file("/dev/full"));
   const WithoutPrivileges nobody;  // who cannot replace a device, should this fail
   const std::string full = "/dev/full: cannot be written: No space left on device";
-  EXPECT_EQ(complaint_of([] {
+  EXPECT_EQ(write_complaint([] {
               OutputFile file("/dev/full");
               file.write("a");
               file.commit();
             }),
             full);
-  EXPECT_EQ(complaint_of([] {
+  EXPECT_EQ(write_complaint([] {
               OutputFile file("/dev/full");
               file.stream() << std::string(1'000'000, 'x');
             }),

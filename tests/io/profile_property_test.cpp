@@ -22,8 +22,6 @@ using hal::files::ProfileRow;
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 using test::rows_of;
 using test::same;
 
@@ -97,7 +95,7 @@ RC_GTEST_PROP(ProfileProperty, NeverGivesRowsThatCannotBeTrusted, ()) {
     text.replace(at, *rc::gen::inRange<std::size_t>(0, 3), other);
   }
   try {
-    double last_s = -kInfinity;
+    double last_s = -std::numeric_limits<double>::infinity();
     for (const ProfileRow& row : rows_of(text)) {
       RC_ASSERT(std::isfinite(row.value));
       RC_ASSERT(std::isfinite(row.tendon_velocity_m_s));
