@@ -105,8 +105,8 @@ struct Findings {
   std::vector<Invisible> invisible;
   std::string next_experiment;  ///< empty where none is needed
   HeldOutGain gain;
-  /// How far the catalogue goes where that is not all the way, of recordings that are unknown: the
-  /// nominal model, then effect by effect, each the one of most evidence. Else empty.
+  /// How far signatures of ln T go where that is not all the way: the nominal model, then effect by
+  /// effect, each the one of most evidence. Else empty.
   std::vector<Step> steps;
   std::optional<Remainder> remainder;  ///< of recordings
   std::vector<Discrepancy> discrepancies;

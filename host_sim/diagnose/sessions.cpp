@@ -4,6 +4,8 @@
 #include <numeric>
 #include <utility>
 
+#include "host_sim/reference/reference.hpp"
+
 namespace host_sim::diagnose {
 namespace {
 
@@ -19,9 +21,12 @@ double mean_of(const std::vector<double>& values) {
 
 RecordedSessions recorded_sessions(const Campaign& campaign) {
   RecordedSessions recorded;
-  const auto recordings = recording::read_recordings(campaign.folder);
-  recorded.faults = recording::faults_of(recordings, campaign.two_sided);
-  for (const recording::Recording& recording : recordings) {
+  recorded.recordings = recording::read_recordings(campaign.folder);
+  recorded.faults = recording::faults_of(recorded.recordings, campaign.two_sided);
+  if (campaign.two_sided) {
+    return recorded;
+  }
+  for (const recording::Recording& recording : recorded.recordings) {
     auto covariates = recording::covariates_of(recording, recorded.faults, campaign.nominal);
     if (covariates.samples() > 0) {
       recorded.sessions.push_back({recording.session, std::move(covariates)});
@@ -47,6 +52,14 @@ std::vector<double> poses_of(std::span<const Session> sessions) {
     last_rad = mean_rad;
   }
   return poses;
+}
+
+double damage_of(std::span<const double> tension_N, const reference::Constants& constants) {
+  reference::Reference count(constants);
+  for (const double value_N : tension_N) {
+    count.push(value_N);
+  }
+  return count.reading().damage.total;
 }
 
 }  // namespace host_sim::diagnose

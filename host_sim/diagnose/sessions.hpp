@@ -6,6 +6,7 @@
 
 #include "host_sim/campaign/campaign.hpp"
 #include "host_sim/recording/covariates.hpp"
+#include "host_sim/reference/constants.hpp"
 
 namespace host_sim::diagnose {
 
@@ -15,9 +16,10 @@ struct Session {
   recording::Covariates covariates;
 };
 
-/// The sessions of a campaign that left samples once its faults are taken out, in order of their
-/// names.
+/// The recordings of a campaign, and the sessions that left samples once faults are taken out, in
+/// order of their names; none of forces that work in both directions, which have no logarithm.
 struct RecordedSessions {
+  std::vector<recording::Recording> recordings;
   std::vector<Session> sessions;
   std::vector<recording::Fault> faults;
 };
@@ -28,5 +30,8 @@ RecordedSessions recorded_sessions(const Campaign& campaign);
 /// The poses of a campaign: the mean bend angles of its sessions, rising, those within a degree of
 /// the one before counted as one.
 std::vector<double> poses_of(std::span<const Session> sessions);
+
+/// Damage of a tension over time, counted whole.
+double damage_of(std::span<const double> tension_N, const reference::Constants& constants);
 
 }  // namespace host_sim::diagnose

@@ -17,6 +17,7 @@ using Good = MetricDescription::Good;
 
 const std::pair<std::string_view, MetricDescription> kMetrics[] = {
     {"rmse_N", {"error of the output tension (RMSE)", "N", Good::low}},
+    {"input_rmse_N", {"error of the input tension (RMSE)", "N", Good::low}},
     {"log_predictive_density", {"log predictive density", "", Good::high}},
     {"damage_error_percent", {"error of the damage", "%", Good::low}},
     {"b10_coverage", {"specimens broken before their B10", "", Good::goal, 0.1}},
@@ -119,7 +120,7 @@ std::string cost_prose(const LifeDiagnosis& lives) {
 
 std::string candidate_prose(std::string_view id) {
   std::string prose(id);
-  if (const std::size_t plus = prose.find('+'); plus != std::string::npos) {
+  for (std::size_t plus = prose.find('+'); plus != std::string::npos; plus = prose.find('+')) {
     prose.replace(plus, 1, " and ");
   }
   return prose;

@@ -8,6 +8,7 @@
 
 #include "hal/files/input_error.hpp"
 #include "host_sim/diagnose/audit.hpp"
+#include "host_sim/diagnose/force/diagnose_forces.hpp"
 #include "host_sim/diagnose/tension/decision.hpp"
 #include "host_sim/diagnose/tension/estimates.hpp"
 #include "host_sim/diagnose/tension/held_out.hpp"
@@ -298,10 +299,48 @@ TensionDiagnosis nothing_to_see(const RecordedSessions& recorded) {
   return diagnosis;
 }
 
+/// Error of the nominal model over the output force, root mean squares. Below it ln T measures an
+/// error to a hundredth, and what signatures of ln T do not explain is outside of the catalogue.
+constexpr double kLargeError = 0.15;
+
+/// Where signatures of ln T do not explain a large error, effects in newtons may.
+/// @param force_N root mean square of the output force
+void explain_in_newtons(TensionDiagnosis forces, double force_N, TensionDiagnosis& diagnosis) {
+  Findings& findings = diagnosis.findings;
+  findings.remainder = forces.findings.remainder;
+  if (forces.findings.verdict != Verdict::named || !findings.remainder ||
+      findings.remainder->input_rmse_N / std::sqrt(findings.remainder->share) <
+          kLargeError * force_N) {
+    return;
+  }
+  findings.verdict = forces.findings.verdict;
+  findings.effects = std::move(forces.findings.effects);
+  findings.candidates = std::move(forces.findings.candidates);
+  findings.credible_set = std::move(forces.findings.credible_set);
+  findings.gain = std::move(forces.findings.gain);
+  findings.refitted = std::move(forces.findings.refitted);
+  findings.extensions = std::move(forces.findings.extensions);
+  findings.prose = std::move(forces.findings.prose);
+  diagnosis.traces = std::move(forces.traces);
+  diagnosis.damage_ratio = forces.damage_ratio;
+  diagnosis.friction_coefficient = forces.friction_coefficient;
+  diagnosis.log_gain = forces.log_gain;
+}
+
 }  // namespace
 
 TensionDiagnosis diagnose_recorded(const Campaign& campaign, const RecordedSessions& recorded,
                                    const DiagnoseOptions& options) {
+  const auto in_newtons = [&](const std::vector<ForceRecord>& records) {
+    return diagnose_forces(records, campaign.nominal, constants_of(campaign.nominal), options);
+  };
+  const auto records = [&] {
+    return force_records(recorded.recordings, recorded.faults, campaign.nominal);
+  };
+  if (campaign.two_sided) {
+    const std::vector<ForceRecord> all = records();
+    return all.empty() ? nothing_to_see(recorded) : in_newtons(all);
+  }
   if (recorded.sessions.empty()) {
     return nothing_to_see(recorded);
   }
@@ -310,7 +349,12 @@ TensionDiagnosis diagnose_recorded(const Campaign& campaign, const RecordedSessi
                      "no table [model.sheath], which residuals are taken from",
                      "[model.sheath] with friction_coefficient and bend_angle_deg");
   }
-  return Diagnoser(campaign, recorded, options).run();
+  TensionDiagnosis diagnosis = Diagnoser(campaign, recorded, options).run();
+  if (diagnosis.findings.verdict == Verdict::unknown) {
+    const std::vector<ForceRecord> all = records();
+    explain_in_newtons(in_newtons(all), scales_of(all).force_N, diagnosis);
+  }
+  return diagnosis;
 }
 
 TensionDiagnosis diagnose_tension(const Campaign& campaign, const DiagnoseOptions& options) {

@@ -90,14 +90,6 @@ SessionScore score_of(const Session& session, const SessionGram& gram, const Gra
 
 }  // namespace
 
-double damage_of(std::span<const double> tension_N, const reference::Constants& constants) {
-  reference::Reference count(constants);
-  for (const double value_N : tension_N) {
-    count.push(value_N);
-  }
-  return count.reading().damage.total;
-}
-
 double HeldOut::sum(double SessionScore::*figure) const {
   double sum = 0;
   for (const SessionScore& session : sessions) {

@@ -34,9 +34,6 @@ struct HeldOut {
 HeldOut held_out(const Evidence& evidence, std::span<const Component> model,
                  const reference::Constants& constants);
 
-/// Damage of a tension over time, counted whole.
-double damage_of(std::span<const double> tension_N, const reference::Constants& constants);
-
 /// The nominal model, refitted, and the extended one on sessions that neither saw.
 /// @pre three sessions or more
 HeldOutGain measure_gain(const Evidence& evidence, std::span<const Component> model,

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "host_sim/campaign/campaign.hpp"
+#include "host_sim/diagnose/diagnosis.hpp"
+#include "host_sim/diagnose/force/force_model.hpp"
+#include "host_sim/recording/recording.hpp"
+#include "host_sim/reference/constants.hpp"
+
+namespace host_sim::diagnose {
+
+/// The recordings as records in newtons, thinned to kMostForceSamples each. Samples that a fault
+/// touches do not count; left out are recordings without both forces and a velocity.
+/// @throws InputError where the drive or the bend angle is missing
+std::vector<ForceRecord> force_records(const std::vector<recording::Recording>& recordings,
+                                       const std::vector<recording::Fault>& faults,
+                                       const NominalModel& nominal);
+inline constexpr std::size_t kMostForceSamples = 600;
+
+/// What has to hold for an effect to be named, on sessions that the fit never saw.
+inline constexpr double kMaterialGain = 0.14;  ///< of ln rmse: without it the error is 15 % larger
+inline constexpr double kCertainGain = 4;      ///< standard errors, of sessions
+inline constexpr std::size_t kMostForceTerms = 5;
+
+/// Causes in a forward model in newtons: effects of the catalogue are added as long as they gain on
+/// sessions that the fit never saw, those are taken out again without which it does as well, and
+/// what the model leaves stands beside them.
+///
+/// Verdict: named where each effect is material and certain and none of the catalogue could stand
+/// in its place; ambiguous where one could; else unknown where something is left, or none.
+TensionDiagnosis diagnose_forces(const std::vector<ForceRecord>& records,
+                                 const NominalModel& nominal, const reference::Constants& constants,
+                                 const DiagnoseOptions& options);
+
+}  // namespace host_sim::diagnose

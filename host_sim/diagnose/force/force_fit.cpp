@@ -1,0 +1,270 @@
+#include "host_sim/diagnose/force/force_fit.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "host_sim/statistics/distribution.hpp"
+
+namespace host_sim::diagnose {
+namespace {
+
+constexpr int kIterations = 15;
+constexpr int kFoldIterations = 4;
+
+Eigen::Map<const Eigen::VectorXd> vector_of(const std::vector<double>& values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+}  // namespace
+
+/// Of least squares: J'J, J'r and the gradient of each record.
+struct ForceData::Normal {
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd gradient;
+  std::vector<Eigen::VectorXd> of_records;
+};
+
+ForceData::ForceData(std::vector<ForceRecord> records)
+    : records_(std::move(records)), scales_(scales_of(records_)) {
+  for (const ForceRecord& record : records_) {
+    counts_.push_back(static_cast<double>(std::ranges::count(record.used, true)));
+    samples_ += counts_.back();
+  }
+  settle_turn_over();
+}
+
+/// As sharp as the friction that any drive has shows it.
+void ForceData::settle_turn_over() {
+  constexpr double kShares[] = {0.002, 0.01, 0.05, 0.15};
+  const ForceTerms plain{ForceTerm::preload, ForceTerm::velocity};
+  ForceScales best = scales_;
+  double least_N2 = std::numeric_limits<double>::infinity();
+  for (const double share : kShares) {
+    scales_.turn_over_m_s = share * scales_.speed_m_s;
+    std::vector<double> start;
+    for (const ForceParameter& parameter : parameters_of(plain, scales_)) {
+      start.push_back(parameter.starts.front());
+    }
+    const double square_N2 = fit(plain, std::move(start), kIterations).square_N2;
+    if (square_N2 < least_N2) {
+      least_N2 = square_N2;
+      best = scales_;
+    }
+  }
+  scales_ = best;
+}
+
+bool ForceData::takes_part(std::size_t record, int fold) const {
+  return fold < 0 || static_cast<int>(record % kFolds) != fold;
+}
+
+std::vector<double> ForceData::residuals_N(std::size_t record, const ForceTerms& terms,
+                                           std::span<const double> parameters) const {
+  const ForceRecord& of = records_[record];
+  std::vector<double> residuals;
+  predict_input(of, terms, scales_, parameters, residuals);
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    residuals[i] = of.used[i] ? of.input_N[i] - residuals[i] : 0;
+  }
+  return residuals;
+}
+
+double ForceData::square_of(const ForceTerms& terms, std::span<const double> parameters,
+                            int fold) const {
+  double square_N2 = 0;
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    if (takes_part(j, fold)) {
+      square_N2 += vector_of(residuals_N(j, terms, parameters)).squaredNorm();
+    }
+  }
+  return square_N2;
+}
+
+ForceData::Normal ForceData::normal_of(const ForceTerms& terms, std::span<const double> parameters,
+                                       int fold) const {
+  const auto all = parameters_of(terms, scales_);
+  const auto count = static_cast<Eigen::Index>(all.size());
+  Normal normal{.matrix = Eigen::MatrixXd::Zero(count, count),
+                .gradient = Eigen::VectorXd::Zero(count),
+                .of_records = {}};
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    if (!takes_part(j, fold)) {
+      continue;
+    }
+    const std::vector<double> at = residuals_N(j, terms, parameters);
+    Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(at.size()), count);
+    for (Eigen::Index k = 0; k < count; ++k) {
+      const ForceParameter& parameter = all[static_cast<std::size_t>(k)];
+      std::vector<double> moved(parameters.begin(), parameters.end());
+      double& value = moved[static_cast<std::size_t>(k)];
+      double step = 1e-5 * std::max(std::abs(value), std::abs(parameter.starts.front()));
+      step = value + step > parameter.maximum ? -step : step;
+      value += step;
+      jacobian.col(k) = (vector_of(at) - vector_of(residuals_N(j, terms, moved))) / step;
+    }
+    normal.matrix += jacobian.transpose() * jacobian;
+    normal.of_records.emplace_back(jacobian.transpose() * vector_of(at));
+    normal.gradient += normal.of_records.back();
+  }
+  return normal;
+}
+
+ForceFit ForceData::fit(const ForceTerms& terms, std::vector<double> start, int iterations,
+                        int fold) const {
+  constexpr double kEnough = 1e-7;
+  constexpr int kTries = 8;
+  const auto all = parameters_of(terms, scales_);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    start[k] = std::clamp(start[k], all[k].minimum, all[k].maximum);
+  }
+  ForceFit best{terms, std::move(start), 0};
+  best.square_N2 = square_of(terms, best.parameters, fold);
+  double damping = 1e-3;
+  for (int iteration = 0; iteration < iterations; ++iteration) {
+    const Normal normal = normal_of(terms, best.parameters, fold);
+    double gained = 0;
+    for (int attempt = 0; attempt < kTries && gained == 0; ++attempt) {
+      Eigen::MatrixXd damped = normal.matrix;
+      damped.diagonal() *= 1 + damping;
+      damped.diagonal().array() += 1e-12;
+      const Eigen::VectorXd step = damped.ldlt().solve(normal.gradient);
+      std::vector<double> moved = best.parameters;
+      for (std::size_t k = 0; k < moved.size(); ++k) {
+        moved[k] = std::clamp(moved[k] + step(static_cast<Eigen::Index>(k)), all[k].minimum,
+                              all[k].maximum);
+      }
+      const double square_N2 = square_of(terms, moved, fold);
+      if (square_N2 < best.square_N2) {
+        gained = 1 - square_N2 / best.square_N2;
+        best.parameters = std::move(moved);
+        best.square_N2 = square_N2;
+        damping = std::max(damping / 5, 1e-9);
+      } else {
+        damping *= 4;
+      }
+    }
+    if (gained < kEnough) {
+      break;
+    }
+  }
+  return best;
+}
+
+ForceFit ForceData::with(const ForceFit& from, ForceTerm more) const {
+  ForceTerms terms = from.terms;
+  terms.push_back(more);
+  const auto added = parameters_of(more, scales_);
+  std::size_t starts = 0;
+  for (const ForceParameter& parameter : added) {
+    starts = std::max(starts, parameter.starts.size());
+  }
+  ForceFit best;
+  for (std::size_t start = 0; start < starts; ++start) {
+    std::vector<double> parameters = from.parameters;
+    for (const ForceParameter& parameter : added) {
+      parameters.push_back(parameter.starts[std::min(start, parameter.starts.size() - 1)]);
+    }
+    ForceFit found = fit(terms, std::move(parameters), kIterations);
+    if (start == 0 || found.square_N2 < best.square_N2) {
+      best = std::move(found);
+    }
+  }
+  return best;
+}
+
+ForceFit ForceData::without(const ForceFit& from, std::size_t place) const {
+  ForceTerms terms;
+  std::vector<double> parameters(from.parameters.begin(), from.parameters.begin() + 2);
+  std::size_t next = 2;
+  for (std::size_t i = 0; i < from.terms.size(); ++i) {
+    const std::size_t count = parameters_of(from.terms[i], scales_).size();
+    if (i != place) {
+      terms.push_back(from.terms[i]);
+      parameters.insert(parameters.end(),
+                        from.parameters.begin() + static_cast<std::ptrdiff_t>(next),
+                        from.parameters.begin() + static_cast<std::ptrdiff_t>(next + count));
+    }
+    next += count;
+  }
+  return fit(terms, std::move(parameters), kIterations);
+}
+
+std::vector<double> ForceData::held_out_N2(const ForceFit& whole) const {
+  std::vector<double> means(records_.size());
+  for (int fold = 0; fold < kFolds && fold < static_cast<int>(records_.size()); ++fold) {
+    const ForceFit seen = fit(whole.terms, whole.parameters, kFoldIterations, fold);
+    for (std::size_t j = 0; j < records_.size(); ++j) {
+      if (!takes_part(j, fold)) {
+        means[j] = vector_of(residuals_N(j, seen.terms, seen.parameters)).squaredNorm() /
+                   std::max(counts_[j], 1.0);
+      }
+    }
+  }
+  return means;
+}
+
+double ForceData::rmse_N(std::span<const double> means_N2) const {
+  double square_N2 = 0;
+  for (std::size_t j = 0; j < means_N2.size(); ++j) {
+    square_N2 += means_N2[j] * counts_[j];
+  }
+  return std::sqrt(square_N2 / std::max(samples_, 1.0));
+}
+
+std::vector<double> ForceData::half_widths(const ForceFit& fit) const {
+  const Normal normal = normal_of(fit.terms, fit.parameters, -1);
+  const Eigen::Index count = normal.gradient.size();
+  Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(count, count);
+  for (const Eigen::VectorXd& gradient : normal.of_records) {
+    scatter += gradient * gradient.transpose();
+  }
+  const Eigen::MatrixXd inverse =
+      normal.matrix.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
+  const double records = static_cast<double>(records_.size());
+  const Eigen::MatrixXd covariance =
+      inverse * scatter * inverse * (records / std::max(records - 1, 1.0));
+  std::vector<double> half;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    half.push_back(statistics::kNormal95 * std::sqrt(std::max(covariance(k, k), 0.0)));
+  }
+  return half;
+}
+
+bool ForceData::at_bound(const ForceFit& fit, std::size_t term) const {
+  std::size_t next = 2;
+  for (std::size_t i = 0; i < term; ++i) {
+    next += parameters_of(fit.terms[i], scales_).size();
+  }
+  for (const ForceParameter& parameter : parameters_of(fit.terms[term], scales_)) {
+    const double value = fit.parameters[next++];
+    const double margin = 1e-3 * (parameter.maximum - parameter.minimum);
+    if (value > parameter.maximum - margin ||
+        (parameter.minimum < 0 && value < parameter.minimum + margin)) {
+      return true;
+    }
+  }
+  return false;
+}
+
+PairedGain paired_gain(std::span<const double> before_N2, std::span<const double> after_N2) {
+  constexpr double kLeast_N2 = 1e-18;
+  const double count = static_cast<double>(before_N2.size());
+  double sum = 0;
+  double square = 0;
+  for (std::size_t j = 0; j < before_N2.size(); ++j) {
+    const double gain =
+        std::log(std::max(before_N2[j], kLeast_N2) / std::max(after_N2[j], kLeast_N2)) / 2;
+    sum += gain;
+    square += gain * gain;
+  }
+  PairedGain gain{.mean = sum / std::max(count, 1.0), .z = 0};
+  const double variance = std::max(square / count - gain.mean * gain.mean, 1e-12) / (count - 1);
+  gain.z = count > 1 ? gain.mean / std::sqrt(variance) : 0;
+  return gain;
+}
+
+}  // namespace host_sim::diagnose

@@ -1,0 +1,157 @@
+#include <algorithm>
+#include <numbers>
+
+#include "hal/files/input_error.hpp"
+#include "host_sim/diagnose/force/diagnose_forces.hpp"
+#include "host_sim/reference/equations.hpp"
+
+namespace host_sim::diagnose {
+namespace {
+
+using hal::files::kBendAngle;
+using hal::files::kInputTensionColumn;
+using hal::files::kMotorAngle;
+using hal::files::kMotorCurrentColumn;
+using hal::files::kOutputTensionColumn;
+using hal::files::kTendonVelocity;
+using hal::files::kTime;
+using hal::files::ProfileColumnId;
+using recording::Fault;
+using recording::Recording;
+
+bool constant(const Recording& recording, const std::vector<Fault>& faults,
+              ProfileColumnId channel) {
+  return std::ranges::any_of(faults, [&](const Fault& fault) {
+    return fault.session == recording.session && fault.channel == channel &&
+           fault.kind == Fault::Kind::constant;
+  });
+}
+
+std::vector<double> input_of(const Recording& recording, const NominalModel& nominal) {
+  if (recording.has(kInputTensionColumn)) {
+    return recording[kInputTensionColumn];
+  }
+  if (!nominal.drive) {
+    throw hal::files::InputError(recording.file.string(), 0, 0,
+                                 "a motor current, and no drive that makes a tension of it",
+                                 "input_tension_N, or [model.drive] in campaign.toml");
+  }
+  const auto& drive = *nominal.drive;
+  const reference::Drive reference{drive.torque_constant_Nm_per_A, drive.gear_ratio,
+                                   drive.gear_efficiency, drive.spool_radius_mm * 1e-3,
+                                   drive.current_offset_A};
+  std::vector<double> input_N = recording[kMotorCurrentColumn];
+  for (double& value : input_N) {
+    value = reference::input_tension_from_current(value, reference);
+  }
+  return input_N;
+}
+
+std::vector<double> position_of(const Recording& recording, bool angle,
+                                const NominalModel& nominal) {
+  if (angle && nominal.drive) {
+    std::vector<double> position_m = recording[kMotorAngle];
+    for (double& value : position_m) {
+      value *= nominal.drive->spool_radius_mm * 1e-3 / nominal.drive->gear_ratio;
+    }
+    return position_m;
+  }
+  const auto& time_s = recording[kTime];
+  const auto& velocity_m_s = recording[kTendonVelocity];
+  std::vector<double> position_m(recording.samples());
+  for (std::size_t i = 1; i < position_m.size(); ++i) {
+    position_m[i] = position_m[i - 1] +
+                    (velocity_m_s[i] + velocity_m_s[i - 1]) / 2 * (time_s[i] - time_s[i - 1]);
+  }
+  return position_m;
+}
+
+std::vector<double> angle_of(const Recording& recording, const NominalModel& nominal) {
+  constexpr double kRadPerDeg = std::numbers::pi / 180;
+  std::vector<double> angle_rad(recording.samples(),
+                                nominal.sheath ? nominal.sheath->bend_angle_deg : 0);
+  if (recording.has(kBendAngle)) {
+    angle_rad = recording[kBendAngle];
+  } else if (!nominal.sheath) {
+    throw hal::files::InputError(recording.file.string(), 0, 0, "no bend angle",
+                                 "bend_angle_deg, or [model.sheath] in campaign.toml");
+  }
+  for (double& value : angle_rad) {
+    value *= kRadPerDeg;
+  }
+  return angle_rad;
+}
+
+std::vector<double> rate_of(const std::vector<double>& time_s, const std::vector<double>& values) {
+  constexpr std::size_t kAround = 2;
+  std::vector<double> rates(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t first = i < kAround ? 0 : i - kAround;
+    const std::size_t last = std::min(i + kAround, values.size() - 1);
+    rates[i] = (values[last] - values[first]) / (time_s[last] - time_s[first]);
+  }
+  return rates;
+}
+
+template <class T>
+void thin(std::vector<T>& values, std::size_t step) {
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < values.size(); i += step) {
+    values[kept++] = values[i];
+  }
+  values.resize(kept);
+}
+
+/// Of signed forces nothing is wrong below zero.
+void leave_out(const Recording& recording, const std::vector<Fault>& faults, ForceRecord& record) {
+  for (const Fault& fault : faults) {
+    if (fault.session != recording.session || fault.kind == Fault::Kind::not_positive ||
+        fault.kind == Fault::Kind::constant) {
+      continue;
+    }
+    const std::size_t end = std::min(fault.first + fault.count, record.used.size());
+    std::fill(record.used.begin() + static_cast<std::ptrdiff_t>(std::min(fault.first, end)),
+              record.used.begin() + static_cast<std::ptrdiff_t>(end), false);
+  }
+}
+
+}  // namespace
+
+std::vector<ForceRecord> force_records(const std::vector<Recording>& recordings,
+                                       const std::vector<Fault>& faults,
+                                       const NominalModel& nominal) {
+  std::vector<ForceRecord> records;
+  for (const Recording& recording : recordings) {
+    const ProfileColumnId input =
+        recording.has(kInputTensionColumn) ? kInputTensionColumn : kMotorCurrentColumn;
+    if (constant(recording, faults, input) || constant(recording, faults, kOutputTensionColumn) ||
+        constant(recording, faults, kTendonVelocity)) {
+      continue;
+    }
+    ForceRecord record;
+    record.session = recording.session;
+    record.time_s = recording[kTime];
+    record.input_N = input_of(recording, nominal);
+    record.output_N = recording[kOutputTensionColumn];
+    record.output_rate_N_s = rate_of(record.time_s, record.output_N);
+    record.velocity_m_s = recording[kTendonVelocity];
+    record.position_m = position_of(
+        recording, recording.has(kMotorAngle) && !constant(recording, faults, kMotorAngle),
+        nominal);
+    record.bend_angle_rad = angle_of(recording, nominal);
+    record.used.assign(record.samples(), true);
+    leave_out(recording, faults, record);
+    const std::size_t step = std::max<std::size_t>(1, record.samples() / kMostForceSamples);
+    for (auto* values : {&record.time_s, &record.input_N, &record.output_N, &record.output_rate_N_s,
+                         &record.velocity_m_s, &record.position_m, &record.bend_angle_rad}) {
+      thin(*values, step);
+    }
+    thin(record.used, step);
+    if (std::ranges::count(record.used, true) > 0) {
+      records.push_back(std::move(record));
+    }
+  }
+  return records;
+}
+
+}  // namespace host_sim::diagnose

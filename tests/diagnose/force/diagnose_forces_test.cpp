@@ -1,0 +1,230 @@
+#include "host_sim/diagnose/force/diagnose_forces.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "hal/files/input_file.hpp"
+#include "host_sim/campaign/campaign.hpp"
+#include "host_sim/recording/import.hpp"
+#include "tests/io/support.hpp"
+
+namespace host_sim::diagnose {
+namespace {
+
+using std::numbers::pi;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::UnorderedElementsAre;
+
+/// A joint that is driven both ways, by its own equations.
+struct Joint {
+  double preload_N = 0;
+  double viscous_N_s_m = 0;
+  double cogging_N = 0;  ///< not in the catalogue of the forward model
+  double noise_N = 0.5;  ///< of either end
+  double gain_scatter = 0.01;
+  bool velocity_reversed = false;
+};
+
+std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int sessions = 12) {
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> normal;
+  std::vector<ForceRecord> records;
+  for (int j = 0; j < sessions; ++j) {
+    ForceRecord record;
+    record.session = "s" + std::to_string(j);
+    const double gain = 1 + joint.gain_scatter * normal(engine);
+    const double omega = 2 * pi * (0.3 + 0.1 * j);
+    for (int i = 0; i < 500; ++i) {
+      const double t = 0.01 * i;
+      const double x = 0.05 * std::sin(omega * t);
+      const double v = 0.05 * omega * std::cos(omega * t);
+      const double load_N = 40 * std::sin(2 * pi * 0.7 * t + j);
+      const double friction_N = std::tanh(v / 1e-3) * (0.02 * std::abs(load_N) + joint.preload_N) +
+                                joint.viscous_N_s_m * v;
+      record.time_s.push_back(t);
+      record.position_m.push_back(x);
+      record.velocity_m_s.push_back(joint.velocity_reversed ? -v : v);
+      record.output_N.push_back(load_N + joint.noise_N * normal(engine));
+      record.output_rate_N_s.push_back(40 * 2 * pi * 0.7 * std::cos(2 * pi * 0.7 * t + j));
+      record.input_N.push_back(gain * (load_N + friction_N + joint.cogging_N * std::sin(900 * x)) +
+                               joint.noise_N * normal(engine));
+      record.bend_angle_rad.push_back(pi);
+      record.used.push_back(true);
+    }
+    records.push_back(std::move(record));
+  }
+  return records;
+}
+
+constexpr reference::Constants kWire{177.4, 0.2, 1.53e5, 1.38, 5.94};
+
+NominalModel nominal() {
+  NominalModel nominal;
+  nominal.sheath = {.friction_coefficient = 0.1, .bend_angle_deg = 180};
+  return nominal;
+}
+
+Findings found(const std::vector<ForceRecord>& records) {
+  return diagnose_forces(records, nominal(), kWire, {}).findings;
+}
+
+std::vector<std::string> ids_of(const Findings& findings) {
+  std::vector<std::string> ids;
+  for (const FoundEffect& effect : findings.effects) {
+    ids.push_back(effect.id);
+  }
+  return ids;
+}
+
+const Estimate& estimate(const Findings& findings, const std::string& name) {
+  for (const FoundEffect& effect : findings.effects) {
+    for (const Estimate& parameter : effect.parameters) {
+      if (parameter.name == name) {
+        return parameter;
+      }
+    }
+  }
+  throw std::out_of_range(name);
+}
+
+double metric(const Findings& findings, const std::string& name, bool after) {
+  const auto metric = std::ranges::find(findings.gain.metrics, name, &Metric::name);
+  if (metric == findings.gain.metrics.end()) {
+    throw std::out_of_range(name);
+  }
+  return after ? metric->after : metric->before;
+}
+
+TEST(DiagnoseForces, NamesNothingWhereNothingIsHidden) {
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    const Findings findings = found(measured({}, seed));
+    EXPECT_THAT(ids_of(findings), IsEmpty()) << seed << ' ' << findings.prose;
+  }
+}
+
+TEST(DiagnoseForces, NamesLoadIndependentAndViscousFrictionOfASignedForce) {
+  const Findings findings = found(measured({.preload_N = 12, .viscous_N_s_m = 150}, 3));
+  EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
+  EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload", "friction_velocity"));
+  EXPECT_NEAR(estimate(findings, "preload_N").value, 12, 0.6);
+  EXPECT_NEAR(estimate(findings, "viscous_N_s_m").value, 150, 8);
+  // The noise of both ends is what is left.
+  EXPECT_LT(metric(findings, "input_rmse_N", true), 1.0);
+  EXPECT_GT(metric(findings, "input_rmse_N", false), 8);
+  ASSERT_TRUE(findings.remainder);
+  EXPECT_LT(findings.remainder->share, 0.02);
+  EXPECT_DOUBLE_EQ(findings.remainder->input_rmse_N, metric(findings, "input_rmse_N", true));
+}
+
+TEST(DiagnoseForces, WhatIsOutsideTheCatalogueIsNoneOfItsCauses) {
+  for (unsigned seed = 1; seed <= 5; ++seed) {
+    const Findings findings = found(measured({.cogging_N = 6}, seed));
+    EXPECT_NE(findings.verdict, Verdict::named) << findings.prose;
+  }
+}
+
+TEST(DiagnoseForces, ACauseIsNamedAlthoughMoreIsWrong) {
+  const Findings findings = found(measured({.preload_N = 12, .cogging_N = 3}, 4));
+  EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
+  EXPECT_THAT(ids_of(findings), Contains("friction_preload"));
+  ASSERT_TRUE(findings.remainder);
+  EXPECT_EQ(findings.remainder->covariate, "position");
+  EXPECT_LT(findings.remainder->p, 0.01);
+}
+
+TEST(DiagnoseForces, AFewSessionsNameNothing) {
+  const Findings findings = found(measured({.preload_N = 12}, 5, 3));
+  EXPECT_THAT(ids_of(findings), IsEmpty());
+  EXPECT_THAT(findings.prose, HasSubstr("3 of 4 sessions"));
+}
+
+TEST(DiagnoseForces, DoubtsWhatAUserMayHaveGotWrong) {
+  EXPECT_THAT(found(measured({.preload_N = 12}, 6)).prose, Not(HasSubstr("Velocity runs against")));
+  EXPECT_THAT(found(measured({.preload_N = 12, .velocity_reversed = true}, 6)).prose,
+              HasSubstr("Velocity runs against the position"));
+  std::vector<ForceRecord> millimetres = measured({.preload_N = 12}, 6);
+  std::vector<ForceRecord> kilonewtons = millimetres;
+  for (std::size_t j = 0; j < millimetres.size(); ++j) {
+    for (std::size_t i = 0; i < millimetres[j].samples(); ++i) {
+      millimetres[j].position_m[i] *= 1000;
+      kilonewtons[j].input_N[i] /= 10;
+    }
+  }
+  EXPECT_THAT(found(millimetres).prose, HasSubstr("times as far as the velocity says"));
+  EXPECT_THAT(found(kilonewtons).prose, HasSubstr("times what the model has"));
+}
+
+TEST(DiagnoseForces, WhatIsTakenOutOfTheCatalogueIsNotNamed) {
+  DiagnoseOptions options;
+  options.without = {"friction_preload"};
+  EXPECT_THAT(
+      ids_of(diagnose_forces(measured({.preload_N = 12}, 6), nominal(), kWire, options).findings),
+      Not(Contains("friction_preload")));
+}
+
+TEST(DiagnoseForces, TheNumberOfThreadsDoesNotMatter) {
+  const std::vector<ForceRecord> records = measured({.preload_N = 12}, 7);
+  const auto by = [&](unsigned threads) {
+    DiagnoseOptions options;
+    options.threads = threads;
+    return diagnose_forces(records, nominal(), kWire, options).findings;
+  };
+  EXPECT_EQ(estimate(by(1), "preload_N").value, estimate(by(3), "preload_N").value);
+  EXPECT_EQ(by(1).prose, by(3).prose);
+}
+
+/// Campaigns that were measured; the text beside them says what is in them.
+class MeasuredDrive : public testing::Test {
+ protected:
+  static std::filesystem::path data(const char* name) {
+    return std::filesystem::path(TENDONLIFE_SHARED) / "data" / name;
+  }
+};
+
+constexpr const char* kNeverThere[] = {"friction_wear", "friction_temperature", "torque_ripple"};
+
+TEST_F(MeasuredDrive, AScrewDriveHasLoadIndependentAndViscousFriction) {
+  if (!std::filesystem::exists(data("emps_drive"))) {
+    GTEST_SKIP() << "no " << data("emps_drive") << ": the measurements are not part of the project";
+  }
+  const Findings findings = diagnose_tension(read_campaign(data("emps_drive")), {}).findings;
+  EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
+  EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload", "friction_velocity"));
+  EXPECT_LE(metric(findings, "input_rmse_N", true), 4.8);
+}
+
+TEST_F(MeasuredDrive, ACableDriveHasPresliding) {
+  const std::filesystem::path file = data("davinci_cable_torque") / "Tool_4_Maryland_L_4.csv";
+  if (!std::filesystem::exists(file)) {
+    GTEST_SKIP() << "no " << file << ": the measurements are not part of the project";
+  }
+  const test::TemporaryFolder folder;
+  recording::write_campaign(
+      recording::import_davinci(hal::files::open_source(file, "a file"), file.string(), {}),
+      folder / "davinci");
+  const Findings findings = diagnose_tension(read_campaign(folder / "davinci"), {}).findings;
+  EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
+  EXPECT_THAT(ids_of(findings), Contains("presliding"));
+  EXPECT_THAT(ids_of(findings), Contains("friction_preload"));
+  for (const char* const id : kNeverThere) {
+    EXPECT_THAT(ids_of(findings), Not(Contains(id)));
+  }
+  // 14.3 mNm over the pulley of 5 mm.
+  EXPECT_LE(metric(findings, "input_rmse_N", true), 14.3 / 5);
+}
+
+}  // namespace
+}  // namespace host_sim::diagnose

@@ -1,0 +1,123 @@
+#include "host_sim/diagnose/force/force_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+namespace host_sim::diagnose {
+namespace {
+
+using std::numbers::pi;
+
+constexpr ForceScales kScales{
+    .speed_m_s = 0.1, .stroke_m = 0.2, .position_m = 0, .force_N = 10, .turn_over_m_s = 0.005};
+
+/// Moves steadily: far over the speed below which friction turns over.
+ForceRecord record(const std::vector<double>& positions_m, double velocity_m_s, double output_N) {
+  ForceRecord record;
+  record.session = "s";
+  const std::size_t samples = positions_m.size();
+  for (std::size_t i = 0; i < samples; ++i) {
+    record.time_s.push_back(0.1 * static_cast<double>(i));
+  }
+  record.position_m = positions_m;
+  record.velocity_m_s.assign(samples, velocity_m_s);
+  record.output_N.assign(samples, output_N);
+  record.output_rate_N_s.assign(samples, 0);
+  record.input_N.assign(samples, 0);
+  record.bend_angle_rad.assign(samples, pi);
+  record.used.assign(samples, true);
+  return record;
+}
+
+double predicted(const ForceRecord& record, const ForceTerms& terms,
+                 const std::vector<double>& parameters) {
+  std::vector<double> input_N;
+  predict_input(record, terms, kScales, parameters, input_N);
+  return input_N.back();
+}
+
+TEST(ForceModel, IsEquation14WhilePullingAndLettingGo) {
+  EXPECT_NEAR(predicted(record({0, 0.1}, 1, 10), {}, {1, 0.1}), 10 * std::exp(0.1 * pi), 1e-9);
+  EXPECT_NEAR(predicted(record({0.1, 0}, -1, 10), {}, {1, 0.1}), 10 * std::exp(-0.1 * pi), 1e-9);
+  EXPECT_NEAR(predicted(record({0, 0.1}, 1, 10), {}, {2, 0}), 20, 1e-9);
+  EXPECT_EQ(predicted(record({0, 0}, 0, 10), {}, {1, 0.1}), 10);
+}
+
+TEST(ForceModel, FrictionOfASignedForceWorksAgainstTheMotion) {
+  for (const double output_N : {-10.0, 10.0}) {
+    for (const double velocity_m_s : {-1.0, 1.0}) {
+      const double friction_N =
+          predicted(record({0, 0.1}, velocity_m_s, output_N), {}, {1, 0.1}) - output_N;
+      EXPECT_GT(friction_N * velocity_m_s, 0) << output_N << ' ' << velocity_m_s;
+      // The same drive looked at from the other side.
+      EXPECT_NEAR(predicted(record({0, -0.1}, -velocity_m_s, -output_N), {}, {1, 0.1}) + output_N,
+                  -friction_N, 1e-12);
+    }
+  }
+}
+
+TEST(ForceModel, LoadIndependentFrictionAddsItsForce) {
+  EXPECT_NEAR(predicted(record({0, 0.1}, 1, 10), {ForceTerm::preload}, {1, 0, 3}), 13, 1e-9);
+  EXPECT_NEAR(predicted(record({0, -0.1}, -1, -2), {ForceTerm::preload}, {1, 0, 3}), -5, 1e-9);
+}
+
+TEST(ForceModel, ViscousFrictionGrowsWithSpeed) {
+  EXPECT_NEAR(predicted(record({0, 0.1}, 0.5, 10), {ForceTerm::velocity}, {1, 0, 4, 0}), 12, 1e-6);
+  EXPECT_NEAR(predicted(record({0, 0.1}, 0.5, 10), {ForceTerm::velocity}, {1, 0, 0, 0.2}),
+              10 * std::exp(0.5 * 0.2 * pi), 1e-6);
+}
+
+TEST(ForceModel, PreslidingTurnsFrictionOverWithTheTravel) {
+  const ForceTerms terms{ForceTerm::preload, ForceTerm::presliding};
+  // From rest a length l turns over 1 - 1/e of it, and so does the way there in steps.
+  const double once_N = predicted(record({0, 0.01}, 1, 10), terms, {1, 0, 3, 0.01});
+  EXPECT_NEAR(once_N, 10 + 3 * (1 - std::exp(-1)), 1e-9);
+  EXPECT_NEAR(predicted(record({0, 0.002, 0.007, 0.01}, 1, 10), terms, {1, 0, 3, 0.01}), once_N,
+              1e-9);
+  // z = 0.95 after three lengths, then one back: -1 + 1.95/e.
+  const double z = -1 + (2 - std::exp(-3)) * std::exp(-1);
+  EXPECT_NEAR(predicted(record({0, 0.03, 0.02}, -1, 10), terms, {1, 0, 3, 0.01}), 10 + 3 * z, 1e-9);
+}
+
+TEST(ForceModel, SlackTransmitsNoFrictionUntilItIsTakenUp) {
+  const ForceTerms terms{ForceTerm::preload, ForceTerm::slack};
+  EXPECT_NEAR(predicted(record({0, 0.05, 0.049}, -1, 10), terms, {1, 0, 3, 0.01}), 10, 1e-9);
+  EXPECT_NEAR(predicted(record({0, 0.05, 0.03}, -1, 10), terms, {1, 0, 3, 0.01}), 7, 1e-9);
+}
+
+TEST(ForceModel, FrictionFallsRelativeToTheLoad) {
+  // Of a load of ten times the scale, at k = 0.3: mu / 10^0.3.
+  EXPECT_NEAR(predicted(record({0, 0.1}, 1, 100), {ForceTerm::load}, {1, 0.1, 0.3}),
+              100 * std::exp(0.1 * pi * std::pow(10, -0.3)), 1e-6);
+}
+
+TEST(ForceModel, PositionMultipliesAllFrictionOfTheSheath) {
+  // A quarter of the stroke from its middle the sine is 1.
+  EXPECT_NEAR(predicted(record({0, 0.05}, 1, 10), {ForceTerm::preload, ForceTerm::position},
+                        {1, 0, 3, 0.2, 0, 0, 0}),
+              10 + 3 * 1.2, 1e-9);
+}
+
+TEST(ForceModel, SensorsShiftAndDelayTheOutput) {
+  EXPECT_NEAR(predicted(record({0, 0.1}, 1, 10), {ForceTerm::zero}, {1, 0, 0.5}), 9.5, 1e-9);
+  ForceRecord rising = record({0, 0.1}, 1, 10);
+  rising.output_rate_N_s.assign(2, 20);
+  EXPECT_NEAR(predicted(rising, {ForceTerm::lag}, {1, 0, 0.01}), 10.2, 1e-9);
+  // The tendon gives way by 20 N/s over 10 N/m: 2 m/s, more than it is drawn.
+  EXPECT_NEAR(predicted(rising, {ForceTerm::compliance}, {1, 0.1, 0.1}), 10 * std::exp(-0.1 * pi),
+              1e-6);
+}
+
+TEST(ForceModel, ScalesAreOfAllRecords) {
+  std::vector<ForceRecord> records{record({-0.1, 0.1}, 0.2, 3), record({0, 0}, -0.4, -3)};
+  const ForceScales scales = scales_of(records);
+  EXPECT_DOUBLE_EQ(scales.force_N, 3);
+  EXPECT_GT(scales.speed_m_s, 0);
+  EXPECT_GT(scales_of({}).stroke_m, 0);
+}
+
+}  // namespace
+}  // namespace host_sim::diagnose
