@@ -12,10 +12,7 @@
 namespace host_sim {
 
 using hal::files::InputKind;
-using hal::files::kMotorAngle;
-using hal::files::kSheathTemperature;
-using hal::files::kTendonVelocity;
-using hal::files::kWindingTemperature;
+using enum hal::files::ProfileColumnId;
 using hal::files::profile_columns;
 using hal::files::ProfileChannels;
 using hal::files::ProfileColumnId;

@@ -18,15 +18,7 @@ namespace host_sim::recording {
 
 using hal::files::in_quotes;
 using hal::files::InputError;
-using hal::files::kBendAngle;
-using hal::files::kInputTensionColumn;
-using hal::files::kMotorAngle;
-using hal::files::kMotorCurrentColumn;
-using hal::files::kOutputTensionColumn;
-using hal::files::kSheathTemperature;
-using hal::files::kTendonVelocity;
-using hal::files::kTime;
-using hal::files::kWindingTemperature;
+using enum hal::files::ProfileColumnId;
 
 namespace {
 

@@ -9,11 +9,7 @@
 
 namespace host_sim::recording {
 
-using hal::files::kInputTensionColumn;
-using hal::files::kMotorAngle;
-using hal::files::kMotorCurrentColumn;
-using hal::files::kOutputTensionColumn;
-using hal::files::kTendonVelocity;
+using enum hal::files::ProfileColumnId;
 using hal::files::ProfileColumnId;
 
 std::vector<Stretch> gaps_in(std::span<const double> time_s) {

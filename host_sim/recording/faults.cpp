@@ -13,10 +13,7 @@
 namespace host_sim::recording {
 
 using hal::files::in_quotes;
-using hal::files::kInputTensionColumn;
-using hal::files::kProfileColumnCount;
-using hal::files::kTendonVelocity;
-using hal::files::kTime;
+using enum hal::files::ProfileColumnId;
 using hal::files::profile_columns;
 using hal::files::ProfileColumnId;
 

@@ -18,12 +18,7 @@ namespace host_sim::recording {
 
 using hal::files::ByteSource;
 using hal::files::InputError;
-using hal::files::kInputTensionColumn;
-using hal::files::kMotorAngle;
-using hal::files::kOutputTensionColumn;
-using hal::files::kProfileColumnCount;
-using hal::files::kTendonVelocity;
-using hal::files::kTime;
+using enum hal::files::ProfileColumnId;
 using hal::files::NumberRange;
 using hal::files::OutputError;
 using hal::files::OutputFile;

@@ -25,11 +25,7 @@ namespace host_sim::recording {
 using hal::files::ByteSource;
 using hal::files::in_quotes;
 using hal::files::InputError;
-using hal::files::kInputTensionColumn;
-using hal::files::kMotorCurrentColumn;
-using hal::files::kOutputTensionColumn;
-using hal::files::kTendonVelocity;
-using hal::files::kTime;
+using enum hal::files::ProfileColumnId;
 using hal::files::open_source;
 using hal::files::parse_profile_columns;
 using hal::files::profile_columns;

@@ -12,9 +12,7 @@ namespace host_sim {
 
 using hal::files::input_kind_from;
 using hal::files::InputKind;
-using hal::files::kInputTensionColumn;
-using hal::files::kSheathTemperature;
-using hal::files::kTime;
+using enum hal::files::ProfileColumnId;
 using hal::files::memory_source;
 using hal::files::ProfileChannels;
 using hal::files::ProfileReader;

@@ -1,10 +1,11 @@
+#include "firmware/boards/linux/setup.hpp"
+
 #include <gtest/gtest.h>
 
 #include <filesystem>
 #include <string>
 
 #include "firmware/boards/linux/sensors.hpp"
-#include "firmware/boards/linux/setup.hpp"
 #include "lifemodel/pack/pack.hpp"
 #include "tests/io/support.hpp"
 

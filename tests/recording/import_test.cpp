@@ -15,11 +15,7 @@
 
 namespace host_sim::recording {
 
-using hal::files::kInputTensionColumn;
-using hal::files::kMotorAngle;
-using hal::files::kOutputTensionColumn;
-using hal::files::kTendonVelocity;
-using hal::files::kTime;
+using enum hal::files::ProfileColumnId;
 using hal::files::memory_source;
 using hal::files::open_source;
 using hal::files::OutputError;

@@ -12,11 +12,7 @@
 
 namespace host_sim::recording {
 
-using hal::files::kInputTensionColumn;
-using hal::files::kMotorCurrentColumn;
-using hal::files::kProfileColumnCount;
-using hal::files::kSheathTemperature;
-using hal::files::kTime;
+using enum hal::files::ProfileColumnId;
 using hal::files::memory_source;
 
 namespace {

@@ -9,10 +9,7 @@
 namespace host_sim::synth::test {
 
 using hal::files::InputKind;
-using hal::files::kInputTensionColumn;
-using hal::files::kOutputTensionColumn;
-using hal::files::kTendonVelocity;
-using hal::files::kTime;
+using enum hal::files::ProfileColumnId;
 using hal::files::OutputError;
 
 namespace {

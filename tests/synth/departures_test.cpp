@@ -6,14 +6,7 @@
 
 namespace host_sim::synth::test {
 
-using hal::files::kBendAngle;
-using hal::files::kInputTensionColumn;
-using hal::files::kMotorAngle;
-using hal::files::kMotorCurrentColumn;
-using hal::files::kOutputTensionColumn;
-using hal::files::kSheathTemperature;
-using hal::files::kTendonVelocity;
-using hal::files::kWindingTemperature;
+using enum hal::files::ProfileColumnId;
 
 namespace {
 

@@ -2,9 +2,7 @@
 
 namespace host_sim::synth::test {
 
-using hal::files::kInputTensionColumn;
-using hal::files::kMotorCurrentColumn;
-using hal::files::kOutputTensionColumn;
+using enum hal::files::ProfileColumnId;
 
 namespace {
 

@@ -8,13 +8,7 @@
 namespace host_sim::diagnose {
 namespace {
 
-using hal::files::kBendAngle;
-using hal::files::kInputTensionColumn;
-using hal::files::kMotorAngle;
-using hal::files::kMotorCurrentColumn;
-using hal::files::kOutputTensionColumn;
-using hal::files::kTendonVelocity;
-using hal::files::kTime;
+using enum hal::files::ProfileColumnId;
 using hal::files::ProfileColumnId;
 using recording::Fault;
 using recording::Recording;

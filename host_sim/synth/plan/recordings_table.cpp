@@ -11,14 +11,7 @@
 namespace host_sim::synth {
 
 using hal::files::describe;
-using hal::files::kInputTensionColumn;
-using hal::files::kMotorAngle;
-using hal::files::kMotorCurrentColumn;
-using hal::files::kOutputTensionColumn;
-using hal::files::kProfileColumnCount;
-using hal::files::kTendonVelocity;
-using hal::files::kTime;
-using hal::files::kWindingTemperature;
+using enum hal::files::ProfileColumnId;
 using hal::files::NumberKey;
 using hal::files::profile_column_names;
 using hal::files::profile_columns;

@@ -7,13 +7,7 @@
 
 namespace host_sim::synth {
 
-using hal::files::kInputTensionColumn;
-using hal::files::kMotorCurrentColumn;
-using hal::files::kOutputTensionColumn;
-using hal::files::kSheathTemperature;
-using hal::files::kTendonVelocity;
-using hal::files::kTime;
-using hal::files::kWindingTemperature;
+using enum hal::files::ProfileColumnId;
 
 namespace {
 
