@@ -302,6 +302,8 @@ TensionDiagnosis nothing_to_see(const RecordedSessions& recorded) {
 /// Error of the nominal model over the output force, root mean squares. Below it ln T measures an
 /// error to a hundredth, and what signatures of ln T do not explain is outside of the catalogue.
 constexpr double kLargeError = 0.15;
+/// Of the squared error. What leaves more explains too little not to imitate what is outside.
+constexpr double kMostLeft = 0.25;
 
 /// Where signatures of ln T do not explain a large error, effects in newtons may.
 /// @param force_N root mean square of the output force
@@ -309,6 +311,7 @@ void explain_in_newtons(TensionDiagnosis forces, double force_N, TensionDiagnosi
   Findings& findings = diagnosis.findings;
   findings.remainder = forces.findings.remainder;
   if (forces.findings.verdict != Verdict::named || !findings.remainder ||
+      findings.remainder->share > kMostLeft ||
       findings.remainder->input_rmse_N / std::sqrt(findings.remainder->share) <
           kLargeError * force_N) {
     return;

@@ -180,7 +180,7 @@ TEST_F(DiagnoseTension, NamesWhatIsHiddenAndMeasuresWhatMendingItGains) {
 
 TEST_F(DiagnoseTension, CallsUnknownWhatTheCatalogueDoesNotHave) {
   const TensionDiagnosis diagnosis = diagnose_tension(make({.hidden = kCreep}), {});
-  EXPECT_EQ(diagnosis.findings.verdict, Verdict::unknown);
+  EXPECT_EQ(diagnosis.findings.verdict, Verdict::unknown) << diagnosis.findings.prose;
   EXPECT_THAT(diagnosis.findings.extensions, IsEmpty());
   EXPECT_FALSE(diagnosis.findings.next_experiment.empty());
 }
