@@ -287,6 +287,7 @@ Left left_over(const ForceData& data, const ForceFit& model, std::uint64_t seed)
   }
   const std::vector<Against> all = all_against(data.records());
   std::vector<BinMeans> bins;
+  bins.reserve(all.size());
   for (const Against& against : all) {
     bins.emplace_back(data.records(), against, residuals_N);
   }
