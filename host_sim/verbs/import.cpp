@@ -26,9 +26,10 @@ constexpr const char* kColumnsExample =
     "A map is CHANNEL=[-][FACTOR*]COLUMN[ in UNIT][+OFFSET]; rate(COLUMN[ in UNIT]) is "
     "differentiated by\n"
     "time. A column that holds more than letters, digits and _ stands in double quotes.\n"
-    "Example: host_sim import columns log1.csv log2.csv --out drive --map time_s='t in ms' \\\n"
-    "  --map input_tension_N='200*\"motor torque\"' --map output_tension_N='-load in kN' \\\n"
-    "  --map tendon_velocity_m_s='0.005*rate(angle in deg)' --map motor_angle_rad='angle in deg'";
+    "Example: host_sim import columns host_sim/examples/upper_arm.csv --out drive "
+    "--map time_s=time_s --map output_tension_N=output_tension_N "
+    "--map input_tension_N=1.5*output_tension_N+2 "
+    "--map 'tendon_velocity_m_s=tendon_velocity_m_s in m/s'";
 
 struct ImportArguments {
   std::vector<std::string> files;
