@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/diagnose/lives/maximize.hpp"
 #include "host_sim/diagnose/lives/specimen_life.hpp"
 #include "host_sim/statistics/parallel.hpp"
 
@@ -11,7 +12,6 @@ namespace {
 
 /// Half the 0.95 point of chi-square with one degree of freedom.
 constexpr double kLoss = 1.9207294103470258;
-constexpr double kFarthest = 11;
 
 /// The end on one side: secant steps on the root of the loss, which is nearly straight.
 double end_of(const ModelView& view, const ModelFit& fit, Eigen::Index coordinate, double sign) {

@@ -95,8 +95,8 @@ double ModelView::log_prior(const Eigen::VectorXd& at) const {
 
 double ModelView::log_posterior(const Eigen::VectorXd& at) const {
   constexpr double kNone = -1e10;
-  constexpr double kFarthest = 12;
-  if (at.cwiseAbs().maxCoeff() > kFarthest) {
+  constexpr double kOutside = 12;
+  if (at.cwiseAbs().maxCoeff() > kOutside) {
     return kNone;
   }
   const double value = log_likelihood(sample_, settings(at)) + log_prior(at);

@@ -39,7 +39,6 @@ double call(const std::vector<double>& x, std::vector<double>& gradient, void* d
 }  // namespace
 
 Eigen::VectorXd maximize(const Function& function, const Eigen::VectorXd& start) {
-  constexpr double kFarthest = 11;
   constexpr double kLastGain = 1e-7;
   constexpr int kMostCalls = 200;
   Call data{&function, start, function(start)};

@@ -7,6 +7,9 @@ namespace host_sim::diagnose::lives {
 
 using Function = std::function<double(const Eigen::VectorXd&)>;
 
+/// From zero in each coordinate: how far a maximum is looked for.
+inline constexpr double kFarthest = 11;
+
 /// Where a smooth function of a few variables, all of the order of 1, is largest near `start`:
 /// sequential quadratic programming of NLopt with gradients by central differences.
 Eigen::VectorXd maximize(const Function& function, const Eigen::VectorXd& start);
