@@ -146,7 +146,7 @@ std::size_t character_count(std::string_view text) {
 
 bool parse_number(const char*& position, const char* end, double& value) {
   const char* begin = position;
-  if (*begin == '+' && end - begin > 1 && begin[1] != '-') {
+  if (end - begin > 1 && *begin == '+' && begin[1] != '-') {
     ++begin;
   }
   const std::from_chars_result result = std::from_chars(begin, end, value);
