@@ -18,10 +18,9 @@ std::string in_quotes(std::string_view text);
 /// Number of UTF-8 characters in `text`; a byte that does not continue a character counts as one.
 std::size_t character_count(std::string_view text);
 
-/// Reads the decimal number at `position`, which must lie before `end`, correctly rounded; a
-/// leading
-/// `+` is accepted. Moves `position` behind it and returns true, or returns false if there is no
-/// number or if a double cannot hold it. `inf` and `nan` are read as such: check the value.
+/// Reads the decimal number at `position`, correctly rounded; a leading `+` is accepted. Moves
+/// `position` behind it and returns true, or returns false if there is no number or if a double
+/// cannot hold it. `inf` and `nan` are read as such: check the value.
 bool parse_number(const char*& position, const char* end, double& value);
 
 /// If `name` differs from `known` by its unit suffix alone, that suffix (empty if it has none),
