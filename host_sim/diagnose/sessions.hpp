@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,6 +10,9 @@
 #include "host_sim/reference/constants.hpp"
 
 namespace host_sim::diagnose {
+
+/// Below this many sessions their scatter is not known, and no effect is named.
+inline constexpr std::size_t kLeastSessions = 4;
 
 /// One session: the unit of every fit.
 struct Session {

@@ -17,7 +17,6 @@
 namespace host_sim::diagnose {
 namespace {
 
-constexpr std::size_t kLeastSessions = 4;
 constexpr double kWorthTrying = 0.02;  ///< of ln rmse, for the search to go on
 constexpr double kSeen = 3;            ///< standard errors
 constexpr double kStandsIn = 0.05;     ///< of ln rmse, for another in the place of an effect
@@ -27,6 +26,7 @@ constexpr double kPrior = 0.05;        ///< of an effect of the catalogue
 struct Judged {
   ForceTerm term{};
   PairedGain gain;
+  ForceFit without;
   std::vector<ForceTerm> others;  ///< that could stand in its place
 
   [[nodiscard]] bool stays() const { return gain.mean >= kMaterialGain && gain.z >= kCertainGain; }
@@ -122,8 +122,10 @@ class Search {
     hold_out(all);
     std::optional<std::size_t> least;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      judged_[i] = {
-          .term = model_.terms[i], .gain = paired_gain(all[i].held_N2, model_N2_), .others = {}};
+      judged_[i] = {.term = model_.terms[i],
+                    .gain = paired_gain(all[i].held_N2, model_N2_),
+                    .without = all[i].fit,
+                    .others = {}};
       if (!(judged_[i].stays() && !data_.at_bound(model_, i)) &&
           (!least || judged_[i].gain.mean < judged_[*least].gain.mean)) {
         least = i;
@@ -134,12 +136,12 @@ class Search {
     }
     model_ = std::move(all[*least].fit);
     model_N2_ = std::move(all[*least].held_N2);
-    return !model_.terms.empty() || (judged_.clear(), false);
+    return true;
   }
 
   /// Terms that do as well in the place of one.
   [[nodiscard]] std::vector<ForceTerm> stand_ins(std::size_t place) const {
-    std::vector<Candidate> all = with_each(data_.without(model_, place), outside());
+    std::vector<Candidate> all = with_each(judged_[place].without, outside());
     std::erase_if(all, [&](const Candidate& one) {
       return std::log(one.fit.square_N2 / model_.square_N2) / 2 > 2 * kStandsIn;
     });

@@ -3,6 +3,7 @@
 
 #include "hal/files/input_error.hpp"
 #include "host_sim/diagnose/force/diagnose_forces.hpp"
+#include "host_sim/recording/signal.hpp"
 #include "host_sim/reference/equations.hpp"
 
 namespace host_sim::diagnose {
@@ -30,13 +31,10 @@ std::vector<double> input_of(const Recording& recording, const NominalModel& nom
                                  "a motor current, and no drive that makes a tension of it",
                                  "input_tension_N, or [model.drive] in campaign.toml");
   }
-  const auto& drive = *nominal.drive;
-  const reference::Drive reference{drive.torque_constant_Nm_per_A, drive.gear_ratio,
-                                   drive.gear_efficiency, drive.spool_radius_mm * 1e-3,
-                                   drive.current_offset_A};
+  const reference::Drive drive = nominal.drive->reference();
   std::vector<double> input_N = recording[kMotorCurrentColumn];
   for (double& value : input_N) {
-    value = reference::input_tension_from_current(value, reference);
+    value = reference::input_tension_from_current(value, drive);
   }
   return input_N;
 }
@@ -50,14 +48,7 @@ std::vector<double> position_of(const Recording& recording, bool angle,
     }
     return position_m;
   }
-  const auto& time_s = recording[kTime];
-  const auto& velocity_m_s = recording[kTendonVelocity];
-  std::vector<double> position_m(recording.samples());
-  for (std::size_t i = 1; i < position_m.size(); ++i) {
-    position_m[i] = position_m[i - 1] +
-                    (velocity_m_s[i] + velocity_m_s[i - 1]) / 2 * (time_s[i] - time_s[i - 1]);
-  }
-  return position_m;
+  return recording::integral(recording[kTime], recording[kTendonVelocity]);
 }
 
 std::vector<double> angle_of(const Recording& recording, const NominalModel& nominal) {

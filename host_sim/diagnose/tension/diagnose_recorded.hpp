@@ -5,9 +5,6 @@
 
 namespace host_sim::diagnose {
 
-/// Below this many sessions their scatter is not known, and no effect is named.
-inline constexpr std::size_t kLeastSessions = 4;
-
 /// All steps on recordings that were read.
 /// @throws InputError where there is something to diagnose and no nominal sheath
 TensionDiagnosis diagnose_recorded(const Campaign& campaign, const RecordedSessions& recorded,
