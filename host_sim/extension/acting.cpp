@@ -26,7 +26,7 @@ struct OnLine {
   std::optional<ProfileColumnId> channel;  ///< that it needs beside the input
 };
 
-constexpr std::array<OnLine, 11> kOnLine{{
+constexpr std::array<OnLine, 13> kOnLine{{
     {"bend_angle", InputKind::kOutputTension, std::nullopt},
     {"current_offset", InputKind::kMotorCurrent, std::nullopt},
     {"friction_load", InputKind::kOutputTension, std::nullopt},
@@ -36,6 +36,8 @@ constexpr std::array<OnLine, 11> kOnLine{{
     {"friction_velocity", InputKind::kOutputTension, kTendonVelocity},
     {"friction_wear", InputKind::kOutputTension, kTendonVelocity},
     {"gear_asymmetry", InputKind::kMotorCurrent, kTendonVelocity},
+    {"load_cell_zero", InputKind::kOutputTension, std::nullopt},
+    {"presliding", InputKind::kOutputTension, kTendonVelocity},
     {"torque_gain", InputKind::kMotorCurrent, kWindingTemperature},
     {"torque_ripple", InputKind::kMotorCurrent, kMotorAngle},
 }};
@@ -44,12 +46,11 @@ struct OffLine {
   std::string_view id, why;
 };
 
-constexpr std::array<OffLine, 7> kOffLine{{
+constexpr std::array<OffLine, 6> kOffLine{{
     {"ageing", "needs a calendar, which a controller does not have"},
     {"compliance", "needs the rate of the tension before friction turns over"},
     {"load_sequence", "needs the order of the cycles, which a rainflow count gives up"},
     {"lot_frailty", "scatter between lots, which no one tendon shows"},
-    {"presliding", "needs the travel since each reversal to a fraction of a millimetre"},
     {"second_mode", "a second life law beside the one that is counted"},
     {"slack", "needs the travel since each reversal to a fraction of a millimetre"},
 }};

@@ -44,10 +44,64 @@ fixed::FrictionWear wear_of(const Extension& e) {
   return wear;
 }
 
-fixed::FrictionVelocity velocity_of(const Extension& e) {
-  return {.stribeck = word(value_of(e, "stribeck_friction") * std::numbers::log2e, 28),
-          .viscous = word(value_of(e, "viscous_friction_s_m") * std::numbers::log2e, 24),
-          .log2_a_speed = word(std::numbers::log2e / value_of(e, "stribeck_velocity_m_s"), 16)};
+/// That a force is at most the ultimate tension, which the target can hold.
+void check_force(const Extension& e, std::string_view name, const Model& model,
+                 std::string_view model_name) {
+  const double relative = std::abs(value_of(e, name)) / model.cable.ultimate_tension_N;
+  if (relative > 1) {
+    throw InputError(model_name, 0, 0,
+                     fmt::format("{} of [extension.{}] is {:.3g} times ultimate_tension_N", name,
+                                 e.id, relative),
+                     "up to ultimate_tension_N");
+  }
+}
+
+void add_velocity(const Extension& e, const Model& model, fixed::Extension& result) {
+  const double stribeck = value_if(e, "stribeck_friction").value_or(0);
+  const double viscous_s_m = value_if(e, "viscous_friction_s_m").value_or(0);
+  const double viscous_N_s_m = value_if(e, "viscous_N_s_m").value_or(0);
+  if (stribeck != 0 || viscous_s_m != 0) {
+    // Where it is not given it is of no effect.
+    const double speed_m_s = value_if(e, "stribeck_velocity_m_s").value_or(1);
+    result.friction_velocity = {.stribeck = word(stribeck * std::numbers::log2e, 28),
+                                .viscous = word(viscous_s_m * std::numbers::log2e, 24),
+                                .log2_a_speed = word(std::numbers::log2e / speed_m_s, 16)};
+    result.add(Effect::friction_velocity);
+  }
+  constexpr int kBits =
+      lifemodel::Tension::kFractionBits - lifemodel::extension::Velocity::kFractionBits;
+  const auto factor =
+      lifemodel::pack::factor(std::ldexp(viscous_N_s_m / model.cable.ultimate_tension_N, kBits));
+  // What is too small for a factor moves no tension by a step.
+  if (viscous_N_s_m != 0 && factor) {
+    result.viscous_force = {*factor};
+    result.add(Effect::viscous_force);
+  }
+}
+
+void add_presliding(const Extension& e, const Model& model, std::string_view model_name,
+                    fixed::Extension& result) {
+  // In steps of velocity times samples; what is dropped of them leaves 24 bits of the length.
+  const double length =
+      std::ldexp(value_of(e, "presliding_length_m") * model.counting.sample_rate_Hz,
+                 lifemodel::extension::Velocity::kFractionBits);
+  fixed::Presliding presliding;
+  constexpr int kLengthBits = 24;
+  presliding.drop = std::max(0, std::ilogb(length) - kLengthBits);
+  const auto lengths = lifemodel::pack::factor(
+      std::ldexp(std::numbers::log2e / length, fixed::kExponentBits + presliding.drop));
+  if (!lengths) {
+    throw InputError(
+        model_name, 0, 0,
+        fmt::format("presliding_length_m of [extension.presliding] times "
+                    "sample_rate_Hz is {:.3g} m/s",
+                    value_of(e, "presliding_length_m") * model.counting.sample_rate_Hz),
+        "1e-9 m/s or more");
+  }
+  presliding.lengths = *lengths;
+  presliding.share = word(value_if(e, "presliding_share").value_or(1), fixed::kFactorBits);
+  result.presliding = presliding;
+  result.add(Effect::presliding);
 }
 
 fixed::FrictionLoad load_of(const Extension& e, const Model& model) {
@@ -126,6 +180,7 @@ void add_friction(const Extension& e, const Model& model, std::string_view model
     result.friction_position = position_of(e, model, model_name);
     result.add(Effect::friction_position);
   } else if (e.id == "friction_preload") {
+    check_force(e, "preload_N", model, model_name);
     result.friction_preload.force =
         lifemodel::pack::tension(value_of(e, "preload_N"), model.cable.ultimate_tension_N).raw();
     result.add(Effect::friction_preload);
@@ -134,11 +189,17 @@ void add_friction(const Extension& e, const Model& model, std::string_view model
                                    word(value_of(e, "sheath_reference_C"), 16)};
     result.add(Effect::friction_temperature);
   } else if (e.id == "friction_velocity") {
-    result.friction_velocity = velocity_of(e);
-    result.add(Effect::friction_velocity);
+    add_velocity(e, model, result);
   } else if (e.id == "friction_wear") {
     result.friction_wear = wear_of(e);
     result.add(Effect::friction_wear);
+  } else if (e.id == "load_cell_zero") {
+    check_force(e, "zero_N", model, model_name);
+    result.load_cell_zero = {
+        lifemodel::pack::tension(value_of(e, "zero_N"), model.cable.ultimate_tension_N).raw()};
+    result.add(Effect::load_cell_zero);
+  } else if (e.id == "presliding") {
+    add_presliding(e, model, model_name, result);
   }
 }
 

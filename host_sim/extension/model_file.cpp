@@ -115,6 +115,20 @@ void check_wear(const TomlTable& table, const Extension& extension) {
   }
 }
 
+/// A table of velocity that says nothing is a mistake; Stribeck friction needs its velocity.
+void check_velocity(const TomlTable& table, const Extension& extension) {
+  if (extension.values.empty()) {
+    table.fail(table.place(), "no key in [extension.friction_velocity]",
+               "viscous_N_s_m, viscous_friction_s_m, or stribeck_friction and "
+               "stribeck_velocity_m_s");
+  }
+  if (value_if(extension, "stribeck_friction").value_or(0) != 0 &&
+      !value_if(extension, "stribeck_velocity_m_s")) {
+    table.fail(table.place_of("stribeck_friction"), "stribeck_friction without its velocity",
+               "stribeck_velocity_m_s beside it");
+  }
+}
+
 Extension read_extension(const TomlTable& table, const ExtensionKeys& keys) {
   refuse_unknown_keys(table, keys);
   Extension extension{std::string(keys.id), {}};
@@ -123,6 +137,8 @@ Extension read_extension(const TomlTable& table, const ExtensionKeys& keys) {
   }
   if (keys.id == "friction_wear") {
     check_wear(table, extension);
+  } else if (keys.id == "friction_velocity") {
+    check_velocity(table, extension);
   }
   return extension;
 }
@@ -141,7 +157,26 @@ constexpr Companion kCompanions[] = {
     {"torque_gain", {{"winding_reference_C", "C", {-50, 200}}, 20, false}},
     {"bending_fatigue", {{"wire_to_bend_ratio", "", {0, 1}}, kUnknown, false}},
     {"endurance_limit", {{"lowest_effective_N", "N", {0, 1000, true}}, kUnknown, false}},
+    {"friction_velocity", {{"viscous_N_s_m", "N_s_m", {0, 1e6}}, kUnknown, false}},
 };
+
+/// Parameters that a model may leave out, and those that a drive may have beyond the bounds within
+/// which signatures look for them.
+constexpr ExtensionKey kOfModels[] = {
+    {{"preload_N", "N", {0, 1e4}}, std::nullopt, false},
+    {{"lag_s", "s", {-0.1, 0.1}}, std::nullopt, false},
+    {{"presliding_share", "", {0, 1}}, kUnknown, false},
+    {{"presliding_length_m", "m", {0, 1, true}}, std::nullopt, false},
+    {{"stribeck_friction", "", {-0.5, 0.5}}, kUnknown, false},
+    {{"viscous_friction_s_m", "s_m", {-80, 80}}, kUnknown, false},
+    {{"stribeck_velocity_m_s", "m_s", {0.002, 0.1}}, kUnknown, false},
+    {{"wavelength_m", "m", {0, 100, true}}, std::nullopt, false},
+};
+
+/// Effects on recordings that the catalogue of signatures does not have.
+ExtensionKeys load_cell_zero() {
+  return {"load_cell_zero", {{{"zero_N", "N", {-1e4, 1e4}}, std::nullopt, false}}};
+}
 
 /// The suffix of a name that is its unit, as files have it.
 std::string_view unit_of(const effects::Parameter& parameter) {
@@ -163,6 +198,12 @@ ExtensionKeys keys_of(std::string_view id, std::span<const effects::Parameter> p
   // A share that only says how far another parameter is off is multiplied into that one.
   const bool shared = std::ranges::any_of(parameters, &effects::Parameter::scaled_by_share);
   for (const effects::Parameter& parameter : parameters.subspan(shared ? 1 : 0)) {
+    const auto of_models = std::ranges::find(
+        kOfModels, parameter.name, [](const ExtensionKey& key) { return key.number.name; });
+    if (of_models != std::end(kOfModels)) {
+      result.keys.push_back(*of_models);
+      continue;
+    }
     result.keys.push_back(
         {{parameter.name, unit_of(parameter), {parameter.minimum, parameter.maximum}},
          parameter.off_line ? std::optional<double>(0) : std::nullopt,
@@ -184,6 +225,7 @@ std::vector<ExtensionKeys> all_keys() {
   for (const auto& effect : effects::life_effects()) {
     all.push_back(keys_of(effect->id(), effect->parameters(), false));
   }
+  all.push_back(load_cell_zero());
   std::ranges::sort(all, {}, &ExtensionKeys::id);
   return all;
 }

@@ -28,7 +28,8 @@ struct ExtensionKeys {
   std::vector<ExtensionKey> keys;
 };
 
-/// Of all effects on tension and life, in order of their ids. Effects on counting extend no model.
+/// Of all effects on tension and life, in order of their ids, and of the zero of the load cell.
+/// Effects on counting extend no model.
 std::span<const ExtensionKeys> extension_keys();
 
 /// The keys of one effect; null where there is none of that id.

@@ -21,10 +21,10 @@ double held_factor(double change) {
   return std::clamp(1 + change, 0.0, ExtendedFriction::kMostFactor);
 }
 
-/// A parameter of an effect; 0 where the model does not have the effect.
+/// A parameter of an effect; 0 where the model does not have it.
 double parameter(const Model& model, const char* id, const char* name) {
   const Extension* const effect = extension_of(model.extensions, id);
-  return effect == nullptr ? 0 : value_of(*effect, name);
+  return effect == nullptr ? 0 : value_if(*effect, name).value_or(0);
 }
 
 double ripple_A(const Model& model, double motor_angle_rad) {
@@ -80,14 +80,19 @@ double ExtendedFriction::position(double motor_angle_rad) const {
 }
 
 double ExtendedFriction::velocity(double velocity_m_s) const {
-  const Extension* const effect = extension_of(model_.extensions, "friction_velocity");
-  if (effect == nullptr) {
-    return 0;
-  }
   const double speed_m_s = std::abs(velocity_m_s);
-  return value_of(*effect, "stribeck_friction") *
-             std::exp(-speed_m_s / value_of(*effect, "stribeck_velocity_m_s")) +
-         value_of(*effect, "viscous_friction_s_m") * speed_m_s;
+  const double stribeck = parameter(model_, "friction_velocity", "stribeck_friction");
+  const double fallen =
+      stribeck == 0 ? 0
+                    : stribeck * std::exp(-speed_m_s / parameter(model_, "friction_velocity",
+                                                                 "stribeck_velocity_m_s"));
+  return fallen + parameter(model_, "friction_velocity", "viscous_friction_s_m") * speed_m_s;
+}
+
+double ExtendedFriction::load_independent_N(const Covariates& at) const {
+  return parameter(model_, "friction_preload", "preload_N") *
+             held_factor(position(at.motor_angle_rad)) +
+         parameter(model_, "friction_velocity", "viscous_N_s_m") * std::abs(at.velocity_m_s);
 }
 
 double ExtendedFriction::coefficient(const Covariates& at) const {
@@ -114,8 +119,9 @@ double ExtendedFriction::bend_angle_rad(double nominal_rad) const {
   return std::max(0.0, nominal_rad + errors_rad[nearest]);
 }
 
-double ExtendedFriction::log_ratio(double output_tension_N, const Covariates& at) const {
-  const double plain = coefficient(at) * bend_angle_rad(at.bend_angle_rad) * at.direction;
+double ExtendedFriction::log_ratio(double output_tension_N, double slip,
+                                   const Covariates& at) const {
+  const double plain = coefficient(at) * bend_angle_rad(at.bend_angle_rad) * slip;
   const Extension* const effect = extension_of(model_.extensions, "friction_load");
   const double exponent = effect == nullptr ? 0 : value_of(*effect, "load_exponent");
   if (exponent == 0 || output_tension_N <= 0) {
@@ -135,11 +141,24 @@ double ExtendedInput::without_lag_N(double tension_N, double lag_s) {
   return tension_N + std::clamp(behind_N, -most_N, most_N);
 }
 
+double ExtendedInput::slip(const Covariates& at) {
+  const Extension* const effect = extension_of(model_.extensions, "presliding");
+  if (effect == nullptr) {
+    return at.direction;
+  }
+  const double moved_m = std::abs(at.velocity_m_s) / model_.counting.sample_rate_Hz;
+  slip_ -= (at.direction - slip_) * std::expm1(-moved_m / value_of(*effect, "presliding_length_m"));
+  return std::lerp(at.direction, slip_, value_if(*effect, "presliding_share").value_or(1));
+}
+
 double ExtendedInput::from_output_N(double output_tension_N, const Covariates& at) {
   const double lag_s = std::max(0.0, parameter(model_, "filter_lag", "lag_s"));
-  const double output_N = without_lag_N(output_tension_N, lag_s);
-  return output_N * std::exp(friction_.log_ratio(output_N, at)) +
-         parameter(model_, "friction_preload", "preload_N") * at.direction;
+  const double zero_N = parameter(model_, "load_cell_zero", "zero_N");
+  const double output_N = without_lag_N(output_tension_N - zero_N, lag_s);
+  const double slip = this->slip(at);
+  const double side = output_N < 0 ? -1 : 1;
+  return output_N * std::exp(friction_.log_ratio(std::abs(output_N), side * slip, at)) +
+         friction_.load_independent_N(at) * slip;
 }
 
 double ExtendedInput::from_current_N(double motor_current_A, const Covariates& at) {

@@ -34,11 +34,15 @@ class ExtendedFriction {
   /// phi with the error of the pose next to it in bend angle; never below 0.
   [[nodiscard]] double bend_angle_rad(double nominal_rad) const;
 
-  /// ln(T_in / T_out) of a tendon that slides: mu phi s, and with mu (T/50 N)^-k at each place of
-  /// the sheath the solution ln(1 + k mu phi s (T_out/50 N)^-k) / k; the argument of the logarithm
-  /// is held at kLeastLoadTerm. Without load dependence where T_out is not above 0.
-  [[nodiscard]] double log_ratio(double output_tension_N, const Covariates& at) const;
+  /// ln(T_in / T_out) of a tendon of which a share `slip` of s slides: mu phi slip, and with
+  /// mu (T/50 N)^-k at each place of the sheath the solution
+  /// ln(1 + k mu phi slip (T_out/50 N)^-k) / k; the argument of the logarithm is held at
+  /// kLeastLoadTerm. Without load dependence where T_out is not above 0.
+  [[nodiscard]] double log_ratio(double output_tension_N, double slip, const Covariates& at) const;
   static constexpr double kLeastLoadTerm = 1.0 / 1024;
+
+  /// F (1 + g(x)) + c |v|: what friction adds whatever the load is.
+  [[nodiscard]] double load_independent_N(const Covariates& at) const;
 
  private:
   [[nodiscard]] double wear(double cycle) const;
@@ -60,8 +64,11 @@ class ExtendedInput {
 
   explicit ExtendedInput(const Model& model);
 
-  /// From output tension: T_in = T_out exp(mu phi s) + F s, with mu and phi extended; the load
-  /// dependence is solved along the sheath. The lag is taken out of T_out first.
+  /// From output tension: T_in = T_out exp(mu phi s) + (F (1 + g(x)) + c |v|) s, with mu and phi
+  /// extended; the load dependence is solved along the sheath. Where friction turns over along the
+  /// way, s is the slip z: z += (s - z) (1 - exp(-|v| dt/l)), from 0 on. The zero and the lag are
+  /// taken out of T_out first. A force the other way round is that of the other tendon of a pair,
+  /// whose motion is the other way too: T_out exp(-mu phi s).
   double from_output_N(double output_tension_N, const Covariates& at);
 
   /// From motor current, with offset b, ripple (a, c), droop alpha and asymmetry e:
@@ -76,10 +83,12 @@ class ExtendedInput {
  private:
   /// T + tau dT/dt with the difference to the sample before, one period ago; bounded.
   double without_lag_N(double tension_N, double lag_s);
+  double slip(const Covariates& at);
 
   Model model_;
   ExtendedFriction friction_;
   std::optional<double> before_N_;
+  double slip_ = 0;
 };
 
 }  // namespace host_sim

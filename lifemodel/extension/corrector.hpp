@@ -56,17 +56,21 @@ class Corrector {
                                              : tension;
   }
 
-  /// T_in = T_out exp(mu phi s) + F s with mu and phi extended, T_out without its lag.
+  /// T_in = T_out exp(mu phi s) + (F (1 + g(x)) + c |v|) s with mu and phi extended, T_out without
+  /// its zero and its lag, s the slip where friction turns over along the way. Of a force the other
+  /// way round, that of the other tendon of a pair, friction is in proportion to |T_out| and works
+  /// against the motion too: T_out exp(-mu phi s).
   [[nodiscard]] Tension input_tension(const SheathSample& sample, Flags& flags) {
     move(sample.at.velocity);
-    const Tension output = extension_.has(Effect::output_lag)
-                               ? without_lag(sample.tension, extension_.output_lag, flags)
-                               : sample.tension;
-    Tension tension = times_exp2(output, exponent(output, sample, flags), flags);
-    if (extension_.has(Effect::friction_preload)) {
-      tension = extension_.friction_preload.added(tension, direction_, flags);
-    }
-    return tension;
+    const Tension output = output_of(sample.tension, flags);
+    const std::int32_t position = extension_.has(Effect::friction_position)
+                                      ? extension_.friction_position.factor(sample.at.rotor)
+                                      : kOne;
+    const std::int32_t slip = this->slip();
+    const std::int32_t exponent = exponent_of(output, slip, position, sample, flags);
+    const Tension tension = times_exp2(output, exponent, flags);
+    const std::int64_t added = rounded(load_independent(position, sample.at) * slip, kFactorBits);
+    return Tension::saturated(tension.raw() + added, flags);
   }
 
  private:
@@ -80,14 +84,59 @@ class Corrector {
 
   void move(Velocity velocity) {
     if (velocity.raw() != 0) {
-      direction_ = velocity.raw() > 0 ? Direction::pulling : Direction::releasing;
+      const Direction direction = velocity.raw() > 0 ? Direction::pulling : Direction::releasing;
+      if (direction != direction_) {
+        direction_ = direction;
+        travel_ = 0;
+        slip_at_turn_ = slip_;
+      }
     }
+    constexpr std::int64_t kMostTravel = std::int64_t{1} << 62;
+    travel_ =
+        std::min(travel_ + (velocity.raw() < 0 ? -velocity.raw() : velocity.raw()), kMostTravel);
     const bool turned = pulled_ ? velocity.raw() < -kTurned.raw() : velocity.raw() > kTurned.raw();
     if (turned) {
       pulled_ = !pulled_;
       half_cycles_ += half_cycles_ < kMostHalfCycles ? 1 : 0;
       wear_ = wear();
     }
+  }
+
+  /// The direction of friction or, where it turns over along the way, its slip; Q28, -1 .. 1.
+  std::int32_t slip() {
+    const std::int32_t side = direction_ == Direction::pulling ? kOne : -kOne;
+    if (!extension_.has(Effect::presliding)) {
+      return side;
+    }
+    const std::int64_t left = extension_.presliding.left(travel_);
+    const std::int64_t short_of = rounded((slip_at_turn_ - side) * left, kFactorBits);
+    slip_ = side + static_cast<std::int32_t>(short_of);
+    return side +
+           static_cast<std::int32_t>(rounded(short_of * extension_.presliding.share, kFactorBits));
+  }
+
+  /// Without its zero and its lag.
+  [[nodiscard]] Tension output_of(Tension measured, Flags& flags) {
+    const Tension output =
+        extension_.has(Effect::load_cell_zero)
+            ? Tension::saturated(std::int64_t{measured.raw()} - extension_.load_cell_zero.zero,
+                                 flags)
+            : measured;
+    return extension_.has(Effect::output_lag) ? without_lag(output, extension_.output_lag, flags)
+                                              : output;
+  }
+
+  /// F (1 + g(x)) + c |v|, Q29; at most 16 times the ultimate tension.
+  [[nodiscard]] std::int64_t load_independent(std::int32_t position, const Covariates& at) const {
+    constexpr std::int64_t kMost = std::int64_t{1} << 33;
+    std::int64_t force = 0;
+    if (extension_.has(Effect::friction_preload)) {
+      force += rounded(std::int64_t{extension_.friction_preload.force} * position, kFactorBits);
+    }
+    if (extension_.has(Effect::viscous_force)) {
+      force += std::min(extension_.viscous_force.size(at.velocity), kMost);
+    }
+    return std::min(force, kMost);
   }
 
   [[nodiscard]] std::int32_t wear() const {
@@ -109,7 +158,8 @@ class Corrector {
   }
 
   /// mu log2(e), Q28.
-  [[nodiscard]] std::int32_t friction(const Covariates& at, Flags& flags) const {
+  [[nodiscard]] std::int32_t friction(const Covariates& at, std::int32_t position,
+                                      Flags& flags) const {
     constexpr int kDrop = FrictionExponent::kFractionBits - kFactorBits;
     std::int64_t friction =
         rounded(std::int64_t{parameters_.capstan.friction.raw()} * wear_, kFactorBits + kDrop);
@@ -117,7 +167,7 @@ class Corrector {
       friction = product(friction, extension_.friction_temperature.factor(at.sheath));
     }
     if (extension_.has(Effect::friction_position)) {
-      friction = product(friction, extension_.friction_position.factor(at.rotor));
+      friction = product(friction, position);
     }
     if (extension_.has(Effect::friction_velocity)) {
       friction += extension_.friction_velocity.added(at.velocity);
@@ -128,17 +178,20 @@ class Corrector {
     return held(friction, 0, kMostFriction);
   }
 
-  /// log2(T_in/T_out), Q21.
-  [[nodiscard]] std::int32_t exponent(Tension output, const SheathSample& sample,
-                                      Flags& flags) const {
+  /// log2(T_in/T_out) of the sheath, Q21.
+  [[nodiscard]] std::int32_t exponent_of(Tension output, std::int32_t slip, std::int32_t position,
+                                         const SheathSample& sample, Flags& flags) const {
     const Angle bend = extension_.has(Effect::bend_angle)
                            ? extension_.bend_angle.corrected(sample.bend)
                            : sample.bend;
-    const std::int64_t magnitude = rounded(std::int64_t{friction(sample.at, flags)} * bend.raw(),
-                                           kFactorBits + Angle::kFractionBits - kExponentBits);
-    const std::int64_t plain = direction_ == Direction::pulling ? magnitude : -magnitude;
+    const std::int64_t magnitude =
+        rounded(std::int64_t{friction(sample.at, position, flags)} * bend.raw(),
+                kFactorBits + Angle::kFractionBits - kExponentBits);
+    const bool other_way = output.raw() < 0;
+    const std::int64_t plain = rounded(magnitude * (other_way ? -slip : slip), kFactorBits);
+    const Tension size = Tension::from_raw(other_way ? -output.raw() : output.raw());
     const std::int64_t loaded = extension_.has(Effect::friction_load)
-                                    ? extension_.friction_load.log2_ratio(plain, output, flags)
+                                    ? extension_.friction_load.log2_ratio(plain, size, flags)
                                     : plain;
     // Beyond 2^44 every tension has saturated.
     constexpr std::int32_t kMost = 44 << kExponentBits;
@@ -153,6 +206,9 @@ class Corrector {
   std::uint32_t half_cycles_ = 0;
   std::int32_t wear_ = kOne;
   Tension before_;
+  std::int64_t travel_ = 0;  ///< since the motion turned: a sum of velocities Q24 over samples
+  std::int32_t slip_ = 0;    ///< Q28, as if the share of presliding were 1
+  std::int32_t slip_at_turn_ = 0;
 };
 
 }  // namespace lifemodel::extension

@@ -27,8 +27,11 @@ enum class Effect : std::uint32_t {
   mean_stress,
   bending_fatigue,
   endurance_limit,
+  presliding,
+  viscous_force,  ///< of friction_velocity
+  load_cell_zero,
 };
-inline constexpr std::uint32_t kEffects = 16;
+inline constexpr std::uint32_t kEffects = 19;
 
 /// What extends the nominal model of one tendon, in fixed point. Without effects it changes
 /// nothing.
@@ -51,6 +54,9 @@ struct Extension {
   MeanStress mean_stress;
   BendingFatigue bending_fatigue;
   EnduranceLimit endurance_limit;
+  Presliding presliding;
+  ViscousForce viscous_force;
+  LoadCellZero load_cell_zero;
 
   [[nodiscard]] constexpr bool has(Effect effect) const {
     return (effects >> static_cast<std::uint32_t>(effect) & 1u) != 0;
@@ -76,6 +82,9 @@ struct Extension {
     what(Effect::mean_stress, mean_stress);
     what(Effect::bending_fatigue, bending_fatigue);
     what(Effect::endurance_limit, endurance_limit);
+    what(Effect::presliding, presliding);
+    what(Effect::viscous_force, viscous_force);
+    what(Effect::load_cell_zero, load_cell_zero);
   }
 };
 

@@ -59,6 +59,18 @@ struct CurrentOffset {
   }
 };
 
+/// Zero error of the sensor of output tension: T_out - b.
+struct LoadCellZero {
+  std::int32_t zero = 0;  ///< b relative to the ultimate tension, Q29
+
+  static constexpr std::int32_t kMost = kUltimate.raw();
+  [[nodiscard]] constexpr bool plausible() const { return zero >= -kMost && zero <= kMost; }
+  template <class Word>
+  constexpr void words(Word&& word) {
+    word(zero);
+  }
+};
+
 /// The inverse of a first-order lag: T + tau dT/dt, with the difference to the sample before.
 struct FilterLag {
   std::int32_t periods = 0;  ///< tau in sample periods, Q16

@@ -182,7 +182,8 @@ struct FrictionPosition {
   }
 };
 
-/// Load-independent friction of seals and sheath preload: T_in + F s.
+/// Load-independent friction of seals and sheath preload: T_in + F s, with the position of friction
+/// F (1 + g(x)) s.
 struct FrictionPreload {
   std::int32_t force = 0;  ///< F relative to the ultimate tension, Q29
 
@@ -190,11 +191,6 @@ struct FrictionPreload {
   template <class Word>
   constexpr void words(Word&& word) {
     word(force);
-  }
-
-  [[nodiscard]] constexpr Tension added(Tension input, Direction direction, Flags& flags) const {
-    const std::int64_t signed_force = direction == Direction::pulling ? force : -force;
-    return Tension::saturated(input.raw() + signed_force, flags);
   }
 };
 
@@ -247,7 +243,55 @@ struct FrictionVelocity {
   }
 
  private:
-  static constexpr std::int32_t kMostViscous = 16 << 24;
+  static constexpr std::int32_t kMostViscous = 127 << 24;
+};
+
+/// Load-independent viscous friction: T_in + c |v| s.
+struct ViscousForce {
+  Factor force_a_velocity{1 << 30,
+                          62};  ///< c in Q29 of the ultimate tension for a step of velocity
+
+  [[nodiscard]] constexpr bool plausible() const { return force_a_velocity.plausible(); }
+  template <class Word>
+  constexpr void words(Word&& word) {
+    word(force_a_velocity.mantissa);
+    word(force_a_velocity.shift);
+  }
+
+  /// c |v|, Q29.
+  [[nodiscard]] constexpr std::int64_t size(Velocity velocity) const {
+    return force_a_velocity.times(velocity.raw() < 0 ? -velocity.raw() : velocity.raw());
+  }
+};
+
+/// Friction that turns over along the way: in place of its direction s a slip z with
+/// z - s = (z_turn - s) exp(-x/l) at the travel x since the motion turned; by a share,
+/// s + share (z - s).
+struct Presliding {
+  /// Of travel, a sum of velocities Q24 over samples: bits that are dropped before the product.
+  std::int32_t drop = 0;
+  Factor lengths{1 << 30, 31};  ///< log2(e)/l for a step of what is left, in Q21
+  std::int32_t share = kOne;    ///< Q28, 0 .. 1
+
+  static constexpr std::int32_t kMostDrop = 40;
+  [[nodiscard]] constexpr bool plausible() const {
+    return drop >= 0 && drop <= kMostDrop && lengths.plausible() && share >= 0 && share <= kOne;
+  }
+  template <class Word>
+  constexpr void words(Word&& word) {
+    word(drop);
+    word(lengths.mantissa);
+    word(lengths.shift);
+    word(share);
+  }
+
+  /// exp(-x/l), Q28.
+  /// @pre the travel is not negative
+  [[nodiscard]] constexpr std::int32_t left(std::int64_t travel) const {
+    // Beyond 2^31 steps, 64 lengths or more, nothing is left.
+    const std::int64_t steps = std::min(travel >> drop, std::int64_t{kInt32Max});
+    return exp2_factor(-lengths.times(static_cast<std::int32_t>(steps)));
+  }
 };
 
 /// Wear or run-in of the sheath: mu (1 + a (n/1000)^p), or mu (1 + a exp(-n/n0)) where p is 0.

@@ -216,6 +216,51 @@ RC_GTEST_PROP(Corrector, Lag, ()) {
   }
 }
 
+RC_GTEST_PROP(Corrector, ViscousForce, ()) {
+  check_output(
+      fmt::format("[extension.friction_velocity]\nviscous_N_s_m = {}\n", drawn(0.001, 100)));
+}
+RC_GTEST_PROP(Corrector, Zero, ()) {
+  check_output(fmt::format("[extension.load_cell_zero]\nzero_N = {}\n", drawn(-20, 20)));
+}
+
+/// Strokes of any length and speed one after the other, forces of either sign.
+RC_GTEST_PROP(Corrector, Presliding, ()) {
+  Both both(
+      fmt::format("[extension.presliding]\npresliding_length_m = {}\npresliding_share = {}\n"
+                  "[extension.friction_preload]\npreload_N = {}\n"
+                  "[extension.friction_velocity]\nviscous_N_s_m = {}\n",
+                  std::pow(10, drawn(-5, -1)), drawn(0.5, 1), drawn(0, 20), drawn(0, 50)));
+  Covariates at;
+  at.bend_angle_rad = drawn(0, 2 * std::numbers::pi);
+  for (int stroke = 0; stroke < 8; ++stroke) {
+    at.direction = *rc::gen::arbitrary<bool>() ? -1 : 1;
+    // As a sample can hold it: what it is rounded by adds up along the way.
+    at.velocity_m_s = at.direction * to_double(from_double<Velocity>(std::pow(10, drawn(-4, 0))));
+    const double output_N = drawn(-100, 100);
+    for (int i = 0; i < 40; ++i) {
+      const double fixed_N = both.output_N(output_N, at);
+      const double exact_N = both.exact_output_N(output_N, at);
+      if (!is_near(fixed_N, exact_N)) {
+        RC_FAIL(fmt::format("{} N in fixed point, {} N exactly; stroke {}, sample {}", fixed_N,
+                            exact_N, stroke, i));
+      }
+    }
+  }
+}
+
+/// Of a drive that works both ways.
+RC_GTEST_PROP(Corrector, ForcesOfEitherSign, ()) {
+  Both both(
+      fmt::format("[extension.friction_load]\nload_exponent = {}\n"
+                  "[extension.friction_preload]\npreload_N = {}\n"
+                  "[extension.load_cell_zero]\nzero_N = {}\n",
+                  drawn(-0.3, 0.3), drawn(0, 20), drawn(-5, 5)));
+  const Covariates at = drawn_covariates();
+  const double output_N = drawn(-100, 100);
+  RC_ASSERT(is_near(both.output_N(output_N, at), both.exact_output_N(output_N, at)));
+}
+
 /// Many at once: the order of the equations is the same.
 RC_GTEST_PROP(Corrector, ManyAtOnce, ()) {
   check_output(fmt::format(
@@ -261,6 +306,33 @@ TEST(Corrector, PreloadWorksAgainstTheMotion) {
   EXPECT_NEAR(both.output_N(49, at), 89.5687 + 2, 1e-3);
   at.velocity_m_s = -0.1;
   EXPECT_NEAR(both.output_N(49, at), 26.8062 - 2, 1e-3);
+}
+
+TEST(Corrector, FrictionWorksAgainstTheMotionWhateverTheSignOfTheForce) {
+  // -49 exp(-+0.128 * 1.5 pi) +- 2 N
+  Both both("[extension.friction_preload]\npreload_N = 2\n");
+  Covariates at;
+  at.bend_angle_rad = 1.5 * std::numbers::pi;
+  at.velocity_m_s = 0.1;
+  EXPECT_NEAR(both.output_N(-49, at), -26.8062 + 2, 1e-3);
+  at.velocity_m_s = -0.1;
+  EXPECT_NEAR(both.output_N(-49, at), -89.5687 - 2, 1e-3);
+}
+
+TEST(Corrector, SlipStartsAtNothingAndStandsStillWithTheTendon) {
+  // 1 mm at 0.5 m/s and 1 kHz is two samples; 10 (1 - exp(-1)) N.
+  Both both(
+      "[extension.presliding]\npresliding_length_m = 0.001\n"
+      "[extension.friction_preload]\npreload_N = 10\n");
+  Covariates at;
+  EXPECT_NEAR(both.output_N(0, at), 0, 1e-5);
+  at.velocity_m_s = 0.5;
+  static_cast<void>(both.output_N(0, at));
+  EXPECT_NEAR(both.output_N(0, at), 6.321206, 2e-5);
+  at.velocity_m_s = 0;
+  for (int i = 0; i < 100; ++i) {
+    EXPECT_NEAR(both.output_N(0, at), 6.321206, 2e-5);
+  }
 }
 
 TEST(Corrector, AGapLeavesNoRate) {

@@ -103,6 +103,27 @@ TEST(ExtensionRead, AWearWithoutALawIsRefused) {
             "");
 }
 
+TEST(ExtensionRead, FrictionOfVelocityIsOneLawOrTheOther) {
+  const Model model = model_with("[extension.friction_velocity]\nviscous_N_s_m = 30\n");
+  ASSERT_EQ(model.extensions[0].values.size(), 1u);
+  EXPECT_EQ(value_of(model.extensions[0], "viscous_N_s_m"), 30);
+  EXPECT_THAT(complaint("[extension.friction_velocity]\n"),
+              HasSubstr("m.toml:22:12: no key in [extension.friction_velocity]; accepted: "
+                        "viscous_N_s_m"));
+  EXPECT_THAT(complaint("[extension.friction_velocity]\nstribeck_friction = 0.1\n"),
+              HasSubstr("m.toml:23:1: stribeck_friction without its velocity; accepted: "
+                        "stribeck_velocity_m_s"));
+  EXPECT_THAT(complaint("[extension.friction_velocity]\nviscous_N_s_m = -1\n"),
+              HasSubstr("accepted: viscous_N_s_m 0..1000000"));
+}
+
+TEST(ExtensionRead, PreslidingNeedsItsLength) {
+  EXPECT_THAT(complaint("[extension.presliding]\n"), HasSubstr("no key presliding_length_m"));
+  EXPECT_THAT(complaint("[extension.presliding]\npresliding_length_m = 0\n"),
+              HasSubstr("m.toml:23:1: presliding_length_m is 0"));
+  EXPECT_EQ(complaint("[extension.presliding]\npresliding_length_m = 0.02\n"), "");
+}
+
 TEST(ExtensionRead, WhoEvaluatesNoExtensionsRefusesThem) {
   const std::string text =
       std::string(extension_test::kNominal) + "[extension.friction_load]\nload_exponent = 0.2\n";
@@ -112,7 +133,8 @@ TEST(ExtensionRead, WhoEvaluatesNoExtensionsRefusesThem) {
 
 TEST(ExtensionRead, EveryEffectOfTheCatalogueHasItsKeys) {
   EXPECT_EQ(extension_keys().size(),
-            effects::tension_effects().size() + effects::life_effects().size());
+            effects::tension_effects().size() + effects::life_effects().size() + 1);
+  EXPECT_NE(extension_keys("load_cell_zero"), nullptr);
   for (const auto& effect : effects::tension_effects()) {
     ASSERT_NE(extension_keys(effect->id()), nullptr) << effect->id();
     // A share that only scales another parameter is no key of its own.
@@ -183,9 +205,10 @@ Extension any_extension(const ExtensionKeys& keys) {
     if (key.per_pose) {
       values.push_back(*number_in(key.number.range));
     }
-    if (key.number.range.contains(values.front())) {
-      extension.values.push_back({std::string(key.number.name), values});
+    if (!range.contains(values.front())) {
+      values.front() = range.maximum;
     }
+    extension.values.push_back({std::string(key.number.name), values});
     if (key.per_pose) {
       extension.values.push_back({"bend_angles_deg", {90, 180.5}});
     }

@@ -118,6 +118,87 @@ TEST(ExtendedInput, PositionGoesWithTheRotor) {
   EXPECT_NEAR(from_output_N(table, 49, at), 49 * std::exp(1.14 * kMu * kPhi), 1e-10);
 }
 
+TEST(ExtendedInput, PositionIsThatOfThePreloadToo) {
+  Covariates at = pulling();
+  at.motor_angle_rad = 0.02 * 9 / 0.0125;  // a quarter of the wavelength
+  std::string table =
+      "[extension.friction_preload]\npreload_N = 10\n[extension.friction_position]\n";
+  for (int harmonic = 1; harmonic <= 6; ++harmonic) {
+    const std::string number = std::to_string(harmonic);
+    table += "position_sine_" + number + (harmonic == 1 ? " = 0.2\n" : " = 0\n") +
+             "position_cosine_" + number + " = 0\n";
+  }
+  EXPECT_NEAR(from_output_N(table + "wavelength_m = 0.08\n", 49, at),
+              49 * std::exp(1.2 * kMu * kPhi) + 12, 1e-10);
+}
+
+TEST(ExtendedInput, ViscousForceGoesWithTheSpeedAndNotWithTheLoad) {
+  Covariates at = pulling();
+  at.velocity_m_s = 0.2;
+  constexpr const char* kTable = "[extension.friction_velocity]\nviscous_N_s_m = 30\n";
+  EXPECT_NEAR(from_output_N(kTable, 49, at), 49 * std::exp(kMu * kPhi) + 6, 1e-10);
+  EXPECT_NEAR(from_output_N(kTable, 0, at), 6, 1e-12);
+  at.direction = -1;
+  at.velocity_m_s = -0.2;
+  EXPECT_NEAR(from_output_N(kTable, 49, at), 49 * std::exp(-kMu * kPhi) - 6, 1e-10);
+}
+
+TEST(ExtendedInput, FrictionOfAForceTheOtherWayWorksAgainstTheMotionToo) {
+  Covariates at = pulling();
+  constexpr const char* kTable = "[extension.friction_preload]\npreload_N = 2\n";
+  // Friction makes less of -49 N where the motion is against it, by 49 (1 - exp(-mu phi)).
+  EXPECT_NEAR(from_output_N(kTable, -49, at), -49 * std::exp(-kMu * kPhi) + 2, 1e-12);
+  at.direction = -1;
+  EXPECT_NEAR(from_output_N(kTable, -49, at), -49 * std::exp(kMu * kPhi) - 2, 1e-12);
+}
+
+TEST(ExtendedInput, LoadDependenceIsOfTheSizeOfTheForce) {
+  Covariates at = pulling();
+  at.direction = -1;
+  EXPECT_NEAR(from_output_N("[extension.friction_load]\nload_exponent = 1\n", -30, at),
+              -30 - 50 * kMu * kPhi, 1e-10);
+}
+
+TEST(ExtendedInput, TheZeroOfTheLoadCellIsTakenOut) {
+  EXPECT_NEAR(from_output_N("[extension.load_cell_zero]\nzero_N = -1.5\n", 49, pulling()),
+              50.5 * std::exp(kMu * kPhi), 1e-10);
+}
+
+/// dz/dx = (s - z)/l: from 0 after a length 1 - 1/e; turned, from there to -1.
+TEST(ExtendedInput, FrictionTurnsOverAlongTheWay) {
+  const std::string table =
+      "[extension.presliding]\npresliding_length_m = 0.001\n"
+      "[extension.friction_preload]\npreload_N = 10\n"
+      "[extension.friction_velocity]\nviscous_N_s_m = 50\n";
+  ExtendedInput input(model_with(table));
+  Covariates at = pulling();
+  at.velocity_m_s = 0.1;  // 0.1 mm a sample, and 5 N of viscous friction
+  double last_N = 0;
+  for (int i = 0; i < 10; ++i) {
+    last_N = input.from_output_N(49, at);
+  }
+  const double first = 1 - 1 / std::numbers::e;
+  EXPECT_NEAR(last_N, 49 * std::exp(kMu * kPhi * first) + 15 * first, 1e-10);
+  at.velocity_m_s = 0;  // what stands still keeps its slip
+  EXPECT_NEAR(input.from_output_N(49, at), 49 * std::exp(kMu * kPhi * first) + 10 * first, 1e-10);
+  at.velocity_m_s = -0.1;
+  at.direction = -1;
+  for (int i = 0; i < 5; ++i) {
+    last_N = input.from_output_N(49, at);
+  }
+  const double second = -1 + (first + 1) / std::sqrt(std::numbers::e);
+  EXPECT_NEAR(last_N, 49 * std::exp(kMu * kPhi * second) + 15 * second, 1e-10);
+}
+
+TEST(ExtendedInput, AShareOfFrictionTurnsOverAtOnce) {
+  ExtendedInput input(
+      model_with("[extension.presliding]\npresliding_length_m = 0.001\npresliding_share = 0.25\n"));
+  Covariates at = pulling();
+  at.velocity_m_s = 1;  // a length a sample
+  const double slip = 1 - 0.25 / std::numbers::e;
+  EXPECT_NEAR(input.from_output_N(49, at), 49 * std::exp(kMu * kPhi * slip), 1e-10);
+}
+
 TEST(ExtendedInput, BendAngleTakesTheErrorOfTheNextPose) {
   const std::string table =
       "[extension.bend_angle]\nbend_angle_error_rad = [0.1, -0.2]\nbend_angles_deg = [90, 270]\n";

@@ -101,6 +101,9 @@ INSTANTIATE_TEST_SUITE_P(
              "[extension.friction_velocity]\nstribeck_friction = 0.05\n"
              "viscous_friction_s_m = 0.5\nstribeck_velocity_m_s = 0.02\n",
              false},
+        Case{"friction_velocity", "[extension.friction_velocity]\nviscous_N_s_m = 20\n", false},
+        Case{"load_cell_zero", "[extension.load_cell_zero]\nzero_N = 2\n", false},
+        Case{"presliding", "[extension.presliding]\npresliding_length_m = 0.005\n", false},
         Case{"friction_wear",
              "[extension.friction_wear]\nwear_coefficient = 0.3\nwear_exponent = 0.5\n"
              "run_in_cycles = 0\n",

@@ -41,6 +41,9 @@ inline lifemodel::ExtendedParameters extended_paper_model() {
   e.mean_stress = {134217728, 161061274};               // share 0.5, w 0.6
   e.bending_fatigue = {1 << 28, 30263298};              // 5 N
   e.endurance_limit = {214748365, -367143347};          // share 0.8, 4 N
+  e.presliding = {0, {1549082005, 33}, 1 << 28};        // 1 mm at 1 kHz
+  e.viscous_force = {{1549480873, 28}};                 // 32 N s/m
+  e.load_cell_zero = {3026330};                         // 1 N
   e.effects = (1u << lifemodel::extension::kEffects) - 1;
   return model;
 }
