@@ -25,6 +25,11 @@ enum Stream : std::uint64_t {
   kLotStream,
   kEnduranceStream,
   kEarlyDeathStream,
+  kOutputFloorStream,
+  kInputFloorStream,
+  kCurrentFloorStream,
+  kOutputInstantStream,
+  kInputInstantStream,
 };
 
 /// A standard normal number: the quantile of one uniform number, the same on every machine.

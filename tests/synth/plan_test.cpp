@@ -71,6 +71,9 @@ const Bad kBad[]{
     {kRecordings + "[noise]\nar1 = 1\n", "ar1 is 1"},
     {kRecordings + "[noise]\nstudent_t_dof = 2\n", "student_t_dof is 2"},
     {kRecordings + "[noise]\nclock_jitter_s = 0.01\n", "clock_jitter_s is 0.01"},
+    {kRecordings + "[noise]\njitter_s = 0.01\n", "jitter_s is 0.01"},
+    {kRecordings + "[noise]\ninput_absolute = 0.01\n", "key 'input_absolute' without its unit"},
+    {kRecordings + "[noise]\noutput_relative_sd = -1\n", "output_relative_sd is -1"},
     {kRecordings + "[scatter]\ngain_sd = 0.1\n", "unknown key 'gain_sd' in [scatter]"},
     {kRecordings + "[thermal]\nroom_K = 293\n", "unknown unit 'K' of key 'room_K'"},
     {kRecordings + "[effects.friction]\n", "unknown table 'friction' in [effects]"},
@@ -131,6 +134,23 @@ TEST(SynthPlan, NeedsTheModelThatItsPartsUse) {
             }).find("without [model.drive]"),
             std::string::npos);
   EXPECT_EQ(complaint_of([&] { parse_synth_plan(head + sheath + kRecordings, "p"); }), "");
+}
+
+TEST(SynthPlan, NoiseOfBothEndsStandsWhereAnEndHasNoneOfItsOwn) {
+  const Noise noise = plan_of(kRecordings +
+                              "[noise]\nlog_tension_sd = 0.01\nar1 = 0.5\n"
+                              "input_relative_sd = 0.02\noutput_ar1 = 0.0\n"
+                              "output_absolute_N = 0.1\ninput_absolute_N = 0.2\n"
+                              "input_absolute_A = 0.3\njitter_s = 0.001\n")
+                          .noise;
+  EXPECT_EQ(noise.output.relative_sd, 0.01);
+  EXPECT_EQ(noise.output.absolute_N, 0.1);
+  EXPECT_EQ(noise.output.ar1, 0);
+  EXPECT_EQ(noise.input.relative_sd, 0.02);
+  EXPECT_EQ(noise.input.absolute_N, 0.2);
+  EXPECT_EQ(noise.input.absolute_A, 0.3);
+  EXPECT_EQ(noise.input.ar1, 0.5);
+  EXPECT_EQ(noise.jitter_s, 0.001);
 }
 
 TEST(SynthPlan, ReadsWhatIsHiddenInTheOrderOfTheCatalogue) {

@@ -85,6 +85,12 @@ RC_GTEST_PROP(SynthBaseline, LeavesNothingAtAnySetting, ()) {
 
 constexpr std::size_t kMany = 40'000;
 
+/// The same in proportion at both ends.
+Noise alike(double relative_sd, double ar1 = 0, double student_t_dof = 0) {
+  const EndNoise end{.relative_sd = relative_sd, .ar1 = ar1};
+  return {.output = end, .input = end, .student_t_dof = student_t_dof};
+}
+
 /// Ones on all channels but time, with noise.
 Channels noisy(const Noise& noise, std::uint64_t seed = 1, std::size_t session = 0) {
   Channels channels;
@@ -121,7 +127,7 @@ TEST(SynthNoise, NoneLeavesAllAsItIs) {
 }
 
 TEST(SynthNoise, HasTheStandardDeviationAskedFor) {
-  const Channels channels = noisy({.log_tension_sd = 0.02});
+  const Channels channels = noisy(alike(0.02));
   for (const auto id : {kOutputTensionColumn, kInputTensionColumn, kMotorCurrentColumn}) {
     const std::vector<double> e = logs(channels[id]);
     // Of n normal numbers: sd / sqrt(2 n), 5 of them; mean sd / sqrt(n).
@@ -132,14 +138,14 @@ TEST(SynthNoise, HasTheStandardDeviationAskedFor) {
 }
 
 TEST(SynthNoise, SensorsAreIndependent) {
-  const Channels channels = noisy({.log_tension_sd = 0.02});
+  const Channels channels = noisy(alike(0.02));
   const std::vector<double> in = logs(channels[kInputTensionColumn]);
   const std::vector<double> out = logs(channels[kOutputTensionColumn]);
   EXPECT_NEAR(product(in, out) / 4e-4, 0, 5 / std::sqrt(kMany));
 }
 
 TEST(SynthNoise, AutocorrelationKeepsTheStandardDeviation) {
-  const Channels channels = noisy({.log_tension_sd = 0.02, .ar1 = 0.6});
+  const Channels channels = noisy(alike(0.02, 0.6));
   const std::vector<double> e = logs(channels[kOutputTensionColumn]);
   EXPECT_NEAR(std::sqrt(product(e, e)), 0.02, 0.0005);
   EXPECT_NEAR(product(e, e, 1) / product(e, e), 0.6, 0.03);
@@ -148,8 +154,7 @@ TEST(SynthNoise, AutocorrelationKeepsTheStandardDeviation) {
 
 TEST(SynthNoise, HeavyTailsAreThoseOfStudentsT) {
   const auto beyond = [](double dof) {
-    const std::vector<double> e =
-        logs(noisy({.log_tension_sd = 0.02, .student_t_dof = dof})[kOutputTensionColumn]);
+    const std::vector<double> e = logs(noisy(alike(0.02, 0, dof))[kOutputTensionColumn]);
     EXPECT_NEAR(std::sqrt(product(e, e)), 0.02, 0.001);
     return static_cast<double>(
                std::count_if(e.begin(), e.end(), [](double v) { return std::abs(v) > 0.08; })) /
@@ -160,8 +165,45 @@ TEST(SynthNoise, HeavyTailsAreThoseOfStudentsT) {
   EXPECT_LT(beyond(0), 0.0003);
 }
 
+// Readings are 1: r^2 + a^2 at each end.
+TEST(SynthNoise, EachEndHasItsOwn) {
+  const Channels channels = noisy(
+      {.output = {.relative_sd = 0.003, .absolute_N = 0.004, .absolute_A = 9, .ar1 = 0.8},
+       .input = {.relative_sd = 0.012, .absolute_N = 0.009, .absolute_A = 0.016, .ar1 = 0.3}});
+  const auto expect = [&](hal::files::ProfileColumnId id, double sd, double ar1) {
+    std::vector<double> e = channels[id];
+    for (double& value : e) {
+      value -= 1;
+    }
+    EXPECT_NEAR(std::sqrt(product(e, e)) / sd, 1, 0.03);
+    EXPECT_NEAR(product(e, e, 1) / product(e, e), ar1, 0.03);
+  };
+  expect(kOutputTensionColumn, 0.005, 0.8);
+  expect(kInputTensionColumn, 0.015, 0.3);
+  expect(kMotorCurrentColumn, 0.020, 0.3);
+}
+
+// At a tension of 10 the absolute part stays, and the relative one is ten times as large.
+TEST(SynthNoise, TheAbsolutePartDoesNotGrowWithTheReading) {
+  const auto sd_at = [](double tension_N, const EndNoise& output) {
+    Channels channels;
+    channels[kOutputTensionColumn].assign(kMany, tension_N);
+    add_noise({.output = output}, 1, 0, channels);
+    double sum = 0;
+    for (const double value : channels[kOutputTensionColumn]) {
+      sum += (value - tension_N) * (value - tension_N);
+    }
+    return std::sqrt(sum / kMany);
+  };
+  EXPECT_NEAR(sd_at(10, {.absolute_N = 0.05}), 0.05, 0.001);
+  EXPECT_NEAR(sd_at(10, {.relative_sd = 0.005}), 0.05, 0.001);
+  EXPECT_NEAR(sd_at(0, {.absolute_N = 0.05}), 0.05, 0.001);
+  EXPECT_NEAR(sd_at(0, {.relative_sd = 0.005}), 0, 1e-12);
+}
+
 TEST(SynthNoise, ReadingsComeInSteps) {
-  const Channels channels = noisy({.log_tension_sd = 0.02,
+  const Channels channels = noisy({.output = {.relative_sd = 0.02},
+                                   .input = {.relative_sd = 0.02},
                                    .tension_resolution_N = 0.05,
                                    .current_resolution_A = 0.25,
                                    .velocity_sd_m_s = 0.01,
@@ -191,8 +233,36 @@ TEST(SynthNoise, TimeJittersAndDriftsButNeverRunsBack) {
   EXPECT_NEAR(std::sqrt(sum / kMany), 0.0016 * std::sqrt(0.738), 0.00003);
 }
 
+TEST(SynthJitter, HasTheStandardDeviationAskedForAtEachEndOnItsOwn) {
+  const Instants instants = draw_instants({.jitter_s = 0.0004}, 1, 0, kMany, 200);
+  const double tolerance = 5 * 0.0004 / std::sqrt(2.0 * kMany);
+  EXPECT_NEAR(std::sqrt(product(instants.output_s, instants.output_s)), 0.0004, tolerance);
+  EXPECT_NEAR(std::sqrt(product(instants.input_s, instants.input_s)), 0.0004, tolerance);
+  EXPECT_NEAR(product(instants.output_s, instants.input_s) / 1.6e-7, 0, 5 / std::sqrt(kMany));
+  EXPECT_TRUE(draw_instants({}, 1, 0, kMany, 200).output_s.empty());
+}
+
+// The load is 30 - 10 cos(pi t), and the input the same at its own instant by exp(mu phi s), which
+// no sample next to a reversal can be held to. The simulation goes by 0.25 ms.
+TEST(SynthJitter, ReadsEachEndAtItsOwnInstant) {
+  const std::string text = kRecordings + "[noise]\njitter_s = 0.001\n";
+  const Channels channels = session(text);
+  const Instants instants = draw_instants({.jitter_s = 0.001}, 1, 0, 800, 200);
+  const auto load_N = [](double time_s) { return 30 - 10 * std::cos(kRate_rad_s * time_s); };
+  const std::vector<double> s = directions(channels);
+  for (std::size_t i = 0; i < 800; ++i) {
+    const double output_s = std::max(0.0, time_of(i) + instants.output_s[i]);
+    ASSERT_NEAR(channels[kOutputTensionColumn][i], load_N(output_s), 1e-5) << i;
+    ASSERT_EQ(channels[kTime][i], time_of(i));
+    if (i > 0 && i + 1 < 800 && s[i - 1] == s[i + 1]) {
+      const double input_N = load_N(time_of(i) + instants.input_s[i]) * std::exp(kFull * s[i]);
+      ASSERT_NEAR(channels[kInputTensionColumn][i], input_N, 1e-5) << i;
+    }
+  }
+}
+
 TEST(SynthNoise, DependsOnSeedAndSessionAlone) {
-  const Noise noise{.log_tension_sd = 0.02};
+  const Noise noise = alike(0.02);
   EXPECT_EQ(noisy(noise, 3, 5), noisy(noise, 3, 5));
   EXPECT_NE(noisy(noise, 3, 5), noisy(noise, 4, 5));
   EXPECT_NE(noisy(noise, 3, 5), noisy(noise, 3, 6));

@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <cstring>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <string>
 #include <system_error>
 #include <vector>
@@ -30,12 +31,44 @@ constexpr double kLeastSample_sd = 1e-3;
 constexpr double kLeastGain_sd = 1e-3;
 constexpr double kLeastFriction_sd = 1e-3;
 
+double middle_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
+
+/// Noise of the logarithm of a ratio of tensions.
+struct RatioNoise {
+  double sd = 0;
+  double ar1 = 0;
+};
+
+/// Both ends of the ratio have noise of their own. What is not in proportion to a tension counts at
+/// the mean one; the correlation is that of the sum from one sample to the next.
+RatioNoise ratio_noise_of(const synth::SynthPlan& plan) {
+  const double mean_N = middle_of(plan.recordings->output_means_N);
+  const auto& channels = plan.recordings->channels;
+  const bool by_current = std::find(channels.begin(), channels.end(),
+                                    hal::files::kInputTensionColumn) == channels.end();
+  double input_floor = plan.noise.input.absolute_N / mean_N;
+  if (by_current) {
+    const Model::Drive& drive = *plan.model.drive;
+    input_floor = plan.noise.input.absolute_A * drive.torque_constant_Nm_per_A * drive.gear_ratio *
+                  drive.gear_efficiency / (drive.spool_radius_m() * mean_N);
+  }
+  const double output =
+      std::hypot(plan.noise.output.relative_sd, plan.noise.output.absolute_N / mean_N);
+  const double input = std::hypot(plan.noise.input.relative_sd, input_floor);
+  const double sd = std::hypot(output, input);
+  const double covariance =
+      output * output * plan.noise.output.ar1 + input * input * plan.noise.input.ar1;
+  return {sd, sd > 0 ? covariance / (sd * sd) : plan.noise.output.ar1};
+}
+
 NoiseModel noise_of(const synth::SynthPlan& plan) {
-  // Both tensions of the ratio have noise of their own; whitening leaves the innovations.
-  const double ratio_sd = std::sqrt(2.0) * plan.noise.log_tension_sd;
-  const double whitened = std::sqrt(1 - plan.noise.ar1 * plan.noise.ar1);
+  // Whitening leaves the innovations.
+  const RatioNoise ratio = ratio_noise_of(plan);
+  const double whitened = std::sqrt(1 - ratio.ar1 * ratio.ar1);
   NoiseModel noise;
-  noise.sample_sd = std::max(ratio_sd, kLeastSample_sd) * whitened;
+  noise.sample_sd = std::max(ratio.sd, kLeastSample_sd) * whitened;
   noise.session_gain_sd = std::max(plan.scatter.log_gain_sd, kLeastGain_sd);
   noise.session_friction_sd = std::max(plan.scatter.friction_sd, kLeastFriction_sd);
   return noise;
@@ -124,7 +157,7 @@ Foresight foresee(const synth::SynthPlan& plan, const ForeseeOptions& options) {
   }
   GramOptions gram;
   gram.baseline.friction_coefficient = plan.model.sheath->friction_coefficient;
-  gram.autocorrelation = plan.noise.ar1;
+  gram.autocorrelation = ratio_noise_of(plan).ar1;
   gram.threads = options.threads;
   foresight.audit = audit(gram_of(sessions, gram), foresight.noise);
   return foresight;

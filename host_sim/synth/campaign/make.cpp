@@ -121,9 +121,17 @@ Json hidden_of(const SynthPlan& plan, bool outside) {
   return list;
 }
 
+Json noise_of(const EndNoise& end) {
+  return {{"relative_sd", end.relative_sd},
+          {"absolute_N", end.absolute_N},
+          {"absolute_A", end.absolute_A},
+          {"ar1", end.ar1}};
+}
+
 Json noise_of(const Noise& noise) {
-  return {{"log_tension_sd", noise.log_tension_sd},
-          {"ar1", noise.ar1},
+  return {{"output", noise_of(noise.output)},
+          {"input", noise_of(noise.input)},
+          {"jitter_s", noise.jitter_s},
           {"student_t_dof", noise.student_t_dof},
           {"tension_resolution_N", noise.tension_resolution_N},
           {"current_resolution_A", noise.current_resolution_A},

@@ -117,7 +117,10 @@ SessionScatter session_scatter(const SynthPlan& plan, std::uint64_t seed, std::s
 Channels session_channels(const SynthPlan& plan, const Setting& setting,
                           const SessionScatter& scatter, std::uint64_t seed) {
   const auto parts = tension_parts(plan, setting, seed);
-  Channels channels = simulate(rig_of(plan), setting, scatter, parts);
+  const Rig rig = rig_of(plan);
+  const Instants instants =
+      draw_instants(plan.noise, seed, setting.number, samples_of(rig), rig.sample_rate_Hz);
+  Channels channels = simulate(rig, setting, scatter, parts, instants);
   add_noise(plan.noise, seed, setting.number, channels);
   check_ranges(plan, setting, channels);
   return channels;

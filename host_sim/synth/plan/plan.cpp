@@ -25,6 +25,14 @@ namespace {
 
 constexpr NumberKey kLogSd{"log_tension_sd", "", {0, 1}};
 constexpr NumberKey kAr1{"ar1", "", {-0.999, 0.999}};
+constexpr NumberKey kOutputSd{"output_relative_sd", "", {0, 1}};
+constexpr NumberKey kInputSd{"input_relative_sd", "", {0, 1}};
+constexpr NumberKey kOutputFloor{"output_absolute_N", "N", {0, 10}};
+constexpr NumberKey kInputFloor{"input_absolute_N", "N", {0, 10}};
+constexpr NumberKey kCurrentFloor{"input_absolute_A", "A", {0, 10}};
+constexpr NumberKey kOutputAr1{"output_ar1", "", {-0.999, 0.999}};
+constexpr NumberKey kInputAr1{"input_ar1", "", {-0.999, 0.999}};
+constexpr NumberKey kInstantJitter{"jitter_s", "s", {0, 1}};
 constexpr NumberKey kDof{"student_t_dof", "", {2, 1000, true}};
 constexpr NumberKey kTensionStep{"tension_resolution_N", "N", {0, 10}};
 constexpr NumberKey kCurrentStep{"current_resolution_A", "A", {0, 10}};
@@ -33,8 +41,10 @@ constexpr NumberKey kVelocityStep{"velocity_resolution_m_s", "m_s", {0, 1}};
 constexpr NumberKey kTemperatureSd{"temperature_sd_C", "C", {0, 50}};
 constexpr NumberKey kJitter{"clock_jitter_s", "s", {0, 1}};
 constexpr NumberKey kDrift{"clock_drift_ppm", "ppm", {-100'000, 100'000}};
-constexpr std::array kNoise{kLogSd,      kAr1,          kDof,           kTensionStep, kCurrentStep,
-                            kVelocitySd, kVelocityStep, kTemperatureSd, kJitter,      kDrift};
+constexpr std::array kNoise{
+    kLogSd,        kAr1,        kOutputSd,     kInputSd,       kOutputFloor, kInputFloor,
+    kCurrentFloor, kOutputAr1,  kInputAr1,     kInstantJitter, kDof,         kTensionStep,
+    kCurrentStep,  kVelocitySd, kVelocityStep, kTemperatureSd, kJitter,      kDrift};
 
 constexpr NumberKey kGainSd{"log_gain_sd", "", {0, 0.5}};
 constexpr NumberKey kFrictionSd{"friction_sd", "", {0, 0.2}};
@@ -54,8 +64,13 @@ constexpr std::array kThermal{kRoom,        kSheathTime,     kSheathHeating,
 Noise noise_in(const TomlTable& table) {
   table.refuse_unknown_keys(kNoise, {});
   Noise noise;
-  noise.log_tension_sd = number_or(table, kLogSd, 0);
-  noise.ar1 = number_or(table, kAr1, 0);
+  const double both_sd = number_or(table, kLogSd, 0);
+  const double both_ar1 = number_or(table, kAr1, 0);
+  noise.output = {number_or(table, kOutputSd, both_sd), number_or(table, kOutputFloor, 0), 0,
+                  number_or(table, kOutputAr1, both_ar1)};
+  noise.input = {number_or(table, kInputSd, both_sd), number_or(table, kInputFloor, 0),
+                 number_or(table, kCurrentFloor, 0), number_or(table, kInputAr1, both_ar1)};
+  noise.jitter_s = number_or(table, kInstantJitter, 0);
   noise.student_t_dof = number_or(table, kDof, 0);
   noise.tension_resolution_N = number_or(table, kTensionStep, 0);
   noise.current_resolution_A = number_or(table, kCurrentStep, 0);

@@ -230,6 +230,15 @@ void check_channels(const TomlTable& top, const TomlTable& table, const SynthPla
   }
 }
 
+void check_jitter(const TomlTable& top, std::string_view key, double jitter_s,
+                  const RecordingPlan& plan) {
+  if (jitter_s * 3 * plan.sample_rate_Hz > 1) {
+    const TomlTable noise = top.table("noise");
+    noise.fail(noise.place_of(key), fmt::format("{} is {}", key, jitter_s),
+               "up to a third of the time between samples");
+  }
+}
+
 }  // namespace
 
 void check_recordings(const TomlTable& top, const SynthPlan& plan) {
@@ -241,12 +250,8 @@ void check_recordings(const TomlTable& top, const SynthPlan& plan) {
   check_size(table, *plan.recordings);
   check_settings(table, *plan.recordings);
   check_channels(top, table, plan);
-  if (plan.noise.clock_jitter_s * 3 * plan.recordings->sample_rate_Hz > 1) {
-    const TomlTable noise = top.table("noise");
-    noise.fail(noise.place_of("clock_jitter_s"),
-               fmt::format("clock_jitter_s is {}", plan.noise.clock_jitter_s),
-               "up to a third of the time between samples");
-  }
+  check_jitter(top, "clock_jitter_s", plan.noise.clock_jitter_s, *plan.recordings);
+  check_jitter(top, "jitter_s", plan.noise.jitter_s, *plan.recordings);
 }
 
 }  // namespace host_sim::synth

@@ -4,7 +4,9 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numbers>
+#include <vector>
 
 #include "hal/files/interruption.hpp"
 
@@ -171,10 +173,51 @@ double current_A(const Model::Drive& drive, TensionParts parts, const Covariates
   return torque_Nm / constant_Nm_per_A + drive.current_offset_A;
 }
 
+/// One end of the sheath, read at instants of its own; between those of the simulation it lies on a
+/// line.
+class Reader {
+ public:
+  Reader(const std::vector<double>& offsets_s, double rate_Hz, std::vector<double>& readings)
+      : offsets_s_(offsets_s), rate_Hz_(rate_Hz), readings_(readings) {}
+
+  /// The simulation has got to a time.
+  void pass(double time_s, double value) {
+    for (double at_s = next_s(); at_s <= time_s; at_s = next_s()) {
+      const double back = time_s > last_s_ ? (time_s - at_s) / (time_s - last_s_) : 0;
+      readings_.push_back(value - (value - last_) * back);
+    }
+    last_s_ = time_s;
+    last_ = value;
+  }
+
+ private:
+  [[nodiscard]] double next_s() const {
+    const std::size_t i = readings_.size();
+    const double offset_s = offsets_s_.empty()      ? 0
+                            : i < offsets_s_.size() ? offsets_s_[i]
+                                                    : std::numeric_limits<double>::infinity();
+    return std::max(0.0, static_cast<double>(i) / rate_Hz_ + offset_s);
+  }
+
+  const std::vector<double>& offsets_s_;
+  double rate_Hz_;
+  std::vector<double>& readings_;
+  double last_s_ = 0;
+  double last_ = 0;
+};
+
 class Session {
  public:
-  Session(const Rig& rig, const Setting& setting, const SessionScatter& scatter, TensionParts parts)
-      : rig_(rig), setting_(setting), scatter_(scatter), parts_(parts) {
+  Session(const Rig& rig, const Setting& setting, const SessionScatter& scatter, TensionParts parts,
+          const Instants& instants, Channels& channels)
+      : rig_(rig),
+        setting_(setting),
+        scatter_(scatter),
+        parts_(parts),
+        channels_(channels),
+        output_(instants.output_s, rig.sample_rate_Hz, channels[kOutputTensionColumn]),
+        input_(instants.input_s, rig.sample_rate_Hz, channels[kInputTensionColumn]),
+        current_(instants.input_s, rig.sample_rate_Hz, channels[kMotorCurrentColumn]) {
     covariates_.sheath_C = rig.thermal.room_C;
     covariates_.winding_C = setting.winding_start_C;
     move_to(0, rig.motion, setting, covariates_);
@@ -188,27 +231,26 @@ class Session {
       part->advance(covariates_);
     }
     tension_N_ = contact_.step(parts_, rig_.friction_coefficient + scatter_.friction, covariates_);
-    output_N_ = read(Sensor::output_tension, covariates_.output_tension_N);
-    input_N_ = read(Sensor::input_tension, tension_N_);
+    output_.pass(time_s, read(Sensor::output_tension, covariates_.output_tension_N) *
+                             std::exp(scatter_.log_gain));
+    input_.pass(time_s, read(Sensor::input_tension, tension_N_));
     if (rig_.drive) {
       true_current_A_ = current_A(*rig_.drive, parts_, covariates_, tension_N_);
-      current_A_ = read(Sensor::motor_current, true_current_A_);
+      current_.pass(time_s, read(Sensor::motor_current, true_current_A_));
     }
   }
 
-  void sample(Channels& channels) const {
-    channels[kTime].push_back(covariates_.time_s);
-    channels[kInputTensionColumn].push_back(input_N_);
-    channels[kOutputTensionColumn].push_back(output_N_ * std::exp(scatter_.log_gain));
-    channels[kTendonVelocity].push_back(covariates_.velocity_m_s);
-    channels[kBendAngle].push_back(covariates_.bend_angle_rad * kDegPerRad);
-    channels[kSheathTemperature].push_back(covariates_.sheath_C);
+  /// What is read in time, beside the ends of the sheath.
+  void sample() {
+    channels_[kTime].push_back(covariates_.time_s);
+    channels_[kTendonVelocity].push_back(covariates_.velocity_m_s);
+    channels_[kBendAngle].push_back(covariates_.bend_angle_rad * kDegPerRad);
+    channels_[kSheathTemperature].push_back(covariates_.sheath_C);
     if (rig_.drive) {
       const Model::Drive& drive = *rig_.drive;
-      channels[kMotorCurrentColumn].push_back(current_A_);
-      channels[kMotorAngle].push_back(covariates_.position_m * drive.gear_ratio /
-                                      drive.spool_radius_m());
-      channels[kWindingTemperature].push_back(covariates_.winding_C);
+      channels_[kMotorAngle].push_back(covariates_.position_m * drive.gear_ratio /
+                                       drive.spool_radius_m());
+      channels_[kWindingTemperature].push_back(covariates_.winding_C);
     }
   }
 
@@ -237,13 +279,12 @@ class Session {
   const Setting& setting_;
   const SessionScatter& scatter_;
   TensionParts parts_;
+  Channels& channels_;
+  Reader output_, input_, current_;
   Covariates covariates_;
   Contact contact_;
   double tension_N_ = 0;
   double true_current_A_ = 0;
-  double output_N_ = 0;
-  double input_N_ = 0;
-  double current_A_ = 0;
 };
 
 void record(TensionParts parts, const Rig& rig, Channels& channels) {
@@ -256,22 +297,29 @@ void record(TensionParts parts, const Rig& rig, Channels& channels) {
 
 }  // namespace
 
+std::size_t samples_of(const Rig& rig) {
+  return static_cast<std::size_t>(std::lround(rig.duration_s * rig.sample_rate_Hz));
+}
+
 Channels simulate(const Rig& rig, const Setting& setting, const SessionScatter& scatter,
-                  TensionParts parts) {
-  const auto samples = static_cast<std::size_t>(std::lround(rig.duration_s * rig.sample_rate_Hz));
+                  TensionParts parts, const Instants& instants) {
+  const std::size_t samples = samples_of(rig);
   const auto steps = static_cast<std::size_t>(std::ceil(kLeastRate_Hz / rig.sample_rate_Hz));
   Channels channels;
-  Session session(rig, setting, scatter, parts);
+  Session session(rig, setting, scatter, parts, instants, channels);
   session.go_to(0);
   for (std::size_t i = 0; i < samples; ++i) {
     if (i % kSamplesBetweenChecks == 0) {
       stop_if_interrupted();
     }
-    session.sample(channels);
+    session.sample();
     for (std::size_t step = 1; step <= steps; ++step) {
       const double share = static_cast<double>(step) / static_cast<double>(steps);
       session.go_to((static_cast<double>(i) + share) / rig.sample_rate_Hz);
     }
+  }
+  for (const auto id : {kOutputTensionColumn, kInputTensionColumn, kMotorCurrentColumn}) {
+    channels[id].resize(std::min(channels[id].size(), samples));
   }
   record(parts, rig, channels);
   return channels;

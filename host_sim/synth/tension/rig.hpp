@@ -73,8 +73,11 @@ struct SessionScatter {
 /// One session, integrated in time at kLeastRate_Hz or faster: what sensors without noise say, each
 /// sample_rate_Hz. Motor current is there only with a drive.
 /// @param parts of this session alone, whose begin() has been called
+/// @param instants less than half the time between samples
 Channels simulate(const Rig& rig, const Setting& setting, const SessionScatter& scatter,
-                  TensionParts parts);
+                  TensionParts parts, const Instants& instants = {});
+
+std::size_t samples_of(const Rig& rig);
 
 inline constexpr double kLeastRate_Hz = 4000;
 

@@ -16,18 +16,41 @@ using statistics::Random;
 /// A jitter beyond this share of a sample time would let time run back.
 constexpr double kMostJitter = 0.45;
 
-void scale_by_noise(const Noise& noise, Random random, double resolution,
-                    std::vector<double>& values) {
-  const auto innovation = [&] {
-    return noise.student_t_dof > 0 ? student_t(random, noise.student_t_dof) : normal(random);
-  };
-  const double innovation_share = std::sqrt(1 - noise.ar1 * noise.ar1);
-  double state = 0;
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (noise.log_tension_sd > 0) {
-      state = i == 0 ? innovation() : noise.ar1 * state + innovation_share * innovation();
+/// AR(1) noise of standard deviation 1 from sample to sample.
+class Correlated {
+ public:
+  Correlated(double ar1, double student_t_dof, Random random)
+      : ar1_(ar1), dof_(student_t_dof), random_(random) {}
+
+  double next() {
+    state_ = first_ ? innovation() : ar1_ * state_ + std::sqrt(1 - ar1_ * ar1_) * innovation();
+    first_ = false;
+    return state_;
+  }
+
+ private:
+  double innovation() { return dof_ > 0 ? student_t(random_, dof_) : normal(random_); }
+
+  double ar1_, dof_;
+  Random random_;
+  double state_ = 0;
+  bool first_ = true;
+};
+
+struct Parts {
+  double relative_sd, absolute_sd, resolution;
+};
+
+void add_parts(const Parts& parts, Correlated relative, Correlated absolute,
+               std::vector<double>& values) {
+  for (double& value : values) {
+    if (parts.relative_sd > 0) {
+      value *= std::exp(parts.relative_sd * relative.next());
     }
-    values[i] = quantised(values[i] * std::exp(noise.log_tension_sd * state), resolution);
+    if (parts.absolute_sd > 0) {
+      value += parts.absolute_sd * absolute.next();
+    }
+    value = quantised(value, parts.resolution);
   }
 }
 
@@ -35,6 +58,14 @@ void add_normal(double sd, Random random, double resolution, std::vector<double>
   for (double& value : values) {
     value = quantised(sd > 0 ? value + sd * normal(random) : value, resolution);
   }
+}
+
+std::vector<double> jitter(double sd_s, double most_s, Random random, std::size_t samples) {
+  std::vector<double> offsets_s(samples);
+  for (double& offset_s : offsets_s) {
+    offset_s = std::clamp(sd_s * normal(random), -most_s, most_s);
+  }
+  return offsets_s;
 }
 
 void disturb_clock(const Noise& noise, Random random, std::vector<double>& time_s) {
@@ -54,14 +85,32 @@ double quantised(double value, double resolution) {
   return resolution > 0 ? std::round(value / resolution) * resolution : value;
 }
 
+Instants draw_instants(const Noise& noise, std::uint64_t seed, std::size_t session,
+                       std::size_t samples, double sample_rate_Hz) {
+  if (noise.jitter_s <= 0) {
+    return {};
+  }
+  const double most_s = kMostJitter / sample_rate_Hz;
+  return {jitter(noise.jitter_s, most_s, {seed, kOutputInstantStream, session}, samples),
+          jitter(noise.jitter_s, most_s, {seed, kInputInstantStream, session}, samples)};
+}
+
 void add_noise(const Noise& noise, std::uint64_t seed, std::size_t session, Channels& channels) {
   const auto random = [&](Stream stream) { return Random(seed, stream, session); };
-  scale_by_noise(noise, random(kOutputNoiseStream), noise.tension_resolution_N,
-                 channels[kOutputTensionColumn]);
-  scale_by_noise(noise, random(kInputNoiseStream), noise.tension_resolution_N,
-                 channels[kInputTensionColumn]);
-  scale_by_noise(noise, random(kCurrentNoiseStream), noise.current_resolution_A,
-                 channels[kMotorCurrentColumn]);
+  const auto correlated = [&](const EndNoise& end, Stream stream) {
+    return Correlated(end.ar1, noise.student_t_dof, random(stream));
+  };
+  const EndNoise& output = noise.output;
+  const EndNoise& input = noise.input;
+  add_parts({output.relative_sd, output.absolute_N, noise.tension_resolution_N},
+            correlated(output, kOutputNoiseStream), correlated(output, kOutputFloorStream),
+            channels[kOutputTensionColumn]);
+  add_parts({input.relative_sd, input.absolute_N, noise.tension_resolution_N},
+            correlated(input, kInputNoiseStream), correlated(input, kInputFloorStream),
+            channels[kInputTensionColumn]);
+  add_parts({input.relative_sd, input.absolute_A, noise.current_resolution_A},
+            correlated(input, kCurrentNoiseStream), correlated(input, kCurrentFloorStream),
+            channels[kMotorCurrentColumn]);
   add_normal(noise.velocity_sd_m_s, random(kVelocityNoiseStream), noise.velocity_resolution_m_s,
              channels[kTendonVelocity]);
   add_normal(noise.temperature_sd_C, random(kSheathNoiseStream), 0, channels[kSheathTemperature]);

@@ -10,7 +10,7 @@ namespace blind {
 
 /// What is drawn for one purpose does not depend on what is drawn for another. The numbers lie
 /// apart from those of the streams of the simulation, which has the same seeds.
-enum class Purpose : std::uint64_t { kind = 1001, effects, sizes, design, noise, nominal };
+enum class Purpose : std::uint64_t { kind = 1001, effects, sizes, design, noise, nominal, ends };
 
 /// Draws of a scenario.
 class Dice {

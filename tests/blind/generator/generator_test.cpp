@@ -134,6 +134,53 @@ TEST(Generator, PlansAreAcceptedAndHideWhatTheyShould) {
   }
 }
 
+/// Log-uniform numbers between two bounds have their median at the geometric mean.
+void expect_log_uniform(const std::vector<double>& values, double low, double high) {
+  std::size_t below = 0;
+  for (const double value : values) {
+    EXPECT_GE(value, low * (1 - 1e-12));
+    EXPECT_LE(value, high * (1 + 1e-12));
+    below += value < std::sqrt(low * high) ? 1U : 0U;
+  }
+  expect_share(below, values.size(), 0.5);
+}
+
+// Better at the output, better at the input, alike: a third each. Current has newtons by the drive:
+// 0.0125 m / (9 * 0.88 * 0.0325 Nm/A) is 0.048562 A/N.
+TEST(Generator, BothEndsHaveNoiseOfTheirOwn) {
+  constexpr std::size_t kSome = 1500;
+  std::size_t output_better = 0, alike = 0, jittered = 0;
+  std::vector<double> output_floors_N, input_floors_N, input_floors_A, jitters_s;
+  for (std::uint64_t seed = 1; seed <= kSome; ++seed) {
+    const Scenario scenario = draw_recordings(seed);
+    const auto noise = parse_synth_plan(scenario.plan, "plan").noise;
+    const double output = noise.output.relative_sd;
+    const double input = noise.input.relative_sd;
+    alike += output == input ? 1 : 0;
+    if (output != input) {
+      EXPECT_TRUE((output <= 0.01 && input >= 0.005) || (input <= 0.01 && output >= 0.005));
+      EXPECT_GE(std::min(output, input), 0.001);
+      EXPECT_LE(std::max(output, input), 0.02);
+      output_better += output < input ? 1 : 0;
+    }
+    output_floors_N.push_back(noise.output.absolute_N);
+    auto& input_floors = scenario.input == Input::load_cell ? input_floors_N : input_floors_A;
+    input_floors.push_back(scenario.input == Input::load_cell ? noise.input.absolute_N
+                                                              : noise.input.absolute_A);
+    if (noise.jitter_s > 0) {
+      jitters_s.push_back(noise.jitter_s);
+      ++jittered;
+    }
+  }
+  expect_share(alike, kSome, 1.0 / 3);
+  expect_share(output_better, kSome, 1.0 / 3);
+  expect_share(jittered, kSome, 1.0 / 3);
+  expect_log_uniform(output_floors_N, 0.01, 0.2);
+  expect_log_uniform(input_floors_N, 0.01, 0.2);
+  expect_log_uniform(input_floors_A, 0.01 * 0.048562, 0.2 * 0.048563);
+  expect_log_uniform(jitters_s, 1e-4, 1e-3);
+}
+
 TEST(Generator, LivesAreFortyEightOrNinetySix) {
   std::map<std::size_t, std::size_t> counts;
   std::set<std::string> seen;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <numbers>
 #include <numeric>
+#include <string>
 #include <vector>
 
 #include "tests/blind/generator/choice.hpp"
@@ -167,11 +168,53 @@ std::string recordings_text(const Scenario& scenario, const RecordingsDesign& de
   return text;
 }
 
+/// What is not in proportion to the reading.
+std::string floor_text(Input input, Dice& dice) {
+  constexpr double kSmallest_N = 0.01;
+  constexpr double kLargest_N = 0.2;
+  constexpr double kAmperes_N =
+      kSpoolRadius_mm * 1e-3 / (kGearRatio * kGearEfficiency * kTorqueConstant_Nm_per_A);
+  const double output_N = dice.log_between(kSmallest_N, kLargest_N);
+  const double input_N = dice.log_between(kSmallest_N, kLargest_N);
+  return line("output_absolute_N", output_N) +
+         (input == Input::load_cell ? line("input_absolute_N", input_N)
+                                    : line("input_absolute_A", input_N * kAmperes_N));
+}
+
+/// Noise in proportion to the reading.
+struct Relative {
+  double sd = 0;
+  double ar1 = 0;
+};
+
+Relative draw_relative(double least_sd, double most_sd, Dice& dice) {
+  const double sd = dice.log_between(least_sd, most_sd);
+  const double ar1 = dice.between(0, 0.95);
+  return {sd, dice.chance(0.5) ? 0 : ar1};
+}
+
+/// Noise of both ends: a good sensor at the load and a worse one at the drive, the other way about,
+/// or alike.
+std::string ends_text(Input input, const Relative& alike, std::uint64_t seed) {
+  Dice dice(seed, Purpose::ends);
+  const std::size_t better = dice.below(3);
+  const Relative good = draw_relative(0.001, 0.01, dice);
+  const Relative worse = draw_relative(0.005, 0.02, dice);
+  const Relative& output = better == 2 ? alike : better == 0 ? good : worse;
+  const Relative& at_drive = better == 2 ? alike : better == 1 ? good : worse;
+  std::string text = line("output_relative_sd", output.sd) + line("output_ar1", output.ar1) +
+                     line("input_relative_sd", at_drive.sd) + line("input_ar1", at_drive.ar1) +
+                     floor_text(input, dice);
+  const double jitter_s = dice.log_between(1e-4, 1e-3);
+  return dice.chance(1.0 / 3) ? text + line("jitter_s", jitter_s) : text;
+}
+
 /// Noise of sensors, and scatter of sessions up to half as much again as was measured.
-std::string noise_text(std::uint64_t seed) {
+std::string noise_text(Input input, std::uint64_t seed) {
   Dice dice(seed, Purpose::noise);
-  std::string text = table("noise") + line("log_tension_sd", dice.log_between(0.005, 0.03)) +
-                     line("ar1", dice.between(0, 0.95));
+  const double alike_sd = dice.log_between(0.005, 0.03);
+  const double alike_ar1 = dice.between(0, 0.95);
+  std::string text = table("noise") + ends_text(input, {alike_sd, alike_ar1}, seed);
   if (dice.chance(0.5)) {
     text += line("student_t_dof", dice.between(3, 10));
   }
@@ -213,7 +256,7 @@ Scenario draw_recordings(std::uint64_t seed) {
   scales.full_scale_A = kFullScale_A;
   add_to(scales, design);
   scenario.plan = model_text(scenario, scales.friction_coefficient) +
-                  recordings_text(scenario, design) + noise_text(seed);
+                  recordings_text(scenario, design) + noise_text(choice.input, seed);
   for (const SizedEffect& effect : choice.effects) {
     scenario.hidden.push_back(effect.draw(scales, dice));
     scenario.plan += table_of(scenario.hidden.back());

@@ -16,14 +16,32 @@
 namespace blind {
 namespace {
 
-/// Rows of samples whose noise is independent and of standard deviation 1. A column of zeros stays.
-Eigen::MatrixX3d whitened(const Eigen::MatrixX3d& columns, const Disturbance& disturbance) {
-  const double rho = disturbance.ar1;
-  Eigen::MatrixX3d white = columns;
-  const Eigen::Index last = columns.rows() - 1;
-  white.bottomRows(last) -= rho * columns.topRows(last);
-  white.bottomRows(last) /= std::sqrt(1 - rho * rho);
-  return white / disturbance.noise_sd;
+/// Rows of samples whose noise is independent and of standard deviation 1: what a Kalman filter of
+/// the sources fails to predict. A column of zeros stays.
+Eigen::MatrixX3d whitened(const Eigen::MatrixX3d& columns, const std::vector<NoiseSource>& noise) {
+  const auto sources = static_cast<Eigen::Index>(noise.size());
+  Eigen::VectorXd ar1(sources), sd(sources);
+  for (Eigen::Index k = 0; k < sources; ++k) {
+    ar1(k) = noise[static_cast<std::size_t>(k)].ar1;
+  }
+  const Eigen::VectorXd innovations = 1 - ar1.array().square();
+  Eigen::MatrixXd covariance = Eigen::MatrixXd::Identity(sources, sources);
+  Eigen::MatrixX3d states = Eigen::MatrixX3d::Zero(sources, 3);
+  Eigen::MatrixX3d white(columns.rows(), 3);
+  for (Eigen::Index i = 0; i < columns.rows(); ++i) {
+    for (Eigen::Index k = 0; k < sources; ++k) {
+      sd(k) = noise[static_cast<std::size_t>(k)].sd[static_cast<std::size_t>(i)];
+    }
+    const Eigen::VectorXd with_row = covariance * sd;
+    const double variance = sd.dot(with_row);
+    const Eigen::RowVector3d error = columns.row(i) - sd.transpose() * states;
+    white.row(i) = error / std::sqrt(variance);
+    states = ar1.asDiagonal() * (states + with_row * error / variance).eval();
+    covariance -= with_row * with_row.transpose() / variance;
+    covariance = (ar1.asDiagonal() * covariance * ar1.asDiagonal()).eval();
+    covariance.diagonal() += innovations;
+  }
+  return white;
 }
 
 using host_sim::synth::LifeSpecimen;
@@ -102,15 +120,15 @@ double visibility(const Scenario& scenario, const std::string& id) {
   const SynthPlan noisy = host_sim::synth::parse_synth_plan(scenario.plan, "blind plan");
   const SynthPlan all = silent(scenario);
   const SynthPlan fewer = without(all, id);
-  const Disturbance disturbance{std::numbers::sqrt2 * noisy.noise.log_tension_sd, noisy.noise.ar1,
-                                noisy.scatter.log_gain_sd, noisy.scatter.friction_sd};
   Information information = Information::Zero();
   for (const Setting& setting : host_sim::synth::settings_of(*all.recordings, scenario.seed)) {
     const Channels with = session_channels(all, setting, {}, scenario.seed);
     const Channels base = session_channels(fewer, setting, {}, scenario.seed);
     information += session_information(
         difference(log_ratio(with, scenario.input), log_ratio(base, scenario.input)),
-        signed_bend_rad(base), disturbance);
+        signed_bend_rad(base),
+        {noise_sources(noisy.noise, base, scenario.input), noisy.scatter.log_gain_sd,
+         noisy.scatter.friction_sd});
   }
   return sigmas_of(information);
 }
@@ -166,14 +184,74 @@ double rmse_N(const Samples& samples) {
 
 using host_sim::synth::Channels;
 
+namespace {
+
+using host_sim::synth::EndNoise;
+
+constexpr double kLeastReading = 1e-6;
+
+const std::vector<double>& at_drive(const Channels& channels, Input input) {
+  return channels[input == Input::load_cell ? hal::files::kInputTensionColumn
+                                            : hal::files::kMotorCurrentColumn];
+}
+
+/// |d ln y / dt| by differences of neighbours.
+std::vector<double> log_slopes_1_s(const std::vector<double>& readings,
+                                   const std::vector<double>& time_s) {
+  const auto log_at = [&](std::size_t i) { return std::log(std::max(kLeastReading, readings[i])); };
+  std::vector<double> slopes(readings.size());
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    const std::size_t before = i == 0 ? 0 : i - 1;
+    const std::size_t after = std::min(i + 1, slopes.size() - 1);
+    slopes[i] = std::abs(log_at(after) - log_at(before)) / (time_s[after] - time_s[before]);
+  }
+  return slopes;
+}
+
+/// The sources of one end whose sd is not 0 throughout.
+void add_sources(const EndNoise& end, double absolute_sd, double jitter_s,
+                 const std::vector<double>& readings, const std::vector<double>& time_s,
+                 std::vector<NoiseSource>& sources) {
+  if (end.relative_sd > 0) {
+    sources.push_back({std::vector<double>(readings.size(), end.relative_sd), end.ar1});
+  }
+  if (absolute_sd > 0) {
+    NoiseSource absolute{readings, end.ar1};
+    for (double& sd : absolute.sd) {
+      sd = absolute_sd / std::max(kLeastReading, sd);
+    }
+    sources.push_back(std::move(absolute));
+  }
+  if (jitter_s > 0) {
+    NoiseSource jitter{log_slopes_1_s(readings, time_s), 0};
+    for (double& sd : jitter.sd) {
+      sd *= jitter_s;
+    }
+    sources.push_back(std::move(jitter));
+  }
+}
+
+}  // namespace
+
+std::vector<NoiseSource> noise_sources(const host_sim::synth::Noise& noise,
+                                       const Channels& channels, Input input) {
+  const auto& time_s = channels[hal::files::kTime];
+  const double input_floor =
+      input == Input::load_cell ? noise.input.absolute_N : noise.input.absolute_A;
+  std::vector<NoiseSource> sources;
+  add_sources(noise.output, noise.output.absolute_N, noise.jitter_s,
+              channels[hal::files::kOutputTensionColumn], time_s, sources);
+  add_sources(noise.input, input_floor, noise.jitter_s, at_drive(channels, input), time_s, sources);
+  return sources;
+}
+
 std::vector<double> log_ratio(const Channels& channels, Input input) {
-  const auto& at_drive = channels[input == Input::load_cell ? hal::files::kInputTensionColumn
-                                                            : hal::files::kMotorCurrentColumn];
+  const auto& input_end = at_drive(channels, input);
   const auto& output = channels[hal::files::kOutputTensionColumn];
-  constexpr double kLeast = 1e-6;
   std::vector<double> result(output.size());
   for (std::size_t i = 0; i < result.size(); ++i) {
-    result[i] = std::log(std::max(kLeast, output[i]) / std::max(kLeast, at_drive[i]));
+    result[i] =
+        std::log(std::max(kLeastReading, output[i]) / std::max(kLeastReading, input_end[i]));
   }
   return result;
 }
@@ -199,7 +277,7 @@ Information session_information(const std::vector<double>& trace,
     const auto place = static_cast<std::size_t>(i);
     columns.row(i) << trace[place], 1, -signed_bend_rad[place];
   }
-  const Eigen::MatrixX3d white = whitened(columns, disturbance);
+  const Eigen::MatrixX3d white = whitened(columns, disturbance.noise);
   const Information without_scatter = white.transpose() * white;
   // Woodbury: the scatter is that of the coefficients in the last two columns.
   const Eigen::Vector2d variances(disturbance.gain_sd * disturbance.gain_sd,

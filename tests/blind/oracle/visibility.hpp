@@ -18,19 +18,30 @@ std::vector<double> log_ratio(const host_sim::synth::Channels& channels, Input i
 /// go.
 std::vector<double> signed_bend_rad(const host_sim::synth::Channels& channels);
 
-/// What disturbs the logarithm of a ratio of tensions.
-struct Disturbance {
-  double noise_sd = 0;     ///< of one sample
-  double ar1 = 0;          ///< correlation from one sample to the next
-  double gain_sd = 0;      ///< of a session's log gain
-  double friction_sd = 0;  ///< of a session's friction coefficient
+/// One source of noise in the logarithm of a ratio of tensions: an AR(1) process of standard
+/// deviation 1, times a standard deviation for each sample.
+struct NoiseSource {
+  std::vector<double> sd;
+  double ar1 = 0;  ///< correlation from one sample to the next
 };
+
+/// What disturbs the logarithm of a ratio of tensions in one session.
+struct Disturbance {
+  std::vector<NoiseSource> noise;  ///< independent of each other
+  double gain_sd = 0;              ///< of a session's log gain
+  double friction_sd = 0;          ///< of a session's friction coefficient
+};
+
+/// The noise of both ends where `channels` are what is measured without it: in proportion, not in
+/// proportion, and by jitter, which counts by the slope of the channel.
+std::vector<NoiseSource> noise_sources(const host_sim::synth::Noise& noise,
+                                       const host_sim::synth::Channels& channels, Input input);
 
 /// Information on three coefficients: of the effect's trace, gain and friction coefficient.
 using Information = Eigen::Matrix3d;
 
 /// The information of one session: X' V^-1 X, with the columns trace, 1 and -phi s, and with
-/// V = R + gain_sd^2 1 1' + friction_sd^2 (phi s)(phi s)', R the AR(1) noise.
+/// V = R + gain_sd^2 1 1' + friction_sd^2 (phi s)(phi s)', R of the sum of all noise.
 /// @param trace of each sample, the effect at its true size
 /// @param signed_bend_rad phi s of each sample
 Information session_information(const std::vector<double>& trace,

@@ -9,38 +9,95 @@
 namespace blind::test {
 namespace {
 
+/// One source of noise, the same for each of four samples.
+Disturbance one_source(double sd, double gain_sd = 0, double friction_sd = 0) {
+  return {{{std::vector<double>(4, sd), 0}}, gain_sd, friction_sd};
+}
+
 const std::vector<double> kBend{1, 1, -1, -1};
 const std::vector<double> kApart{0.2, -0.2, 0.2, -0.2};  // orthogonal to 1 and to the bend
 
 TEST(SessionInformation, OfWhiteNoiseIsTheSumOfSquares) {
-  const Information information = session_information(kApart, kBend, {0.1, 0, 0, 0});
+  const Information information = session_information(kApart, kBend, one_source(0.1));
   EXPECT_NEAR(information(0, 0), 4 * 0.04 / 0.01, 1e-9);
   EXPECT_NEAR(sigmas_of(information), 4, 1e-9);
 }
 
 TEST(SessionInformation, WhatGainAndFrictionTakeUpIsInvisible) {
   const Information information =
-      session_information({0.5, 0.5, -0.1, -0.1}, kBend, {0.1, 0, 0, 0});
+      session_information({0.5, 0.5, -0.1, -0.1}, kBend, one_source(0.1));
   EXPECT_NEAR(sigmas_of(information), 0, 1e-5);
 }
 
 // V^-1 of two samples is [[1, -rho], [-rho, 1]] / (sd^2 (1 - rho^2)): 1 / 0.75 for (1, 0), and
 // 2 (1 - 0.5) / 0.75 for (1, 1).
 TEST(SessionInformation, CorrelatedNoise) {
-  const Information information = session_information({1, 0}, {1, 1}, {1, 0.5, 0, 0});
+  const Information information = session_information({1, 0}, {1, 1}, {{{{1, 1}, 0.5}}, 0, 0});
   EXPECT_NEAR(information(0, 0), 4.0 / 3, 1e-9);
   EXPECT_NEAR(information(1, 1), 4.0 / 3, 1e-9);
 }
 
+// 0.3 and 0.4 are 0.5 together.
+TEST(SessionInformation, SourcesAddUp) {
+  const Disturbance both{
+      {{std::vector<double>(4, 0.3), 0}, {std::vector<double>(4, 0.4), 0}}, 0, 0};
+  EXPECT_NEAR(session_information(kApart, kBend, both)(0, 0), 4 * 0.04 / 0.25, 1e-9);
+}
+
+// V of correlations 0.6 and -0.2 is [[2, 0.4], [0.4, 2]], whose inverse is [[2, -0.4], ..] / 3.84.
+TEST(SessionInformation, SourcesOfUnlikeCorrelation) {
+  const Disturbance both{{{{1, 1}, 0.6}, {{1, 1}, -0.2}}, 0, 0};
+  const Information information = session_information({1, 0}, {1, 1}, both);
+  EXPECT_NEAR(information(0, 0), 2 / 3.84, 1e-9);
+  EXPECT_NEAR(information(0, 1), 1.6 / 3.84, 1e-9);
+  EXPECT_NEAR(information(1, 1), 3.2 / 3.84, 1e-9);
+}
+
+// V of sds 1 and 2 and a correlation of 0.5 is [[1, 1], [1, 4]], whose inverse is
+// [[4, -1], [-1, 1]] / 3.
+TEST(SessionInformation, SamplesOfUnlikeNoise) {
+  const Information information = session_information({1, 0}, {1, 1}, {{{{1, 2}, 0.5}}, 0, 0});
+  EXPECT_NEAR(information(0, 0), 4.0 / 3, 1e-9);
+  EXPECT_NEAR(information(0, 1), 1, 1e-9);
+  EXPECT_NEAR(information(1, 1), 1, 1e-9);
+}
+
+// ln 20, 25 and 20 a second apart: slopes of 0.2231 at the first and the last, 0 in the middle.
+TEST(NoiseSources, AreThoseOfBothEnds) {
+  host_sim::synth::Channels channels;
+  channels[hal::files::kTime] = {0, 1, 2};
+  channels[hal::files::kOutputTensionColumn] = {20, 25, 20};
+  channels[hal::files::kInputTensionColumn] = {10, 10, 10};
+  host_sim::synth::Noise noise;
+  noise.output = {.relative_sd = 0.01, .absolute_N = 0.1, .ar1 = 0.5};
+  noise.input = {.relative_sd = 0, .absolute_N = 0.2, .absolute_A = 9, .ar1 = 0.25};
+  EXPECT_EQ(noise_sources(noise, channels, Input::load_cell).size(), 3U);
+  noise.jitter_s = 0.1;
+  const auto sources = noise_sources(noise, channels, Input::load_cell);
+  ASSERT_EQ(sources.size(), 5U);
+  const auto expect = [](const NoiseSource& source, std::vector<double> sd, double ar1) {
+    EXPECT_EQ(source.ar1, ar1);
+    ASSERT_EQ(source.sd.size(), 3U);
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_NEAR(source.sd[i], sd[i], 1e-6);
+    }
+  };
+  expect(sources[0], {0.01, 0.01, 0.01}, 0.5);
+  expect(sources[1], {0.005, 0.004, 0.005}, 0.5);
+  expect(sources[2], {0.0223144, 0, 0.0223144}, 0);
+  expect(sources[3], {0.02, 0.02, 0.02}, 0.25);
+  expect(sources[4], {0, 0, 0}, 0);
+}
+
 // A session's mean of four samples of sd 0.1, and a scatter of 0.05: 1 / (0.0025 + 0.0025).
 TEST(SessionInformation, ScatterOfSessionsBoundsTheGain) {
-  const Information information = session_information(kApart, kBend, {0.1, 0, 0.05, 0});
+  const Information information = session_information(kApart, kBend, one_source(0.1, 0.05));
   EXPECT_NEAR(information(1, 1), 200, 1e-6);
   EXPECT_NEAR(information(0, 0), 16, 1e-6);
 }
 
 TEST(SessionInformation, ScatterOfFrictionBoundsFriction) {
-  const Information information = session_information(kApart, kBend, {0.1, 0, 0, 0.05});
+  const Information information = session_information(kApart, kBend, one_source(0.1, 0, 0.05));
   EXPECT_NEAR(information(2, 2), 200, 1e-6);
 }
 

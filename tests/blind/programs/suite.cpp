@@ -36,7 +36,7 @@ struct Arguments {
   std::uint64_t first_seed = 0;
   std::size_t campaigns = 0;
   bool tuning = false;
-  std::string records, readme, only;
+  std::string records, readme, only, design;
   std::filesystem::path folder;
   std::vector<std::string> without;
   bool keep = false;
@@ -57,6 +57,9 @@ void add_options(CLI::App& app, Arguments& arguments) {
       ->required();
   app.add_option("--readme", arguments.readme, "Write the tables between its marks");
   app.add_option("--only", arguments.only, "Only campaigns that hide this id, or `none`");
+  app.add_option("--design", arguments.design, "Only recordings of this design")
+      ->check(CLI::IsMember(
+          {std::string(name_of(Design::crossed)), std::string(name_of(Design::one_pose))}));
   app.add_option("--folder", arguments.folder, "Where campaigns are made");
   app.add_option("--without", arguments.without, "Take effects out of the catalogue");
   app.add_flag("--keep", arguments.keep, "Keep campaigns and truths");
@@ -74,7 +77,11 @@ void check_seeds(Arguments& arguments) {
   }
 }
 
-bool wanted(const Scenario& scenario, const std::string& only) {
+bool wanted(const Scenario& scenario, const Arguments& arguments) {
+  const std::string& only = arguments.only;
+  if (!arguments.design.empty() && name_of(scenario.design) != arguments.design) {
+    return false;
+  }
   return only.empty() || (only == "none" && scenario.hidden.empty()) ||
          std::any_of(scenario.hidden.begin(), scenario.hidden.end(),
                      [&](const HiddenEffect& effect) { return effect.id == only; });
@@ -85,7 +92,7 @@ std::vector<Scenario> scenarios(const Arguments& arguments, Scenario (*draw)(std
   std::vector<Scenario> todo;
   for (std::size_t i = 0; i < arguments.campaigns; ++i) {
     Scenario scenario = draw(arguments.first_seed + i);
-    if (!records.has(scenario.seed) && wanted(scenario, arguments.only)) {
+    if (!records.has(scenario.seed) && wanted(scenario, arguments)) {
       todo.push_back(std::move(scenario));
     }
   }

@@ -52,6 +52,27 @@ TEST(Foresee, TheNoiseIsThatOfTheRatioOfBothTensionsOnceWhitened) {
   EXPECT_LE(foresight.samples, 8U * 801U);
 }
 
+// At the mean load of 27.5 N: 0.003 and 0.11 N / 27.5 N = 0.004 are 0.005 at the output, 0.012 at
+// the drive, 0.013 together; correlated by (0.005^2 0.8 + 0.012^2 0.3) / 0.013^2 = 0.373964. The
+// floor of the current is 0.11 N by 0.0125 m / (9 * 0.88 * 0.0325 Nm/A).
+TEST(Foresee, NoiseOfEachEndCountsOnItsOwn) {
+  const auto with = [](std::string text, const std::string& noise) {
+    const std::string was = "log_tension_sd = 0.01\nar1 = 0.6\n";
+    return text.replace(text.find(was), was.size(), noise);
+  };
+  const double expected = 0.013 * std::sqrt(1 - 0.373964 * 0.373964);
+  const Foresight by_tension =
+      foresight_of(with(plan_text("90.0, 450.0", "input_tension_N"),
+                        "output_relative_sd = 0.003\noutput_absolute_N = 0.11\noutput_ar1 = 0.8\n"
+                        "input_relative_sd = 0.012\ninput_absolute_A = 1.0\ninput_ar1 = 0.3\n"));
+  EXPECT_NEAR(by_tension.noise.sample_sd, expected, 1e-8);
+  const Foresight by_current =
+      foresight_of(with(plan_text("90.0, 450.0", "motor_current_A"),
+                        "output_relative_sd = 0.012\noutput_ar1 = 0.3\ninput_relative_sd = 0.003\n"
+                        "input_absolute_A = 0.0053419\ninput_absolute_N = 1.0\ninput_ar1 = 0.8\n"));
+  EXPECT_NEAR(by_current.noise.sample_sd, expected, 1e-7);
+}
+
 TEST(Foresee, OnePoseHidesTheAsymmetryOfTheGear) {
   const Foresight one = foresight_of(plan_text("270.0", "motor_current_A"));
   EXPECT_FALSE(one.audit.of("gear_asymmetry").visible());
