@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "host_sim/extension/life.hpp"
+#include "host_sim/extension/model_file.hpp"
+#include "host_sim/extension/tension.hpp"
 #include "host_sim/model/model.hpp"
 
 namespace host_sim {
@@ -78,7 +80,16 @@ OnLine lag(const Extension& extension) {
           std::nullopt};
 }
 
+/// By what it is written over.
+OnLine empirical_correction(const Extension& extension) {
+  const bool position = kEmpiricalCovariates[empirical_covariate(extension)].name == "position_m";
+  return {extension.id, InputKind::kOutputTension, position ? kMotorAngle : kTendonVelocity};
+}
+
 std::optional<OnLine> on_line(const Extension& extension) {
+  if (extension.id == kEmpirical) {
+    return empirical_correction(extension);
+  }
   if (extension.id == "filter_lag") {
     return lag(extension);
   }
@@ -130,7 +141,7 @@ std::string why_not(const Extension& extension, const Model& model, InputKind ki
   if (effect->channel && !channels[*effect->channel]) {
     return fmt::format("needs {}", profile_columns()[*effect->channel].name);
   }
-  if (extension.id == "friction_position" && !model.drive) {
+  if (effect->channel == kMotorAngle && effect->kind == InputKind::kOutputTension && !model.drive) {
     return "needs [drive] for the position of the tendon";
   }
   return "";

@@ -10,6 +10,8 @@
 
 #include "hal/files/input_error.hpp"
 #include "host_sim/extension/life.hpp"
+#include "host_sim/extension/model_file.hpp"
+#include "host_sim/extension/tension.hpp"
 #include "host_sim/model/model.hpp"
 #include "lifemodel/pack/pack.hpp"
 
@@ -42,18 +44,6 @@ fixed::FrictionWear wear_of(const Extension& e) {
     wear.fading = word(std::numbers::log2e / (2 * value_of(e, "run_in_cycles")), 31);
   }
   return wear;
-}
-
-/// That a force is at most the ultimate tension, which the target can hold.
-void check_force(const Extension& e, std::string_view name, const Model& model,
-                 std::string_view model_name) {
-  const double relative = std::abs(value_of(e, name)) / model.cable.ultimate_tension_N;
-  if (relative > 1) {
-    throw InputError(model_name, 0, 0,
-                     fmt::format("{} of [extension.{}] is {:.3g} times ultimate_tension_N", name,
-                                 e.id, relative),
-                     "up to ultimate_tension_N");
-  }
 }
 
 void add_velocity(const Extension& e, const Model& model, fixed::Extension& result) {
@@ -118,6 +108,11 @@ fixed::FrictionLoad load_of(const Extension& e, const Model& model) {
   return load;
 }
 
+/// Of the tendon, for a turn of the rotor.
+double metres_a_turn(const Model::Drive& drive) {
+  return 2 * std::numbers::pi * drive.spool_radius_m() / drive.gear_ratio;
+}
+
 fixed::FrictionPosition position_of(const Extension& e, const Model& model,
                                     std::string_view model_name) {
   fixed::FrictionPosition position;
@@ -126,9 +121,7 @@ fixed::FrictionPosition position_of(const Extension& e, const Model& model,
     position.harmonics[i] = {word(value_of(e, "position_sine_" + number), 28),
                              word(value_of(e, "position_cosine_" + number), 28)};
   }
-  const double metres_a_turn =
-      2 * std::numbers::pi * model.drive->spool_radius_m() / model.drive->gear_ratio;
-  const double waves = metres_a_turn / value_of(e, "wavelength_m");
+  const double waves = metres_a_turn(*model.drive) / value_of(e, "wavelength_m");
   constexpr double kMostWaves = 7.99;
   constexpr double kLeastWaves = 1e-6;
   if (!(waves >= kLeastWaves && waves <= kMostWaves)) {
@@ -168,6 +161,55 @@ void add_lag(const Extension& e, const Model& model, fixed::Extension& result) {
   }
 }
 
+/// Steps of the covariate at a unit of it.
+double steps_of(fixed::Empirical::Covariate covariate, const Model& model) {
+  using fixed::Empirical;
+  const double speed = std::ldexp(1, fixed::Velocity::kFractionBits);
+  switch (covariate) {
+    case Empirical::output_tension:
+      break;
+    case Empirical::position:
+      return std::ldexp(1, Empirical::kPositionBits) / metres_a_turn(*model.drive);
+    case Empirical::speed:
+      return speed;
+    case Empirical::travel:
+      return std::ldexp(speed * model.counting.sample_rate_Hz, -Empirical::kTravelDrop);
+  }
+  return std::ldexp(1 / model.cable.ultimate_tension_N, lifemodel::Tension::kFractionBits);
+}
+
+void add_empirical(const Extension& e, const Model& model, std::string_view model_name,
+                   fixed::Extension& result) {
+  const auto covariate = static_cast<fixed::Empirical::Covariate>(empirical_covariate(e));
+  if (covariate == fixed::Empirical::position && !model.drive) {
+    return;
+  }
+  const std::string_view name = kEmpiricalCovariates[empirical_covariate(e)].name;
+  const std::span<const double> knots = values_of(e, name);
+  const std::span<const double> pulling_N = values_of(e, "pulling_N");
+  const std::span<const double> letting_go_N = values_of(e, "letting_go_N");
+  const double steps = steps_of(covariate, model);
+  const auto force = [&](double force_N) {
+    return lifemodel::pack::tension(force_N, model.cable.ultimate_tension_N).raw();
+  };
+  fixed::Empirical& table = result.empirical;
+  table.covariate = covariate;
+  table.knots = static_cast<std::int32_t>(knots.size());
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    table.knot[i] = {word(knots[i] * steps, 0), force(pulling_N[i]), force(letting_go_N[i])};
+  }
+  const double furthest = std::max(std::abs(knots.front()), std::abs(knots.back())) * steps;
+  if (!table.plausible() || furthest > 0x1p31) {
+    throw InputError(
+        model_name, 0, 0,
+        fmt::format("{} of [extension.empirical] has knots that are the same to the "
+                    "target",
+                    name),
+        fmt::format("knots up to {:.3g} that are {:.3g} or more apart", 0x1p31 / steps, 1 / steps));
+  }
+  result.add(Effect::empirical);
+}
+
 void add_friction(const Extension& e, const Model& model, std::string_view model_name,
                   fixed::Extension& result) {
   if (e.id == "bend_angle") {
@@ -180,7 +222,6 @@ void add_friction(const Extension& e, const Model& model, std::string_view model
     result.friction_position = position_of(e, model, model_name);
     result.add(Effect::friction_position);
   } else if (e.id == "friction_preload") {
-    check_force(e, "preload_N", model, model_name);
     result.friction_preload.force =
         lifemodel::pack::tension(value_of(e, "preload_N"), model.cable.ultimate_tension_N).raw();
     result.add(Effect::friction_preload);
@@ -194,12 +235,13 @@ void add_friction(const Extension& e, const Model& model, std::string_view model
     result.friction_wear = wear_of(e);
     result.add(Effect::friction_wear);
   } else if (e.id == "load_cell_zero") {
-    check_force(e, "zero_N", model, model_name);
     result.load_cell_zero = {
         lifemodel::pack::tension(value_of(e, "zero_N"), model.cable.ultimate_tension_N).raw()};
     result.add(Effect::load_cell_zero);
   } else if (e.id == "presliding") {
     add_presliding(e, model, model_name, result);
+  } else if (e.id == kEmpirical) {
+    add_empirical(e, model, model_name, result);
   }
 }
 

@@ -34,18 +34,16 @@ std::optional<double> number_of(const toml::node& node) {
   return node.is_number() ? node.value<double>() : std::nullopt;
 }
 
-std::string accepted_array(const NumberKey& key) {
-  return fmt::format("{} an array of 1..{} numbers, each {}", key.name, kMostBendAngles,
-                     range_text(key.range));
-}
-
 /// An array of numbers in their range.
-std::vector<double> numbers(const TomlTable& table, const NumberKey& key) {
-  const std::string accepted = accepted_array(key);
+std::vector<double> numbers(const TomlTable& table, const NumberKey& key, std::size_t most) {
+  const std::string accepted =
+      fmt::format("{} an array of 1..{} numbers, each {}", key.name, most, range_text(key.range));
   const toml::node& node = table.node(key.name, accepted);
   const toml::array* const array = node.as_array();
-  if (array == nullptr || array->empty() || array->size() > kMostBendAngles) {
-    table.fail(table.place_of(key.name), fmt::format("{} is {}", key.name, describe(node)),
+  if (array == nullptr || array->empty() || array->size() > most) {
+    table.fail(table.place_of(key.name),
+               array == nullptr ? fmt::format("{} is {}", key.name, describe(node))
+                                : fmt::format("{} has {} numbers", key.name, array->size()),
                accepted);
   }
   std::vector<double> values;
@@ -60,22 +58,35 @@ std::vector<double> numbers(const TomlTable& table, const NumberKey& key) {
   return values;
 }
 
+void require_rising(const TomlTable& table, std::string_view name,
+                    const std::vector<double>& values, std::string_view accepted) {
+  if (!std::ranges::is_sorted(values, std::ranges::less_equal{})) {
+    table.fail(table.place_of(name), fmt::format("{} do not rise", name), accepted);
+  }
+}
+
+/// As many as there are of another.
+std::vector<double> as_many(const TomlTable& table, const NumberKey& key, std::size_t most,
+                            std::string_view other, std::size_t count) {
+  std::vector<double> values = numbers(table, key, most);
+  if (values.size() != count) {
+    table.fail(table.place_of(key.name), fmt::format("{} has {} numbers", key.name, values.size()),
+               fmt::format("as many as {}: {}", other, count));
+  }
+  return values;
+}
+
 /// One number where the table knows no bend angles, else one for each.
 void read_per_pose(const TomlTable& table, const NumberKey& key, Extension& extension) {
   if (!table.has(kBendAngles.name)) {
     extension.values.push_back({std::string(key.name), {table.number(key)}});
     return;
   }
-  const std::vector<double> angles_deg = numbers(table, kBendAngles);
-  if (!std::ranges::is_sorted(angles_deg, std::ranges::less_equal{})) {
-    table.fail(table.place_of(kBendAngles.name), fmt::format("{} do not rise", kBendAngles.name),
-               "bend angles from the smallest to the largest, each once");
-  }
-  const std::vector<double> values = numbers(table, key);
-  if (values.size() != angles_deg.size()) {
-    table.fail(table.place_of(key.name), fmt::format("{} has {} numbers", key.name, values.size()),
-               fmt::format("as many as {}: {}", kBendAngles.name, angles_deg.size()));
-  }
+  const std::vector<double> angles_deg = numbers(table, kBendAngles, kMostBendAngles);
+  require_rising(table, kBendAngles.name, angles_deg,
+                 "bend angles from the smallest to the largest, each once");
+  const std::vector<double> values =
+      as_many(table, key, kMostBendAngles, kBendAngles.name, angles_deg.size());
   extension.values.push_back({std::string(key.name), values});
   extension.values.push_back({std::string(kBendAngles.name), angles_deg});
 }
@@ -129,8 +140,37 @@ void check_velocity(const TomlTable& table, const Extension& extension) {
   }
 }
 
+/// A covariate with its knots, and a force for each direction at each of them.
+Extension read_empirical(const TomlTable& table) {
+  constexpr std::string_view kOne =
+      "exactly one of output_tension_N, position_m, speed_m_s, travel_m";
+  const NumberKey* covariate = nullptr;
+  for (const NumberKey& key : kEmpiricalCovariates) {
+    if (table.has(key.name) && covariate != nullptr) {
+      table.fail(table.place_of(key.name), fmt::format("{} beside {}", key.name, covariate->name),
+                 kOne);
+    }
+    covariate = table.has(key.name) ? &key : covariate;
+  }
+  if (covariate == nullptr) {
+    table.fail(table.place(), "no covariate in [extension.empirical]", kOne);
+  }
+  const std::vector<double> knots = numbers(table, *covariate, kMostKnots);
+  require_rising(table, covariate->name, knots,
+                 "knots from the smallest to the largest, each once");
+  Extension extension{std::string(kEmpirical), {{std::string(covariate->name), knots}}};
+  for (const NumberKey& force : kEmpiricalForces) {
+    extension.values.push_back({std::string(force.name),
+                                as_many(table, force, kMostKnots, covariate->name, knots.size())});
+  }
+  return extension;
+}
+
 Extension read_extension(const TomlTable& table, const ExtensionKeys& keys) {
   refuse_unknown_keys(table, keys);
+  if (keys.id == kEmpirical) {
+    return read_empirical(table);
+  }
   Extension extension{std::string(keys.id), {}};
   for (const ExtensionKey& key : keys.keys) {
     read_key(table, key, extension);
@@ -217,6 +257,17 @@ ExtensionKeys keys_of(std::string_view id, std::span<const effects::Parameter> p
   return result;
 }
 
+ExtensionKeys empirical() {
+  ExtensionKeys keys{kEmpirical, {}};
+  for (const NumberKey& key : kEmpiricalCovariates) {
+    keys.keys.push_back({key, kUnknown, false});
+  }
+  for (const NumberKey& key : kEmpiricalForces) {
+    keys.keys.push_back({key, std::nullopt, false});
+  }
+  return keys;
+}
+
 std::vector<ExtensionKeys> all_keys() {
   std::vector<ExtensionKeys> all;
   for (const auto& effect : effects::tension_effects()) {
@@ -226,13 +277,14 @@ std::vector<ExtensionKeys> all_keys() {
     all.push_back(keys_of(effect->id(), effect->parameters(), false));
   }
   all.push_back(load_cell_zero());
+  all.push_back(empirical());
   std::ranges::sort(all, {}, &ExtensionKeys::id);
   return all;
 }
 
 /// Whether a name stands for an array even where it holds one number.
 bool is_array(const Extension& extension, const Extension::Value& value) {
-  if (value.name == kBendAngles.name || value.values.size() > 1) {
+  if (value.name == kBendAngles.name || value.values.size() > 1 || extension.id == kEmpirical) {
     return true;
   }
   for (const Extension::Value& other : extension.values) {
@@ -252,6 +304,18 @@ std::string value_text(const Extension& extension, const Extension::Value& value
     numbers.push_back(toml_float(number));
   }
   return fmt::format("[{}]", fmt::join(numbers, ", "));
+}
+
+/// What the target holds relative to the ultimate tension is at most that.
+void check_forces(const TomlTable& table, const Extension& extension, double ultimate_tension_N) {
+  for (const std::string_view name : {"preload_N", "zero_N", "pulling_N", "letting_go_N"}) {
+    for (const double force_N : values_of(extension, name)) {
+      if (std::abs(force_N) > ultimate_tension_N) {
+        table.fail(table.place_of(name), fmt::format("{} is {}", name, force_N),
+                   fmt::format("up to ultimate_tension_N, {}", ultimate_tension_N));
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -276,7 +340,11 @@ Model parse_extended_model(std::string_view text, std::string_view name) {
   const TomlTable top(name, values, "", {});
   Model model = nominal_model_of(top, std::span(&kExtension, 1));
   if (top.has(kExtension)) {
-    model.extensions = read_extensions(top.table(kExtension));
+    const TomlTable tables = top.table(kExtension);
+    model.extensions = read_extensions(tables);
+    for (const Extension& extension : model.extensions) {
+      check_forces(tables.table(extension.id), extension, model.cable.ultimate_tension_N);
+    }
   }
   return model;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -28,8 +29,8 @@ struct ExtensionKeys {
   std::vector<ExtensionKey> keys;
 };
 
-/// Of all effects on tension and life, in order of their ids, and of the zero of the load cell.
-/// Effects on counting extend no model.
+/// Of all effects on tension and life, of the zero of the load cell and of the empirical
+/// correction, in order of their ids. Effects on counting extend no model.
 std::span<const ExtensionKeys> extension_keys();
 
 /// The keys of one effect; null where there is none of that id.
@@ -41,13 +42,29 @@ inline constexpr hal::files::NumberKey kBendAngles{"bend_angles_deg", "deg", {0,
 /// How many bend angles that may be.
 inline constexpr std::size_t kMostBendAngles = 8;
 
+/// What [extension.empirical], a correction and no cause, may be written over: one of these, with
+/// its knots, beside the forces at them.
+inline constexpr std::string_view kEmpirical = "empirical";
+inline constexpr std::array<hal::files::NumberKey, 4> kEmpiricalCovariates{{
+    {"output_tension_N", "N", {0, 1e4}},  ///< its size
+    {"position_m", "m", {-1e3, 1e3}},
+    {"speed_m_s", "m_s", {0, 100}},
+    {"travel_m", "m", {0, 1e3}},  ///< since the motion turned
+}};
+inline constexpr std::array<hal::files::NumberKey, 2> kEmpiricalForces{{
+    {"pulling_N", "N", {-1e4, 1e4}},
+    {"letting_go_N", "N", {-1e4, 1e4}},
+}};
+inline constexpr std::size_t kMostKnots = 16;
+
 /// The tables [extension.<id>] in `extension`, in order of their ids; values in the order of
 /// extension_keys(), and of bend_angle `bend_angles_deg` last.
 /// @throws InputError for an effect or key that is unknown, a number that is missing, of the wrong
-/// type or outside the bounds of the catalogue, and bend angles that do not rise
+/// type or outside its bounds, and bend angles or knots that do not rise
 std::vector<Extension> read_extensions(const hal::files::TomlTable& extension);
 
 /// As read_model(), with the tables [extension.<id>].
+/// @throws InputError for a force beyond the ultimate tension too
 Model read_extended_model(const std::filesystem::path& path);
 
 /// The same for a text in memory; `name` stands for the file in errors.

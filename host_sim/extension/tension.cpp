@@ -1,12 +1,14 @@
 #include "host_sim/extension/tension.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <span>
 #include <string>
 
+#include "host_sim/extension/model_file.hpp"
 #include "host_sim/model/model.hpp"
 #include "host_sim/reference/equations.hpp"
 
@@ -40,7 +42,18 @@ double gain_share(const Model& model, double winding_temperature_C) {
                   1 - parameter(model, "torque_gain", "droop_1_K") * warmer_K);
 }
 
+double position_m(double motor_angle_rad, const Model::Drive& drive) {
+  return motor_angle_rad * drive.spool_radius_m() / drive.gear_ratio;
+}
+
 }  // namespace
+
+std::size_t empirical_covariate(const Extension& empirical) {
+  const auto found = std::ranges::find_if(kEmpiricalCovariates, [&](const auto& key) {
+    return !values_of(empirical, key.name).empty();
+  });
+  return static_cast<std::size_t>(found - kEmpiricalCovariates.begin());
+}
 
 ExtendedFriction::ExtendedFriction(const Model& model) : model_(model) {}
 
@@ -67,9 +80,8 @@ double ExtendedFriction::position(double motor_angle_rad) const {
   if (effect == nullptr || !model_.drive) {
     return 0;
   }
-  const double position_m =
-      motor_angle_rad * model_.drive->spool_radius_m() / model_.drive->gear_ratio;
-  const double phase_rad = 2 * std::numbers::pi * position_m / value_of(*effect, "wavelength_m");
+  const double phase_rad = 2 * std::numbers::pi * position_m(motor_angle_rad, *model_.drive) /
+                           value_of(*effect, "wavelength_m");
   double sum = 0;
   for (int harmonic = 1; harmonic <= 6; ++harmonic) {
     const std::string number = std::to_string(harmonic);
@@ -151,14 +163,48 @@ double ExtendedInput::slip(const Covariates& at) {
   return std::lerp(at.direction, slip_, value_if(*effect, "presliding_share").value_or(1));
 }
 
+void ExtendedInput::travel(const Covariates& at) {
+  if (at.direction != direction_) {
+    direction_ = at.direction;
+    travel_m_ = 0;
+  }
+  travel_m_ += std::abs(at.velocity_m_s) / model_.counting.sample_rate_Hz;
+}
+
+double ExtendedInput::empirical_N(double output_N, const Covariates& at) const {
+  const Extension* const effect = extension_of(model_.extensions, kEmpirical);
+  if (effect == nullptr) {
+    return 0;
+  }
+  const std::size_t covariate = empirical_covariate(*effect);
+  const std::array<double, kEmpiricalCovariates.size()> values{
+      std::abs(output_N),
+      model_.drive ? position_m(at.motor_angle_rad, *model_.drive) : 0,
+      std::abs(at.velocity_m_s),
+      travel_m_,
+  };
+  const std::span<const double> knots = values_of(*effect, kEmpiricalCovariates[covariate].name);
+  const std::span<const double> forces_N =
+      values_of(*effect, kEmpiricalForces[at.direction > 0 ? 0 : 1].name);
+  const double value = values[covariate];
+  const auto above =
+      static_cast<std::size_t>(std::ranges::upper_bound(knots, value) - knots.begin());
+  if (above == 0 || above == knots.size()) {
+    return above == 0 ? forces_N.front() : forces_N.back();
+  }
+  return std::lerp(forces_N[above - 1], forces_N[above],
+                   (value - knots[above - 1]) / (knots[above] - knots[above - 1]));
+}
+
 double ExtendedInput::from_output_N(double output_tension_N, const Covariates& at) {
   const double lag_s = std::max(0.0, parameter(model_, "filter_lag", "lag_s"));
   const double zero_N = parameter(model_, "load_cell_zero", "zero_N");
   const double output_N = without_lag_N(output_tension_N - zero_N, lag_s);
+  travel(at);
   const double slip = this->slip(at);
   const double side = output_N < 0 ? -1 : 1;
   return output_N * std::exp(friction_.log_ratio(std::abs(output_N), side * slip, at)) +
-         friction_.load_independent_N(at) * slip;
+         friction_.load_independent_N(at) * slip + empirical_N(output_N, at);
 }
 
 double ExtendedInput::from_current_N(double motor_current_A, const Covariates& at) {

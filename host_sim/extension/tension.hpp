@@ -1,7 +1,7 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "host_sim/model/model.hpp"
 
@@ -53,6 +53,9 @@ class ExtendedFriction {
   Model model_;
 };
 
+/// The place in kEmpiricalCovariates of what an empirical correction is written over.
+std::size_t empirical_covariate(const Extension& empirical);
+
 /// Input tension by the extended equations in double precision, sample by sample. Which effects of
 /// the model act is acting.hpp's to say; here all are evaluated that the input in use can show.
 class ExtendedInput {
@@ -68,7 +71,7 @@ class ExtendedInput {
   /// extended; the load dependence is solved along the sheath. Where friction turns over along the
   /// way, s is the slip z: z += (s - z) (1 - exp(-|v| dt/l)), from 0 on. The zero and the lag are
   /// taken out of T_out first. A force the other way round is that of the other tendon of a pair,
-  /// whose motion is the other way too: T_out exp(-mu phi s).
+  /// whose motion is the other way too: T_out exp(-mu phi s). The empirical correction comes last.
   double from_output_N(double output_tension_N, const Covariates& at);
 
   /// From motor current, with offset b, ripple (a, c), droop alpha and asymmetry e:
@@ -84,11 +87,15 @@ class ExtendedInput {
   /// T + tau dT/dt with the difference to the sample before, one period ago; bounded.
   double without_lag_N(double tension_N, double lag_s);
   double slip(const Covariates& at);
+  void travel(const Covariates& at);
+  [[nodiscard]] double empirical_N(double output_N, const Covariates& at) const;
 
   Model model_;
   ExtendedFriction friction_;
   std::optional<double> before_N_;
   double slip_ = 0;
+  double direction_ = 1;
+  double travel_m_ = 0;  ///< since the motion turned
 };
 
 }  // namespace host_sim

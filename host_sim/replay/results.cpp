@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hal/files/csv.hpp"
+#include "host_sim/extension/model_file.hpp"
 #include "host_sim/io/json.hpp"
 #include "host_sim/model/model.hpp"
 #include "host_sim/report/replay/captions.hpp"
@@ -118,7 +119,7 @@ void write_summary(std::ostream& out, const ReplayResult& result, const std::str
   fmt::print(out, "  survival      {:.4f} %  after one pass\n", 100 * result.survival_probability);
   write_repeats(out, result);
   for (const std::string& id : result.extensions) {
-    fmt::print(out, "  extension     {}\n", id);
+    fmt::print(out, "  {:<13} {}\n", id == kEmpirical ? "correction" : "extension", id);
   }
   for (const NotEvaluated& effect : result.not_evaluated) {
     fmt::print(out, "  left out      {}: {}\n", effect.id, effect.why);

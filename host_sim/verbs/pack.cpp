@@ -72,7 +72,9 @@ void tell_extensions(const Model& model) {
     if (extension_of(current.extensions, extension.id) != nullptr) {
       continue;
     }
-    std::cerr << "  " << extension.id << ": evaluated where output tension is sampled\n";
+    std::cerr << "  " << extension.id << ": "
+              << (extension.id == kEmpirical ? "a correction, " : "")
+              << "evaluated where output tension is sampled\n";
   }
   for (const NotEvaluated& effect : current.others) {
     if (extension_of(output.extensions, effect.id) == nullptr) {

@@ -59,7 +59,7 @@ class Corrector {
   /// T_in = T_out exp(mu phi s) + (F (1 + g(x)) + c |v|) s with mu and phi extended, T_out without
   /// its zero and its lag, s the slip where friction turns over along the way. Of a force the other
   /// way round, that of the other tendon of a pair, friction is in proportion to |T_out| and works
-  /// against the motion too: T_out exp(-mu phi s).
+  /// against the motion too: T_out exp(-mu phi s). The empirical correction comes last.
   [[nodiscard]] Tension input_tension(const SheathSample& sample, Flags& flags) {
     move(sample.at.velocity);
     const Tension output = output_of(sample.tension, flags);
@@ -69,7 +69,10 @@ class Corrector {
     const std::int32_t slip = this->slip();
     const std::int32_t exponent = exponent_of(output, slip, position, sample, flags);
     const Tension tension = times_exp2(output, exponent, flags);
-    const std::int64_t added = rounded(load_independent(position, sample.at) * slip, kFactorBits);
+    std::int64_t added = rounded(load_independent(position, sample.at) * slip, kFactorBits);
+    if (extension_.has(Effect::empirical)) {
+      added += extension_.empirical.added(covariate(output, sample.at), direction_);
+    }
     return Tension::saturated(tension.raw() + added, flags);
   }
 
@@ -137,6 +140,21 @@ class Corrector {
       force += std::min(extension_.viscous_force.size(at.velocity), kMost);
     }
     return std::min(force, kMost);
+  }
+
+  /// What the empirical correction is written over, with its fractional bits.
+  [[nodiscard]] std::int32_t covariate(Tension output, const Covariates& at) const {
+    constexpr int kTurns = RotorAngle::kFractionBits - Empirical::kPositionBits;
+    switch (extension_.empirical.covariate) {
+      case Empirical::position:
+        return held(rounded(at.rotor.raw, kTurns), -kInt32Max, kInt32Max);
+      case Empirical::speed:
+        return at.velocity.raw() < 0 ? -at.velocity.raw() : at.velocity.raw();
+      case Empirical::travel:
+        return held(rounded(travel_, Empirical::kTravelDrop), 0, kInt32Max);
+      default:
+        return output.raw() < 0 ? -output.raw() : output.raw();
+    }
   }
 
   [[nodiscard]] std::int32_t wear() const {

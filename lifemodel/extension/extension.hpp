@@ -4,6 +4,7 @@
 
 #include "lifemodel/extension/drive.hpp"
 #include "lifemodel/extension/effective_tension.hpp"
+#include "lifemodel/extension/empirical.hpp"
 #include "lifemodel/extension/sample.hpp"
 #include "lifemodel/extension/sheath.hpp"
 
@@ -30,8 +31,9 @@ enum class Effect : std::uint32_t {
   presliding,
   viscous_force,  ///< of friction_velocity
   load_cell_zero,
+  empirical,  ///< a correction
 };
-inline constexpr std::uint32_t kEffects = 19;
+inline constexpr std::uint32_t kEffects = 20;
 
 /// What extends the nominal model of one tendon, in fixed point. Without effects it changes
 /// nothing.
@@ -57,6 +59,7 @@ struct Extension {
   Presliding presliding;
   ViscousForce viscous_force;
   LoadCellZero load_cell_zero;
+  Empirical empirical;
 
   [[nodiscard]] constexpr bool has(Effect effect) const {
     return (effects >> static_cast<std::uint32_t>(effect) & 1u) != 0;
@@ -85,6 +88,7 @@ struct Extension {
     what(Effect::presliding, presliding);
     what(Effect::viscous_force, viscous_force);
     what(Effect::load_cell_zero, load_cell_zero);
+    what(Effect::empirical, empirical);
   }
 };
 

@@ -47,6 +47,21 @@ TEST(ActingExtensions, AChannelThatIsNotThereIsNamed) {
   EXPECT_EQ(why_not(kTemperature, InputKind::kOutputTension, all_channels()), "");
 }
 
+TEST(ActingExtensions, ACorrectionNeedsWhatItIsWrittenOver) {
+  const auto over = [](const std::string& covariate) {
+    return "[extension.empirical]\n" + covariate +
+           " = [0, 1]\npulling_N = [1, 2]\nletting_go_N = [1, 2]\n";
+  };
+  ProfileChannels velocity;
+  velocity.set(hal::files::kTendonVelocity);
+  EXPECT_EQ(why_not(over("travel_m"), InputKind::kOutputTension, velocity), "");
+  EXPECT_EQ(why_not(over("position_m"), InputKind::kOutputTension, velocity),
+            "needs motor_angle_rad");
+  EXPECT_EQ(why_not(over("position_m"), InputKind::kOutputTension, all_channels()), "");
+  EXPECT_EQ(why_not(over("speed_m_s"), InputKind::kMotorCurrent, all_channels()),
+            "acts on an output tension, and the input is a motor current");
+}
+
 TEST(ActingExtensions, TheSignOfALagSaysWhereItIs) {
   constexpr std::string_view kOutput = "[extension.filter_lag]\nlag_s = 0.005\n";
   constexpr std::string_view kInput = "[extension.filter_lag]\nlag_s = -0.005\n";

@@ -249,6 +249,44 @@ RC_GTEST_PROP(Corrector, Presliding, ()) {
   }
 }
 
+/// A correction over one covariate, knots anywhere, of one knot too.
+void check_correction(std::string_view covariate, double low, double high) {
+  const int count = *rc::gen::inRange(1, 17);
+  std::string knots;
+  std::string pulling_N;
+  std::string letting_go_N;
+  for (int i = 0; i < count; ++i) {
+    const char* const comma = i == 0 ? "" : ", ";
+    knots += fmt::format("{}{}", comma,
+                         std::lerp(low, high, (i + drawn(0.1, 0.9)) / static_cast<double>(count)));
+    pulling_N += fmt::format("{}{}", comma, drawn(-2, 2));
+    letting_go_N += fmt::format("{}{}", comma, drawn(-2, 2));
+  }
+  const std::string table =
+      fmt::format("[extension.empirical]\n{} = [{}]\npulling_N = [{}]\nletting_go_N = [{}]\n",
+                  covariate, knots, pulling_N, letting_go_N);
+  check_output(table);
+  Both both(table);
+  Covariates at = drawn_covariates();
+  at.velocity_m_s = to_double(from_double<Velocity>(at.velocity_m_s));
+  for (int i = 0; i < 10; ++i) {
+    RC_ASSERT(is_near(both.output_N(40, at), both.exact_output_N(40, at)));
+  }
+}
+
+RC_GTEST_PROP(Corrector, CorrectionByTension, ()) {
+  check_correction("output_tension_N", 0, 130);
+}
+RC_GTEST_PROP(Corrector, CorrectionByPosition, ()) {
+  check_correction("position_m", -0.5, 0.5);
+}
+RC_GTEST_PROP(Corrector, CorrectionBySpeed, ()) {
+  check_correction("speed_m_s", 0, 0.6);
+}
+RC_GTEST_PROP(Corrector, CorrectionByTravel, ()) {
+  check_correction("travel_m", 0, 0.005);
+}
+
 /// Of a drive that works both ways.
 RC_GTEST_PROP(Corrector, ForcesOfEitherSign, ()) {
   Both both(
@@ -333,6 +371,21 @@ TEST(Corrector, SlipStartsAtNothingAndStandsStillWithTheTendon) {
   for (int i = 0; i < 100; ++i) {
     EXPECT_NEAR(both.output_N(0, at), 6.321206, 2e-5);
   }
+}
+
+TEST(Corrector, ACorrectionIsLinearBetweenItsKnots) {
+  Both both(
+      "[extension.empirical]\nspeed_m_s = [0.1, 0.2]\npulling_N = [1, 3]\n"
+      "letting_go_N = [-2, -6]\n");
+  const auto at_speed = [&](double velocity_m_s) {
+    Covariates at;
+    at.velocity_m_s = velocity_m_s;
+    return both.output_N(50, at);
+  };
+  EXPECT_NEAR(at_speed(0.01), 51, 1e-4);
+  EXPECT_NEAR(at_speed(0.125), 51.5, 1e-4);
+  EXPECT_NEAR(at_speed(0.3), 53, 1e-4);
+  EXPECT_NEAR(at_speed(-0.15), 46, 1e-4);
 }
 
 TEST(Corrector, AGapLeavesNoRate) {

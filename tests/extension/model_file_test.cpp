@@ -124,6 +124,57 @@ TEST(ExtensionRead, PreslidingNeedsItsLength) {
   EXPECT_EQ(complaint("[extension.presliding]\npresliding_length_m = 0.02\n"), "");
 }
 
+constexpr std::string_view kCorrection = "[extension.empirical]\n";
+
+std::string correction(std::string_view rest) {
+  return std::string(kCorrection) + std::string(rest);
+}
+
+TEST(ExtensionRead, ACorrectionIsATableOverOneCovariate) {
+  const Model model =
+      model_with(correction("letting_go_N = [-1, 0, 1.5]\nposition_m = [-0.1, 0, 0.2]\n"
+                            "pulling_N = [1, 2, 3]\n"));
+  ASSERT_EQ(model.extensions.size(), 1u);
+  EXPECT_EQ(model.extensions[0].id, "empirical");
+  EXPECT_THAT(values_of(model.extensions[0], "position_m"), ElementsAre(-0.1, 0, 0.2));
+  EXPECT_THAT(values_of(model.extensions[0], "pulling_N"), ElementsAre(1, 2, 3));
+  EXPECT_THAT(values_of(model.extensions[0], "letting_go_N"), ElementsAre(-1, 0, 1.5));
+}
+
+TEST(ExtensionRead, SaysWhatIsWrongWithACorrection) {
+  const std::string forces = "pulling_N = [1, 2]\nletting_go_N = [1, 2]\n";
+  EXPECT_THAT(complaint(correction(forces)),
+              HasSubstr("m.toml:22:12: no covariate in [extension.empirical]; accepted: exactly "
+                        "one of output_tension_N, position_m, speed_m_s, travel_m"));
+  EXPECT_THAT(complaint(correction("travel_m = [0, 1]\nspeed_m_s = [0, 1]\n" + forces)),
+              HasSubstr("m.toml:23:1: travel_m beside speed_m_s"));
+  EXPECT_THAT(complaint(correction("travel_m = [0, 0.1, 0.1]\n" + forces)),
+              HasSubstr("m.toml:23:1: travel_m do not rise"));
+  EXPECT_THAT(complaint(correction("travel_m = [0, 0.1, 0.2]\n" + forces)),
+              HasSubstr("m.toml:24:1: pulling_N has 2 numbers; accepted: as many as travel_m: 3"));
+  EXPECT_THAT(complaint(correction("travel_m = [0, 0.1]\npulling_N = [1, 2]\n")),
+              HasSubstr("no key letting_go_N"));
+  EXPECT_THAT(complaint(correction("travel_m = [0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16]\n")),
+              HasSubstr("m.toml:23:1: travel_m has 17 numbers; accepted: travel_m an array of "
+                        "1..16 numbers, each 0..1000"));
+  EXPECT_THAT(complaint(correction("travel_m = []\n")), HasSubstr("travel_m has 0 numbers"));
+  EXPECT_THAT(complaint(correction("travel_m = 3\n")), HasSubstr("travel_m is 3"));
+  EXPECT_THAT(complaint(correction("travel_m = [-1, 1]\n")),
+              HasSubstr("m.toml:23:13: travel_m holds -1"));
+  EXPECT_THAT(
+      complaint(correction("travel_m = [0, 1]\npulling_N = [1, 178]\nletting_go_N = [1, 2]\n")),
+      HasSubstr("m.toml:24:1: pulling_N is 178; accepted: up to ultimate_tension_N, 177.4"));
+  EXPECT_THAT(complaint(correction("travel_m = [0, 1]\nother_N = [1]\n")),
+              HasSubstr("unknown key 'other_N' in [extension.empirical]"));
+}
+
+TEST(ExtensionRead, AForceBeyondTheUltimateTensionIsRefused) {
+  EXPECT_THAT(complaint("[extension.friction_preload]\npreload_N = 178\n"),
+              HasSubstr("m.toml:23:1: preload_N is 178; accepted: up to ultimate_tension_N"));
+  EXPECT_THAT(complaint("[extension.load_cell_zero]\nzero_N = -178\n"),
+              HasSubstr("m.toml:23:1: zero_N is -178"));
+}
+
 TEST(ExtensionRead, WhoEvaluatesNoExtensionsRefusesThem) {
   const std::string text =
       std::string(extension_test::kNominal) + "[extension.friction_load]\nload_exponent = 0.2\n";
@@ -133,7 +184,8 @@ TEST(ExtensionRead, WhoEvaluatesNoExtensionsRefusesThem) {
 
 TEST(ExtensionRead, EveryEffectOfTheCatalogueHasItsKeys) {
   EXPECT_EQ(extension_keys().size(),
-            effects::tension_effects().size() + effects::life_effects().size() + 1);
+            effects::tension_effects().size() + effects::life_effects().size() + 2);
+  EXPECT_NE(extension_keys("empirical"), nullptr);
   EXPECT_NE(extension_keys("load_cell_zero"), nullptr);
   for (const auto& effect : effects::tension_effects()) {
     ASSERT_NE(extension_keys(effect->id()), nullptr) << effect->id();
@@ -194,12 +246,29 @@ rc::Gen<double> number_in(const NumberRange& range) {
       });
 }
 
+Extension any_correction() {
+  const std::string covariate(kEmpiricalCovariates[*rc::gen::inRange<std::size_t>(0, 4)].name);
+  Extension extension{"empirical", {{covariate, {}}, {"pulling_N", {}}, {"letting_go_N", {}}}};
+  const int knots = *rc::gen::inRange(1, 17);
+  for (int i = 0; i < knots; ++i) {
+    extension.values[0].values.push_back(i + *number_in({0, 0.9}));
+    extension.values[1].values.push_back(*number_in({-177, 177}));
+    extension.values[2].values.push_back(*number_in({-177, 177}));
+  }
+  return extension;
+}
+
 Extension any_extension(const ExtensionKeys& keys) {
+  if (keys.id == "empirical") {
+    return any_correction();
+  }
   Extension extension{std::string(keys.id), {}};
   for (const ExtensionKey& key : keys.keys) {
     NumberRange range = key.number.range;
     if (key.number.name == "run_in_cycles") {
       range.minimum = 1;  // with an exponent of 0 it may not be less
+    } else if (key.number.name == "preload_N" || key.number.name == "zero_N") {
+      range = {0, 177};  // no more than the wire bears
     }
     std::vector<double> values{*number_in(range)};
     if (key.per_pose) {

@@ -190,6 +190,42 @@ TEST(ExtendedInput, FrictionTurnsOverAlongTheWay) {
   EXPECT_NEAR(last_N, 49 * std::exp(kMu * kPhi * second) + 15 * second, 1e-10);
 }
 
+/// 1 N at 10, 3 N at 20 while pulling, and twice that the other way round while letting go.
+std::string correction(std::string_view covariate, std::string_view knots) {
+  return "[extension.empirical]\n" + std::string(covariate) + " = [" + std::string(knots) +
+         "]\npulling_N = [1, 3]\nletting_go_N = [-2, -6]\n";
+}
+
+TEST(ExtendedInput, ACorrectionIsLinearBetweenItsKnotsAndConstantBeyond) {
+  const std::string table = correction("output_tension_N", "10, 20");
+  Covariates at;  // no bend
+  EXPECT_NEAR(from_output_N(table, 5, at), 5 + 1, 1e-12);
+  EXPECT_NEAR(from_output_N(table, 10, at), 10 + 1, 1e-12);
+  EXPECT_NEAR(from_output_N(table, 12.5, at), 12.5 + 1.5, 1e-12);
+  EXPECT_NEAR(from_output_N(table, 20, at), 20 + 3, 1e-12);
+  EXPECT_NEAR(from_output_N(table, 90, at), 90 + 3, 1e-12);
+  EXPECT_NEAR(from_output_N(table, -15, at), -15 + 2, 1e-12);  // by its size
+  at.direction = -1;
+  EXPECT_NEAR(from_output_N(table, 15, at), 15 - 4, 1e-12);
+}
+
+TEST(ExtendedInput, ACorrectionGoesWithItsCovariate) {
+  Covariates at;
+  at.velocity_m_s = 0.15;
+  EXPECT_NEAR(from_output_N(correction("speed_m_s", "0.1, 0.2"), 50, at), 52, 1e-12);
+  at.motor_angle_rad = -0.015 * 9 / 0.0125;
+  EXPECT_NEAR(from_output_N(correction("position_m", "-0.02, -0.01"), 50, at), 52, 1e-12);
+  // 0.15 mm a sample; the travel begins anew where the motion turns.
+  ExtendedInput input(model_with(correction("travel_m", "0.0002, 0.0004")));
+  EXPECT_NEAR(input.from_output_N(50, at), 51, 1e-12);
+  EXPECT_NEAR(input.from_output_N(50, at), 52, 1e-12);
+  EXPECT_NEAR(input.from_output_N(50, at), 53, 1e-12);
+  at.velocity_m_s = -0.15;
+  at.direction = -1;
+  EXPECT_NEAR(input.from_output_N(50, at), 48, 1e-12);
+  EXPECT_NEAR(input.from_output_N(50, at), 46, 1e-12);
+}
+
 TEST(ExtendedInput, AShareOfFrictionTurnsOverAtOnce) {
   ExtendedInput input(
       model_with("[extension.presliding]\npresliding_length_m = 0.001\npresliding_share = 0.25\n"));

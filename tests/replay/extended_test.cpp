@@ -103,6 +103,14 @@ INSTANTIATE_TEST_SUITE_P(
              false},
         Case{"friction_velocity", "[extension.friction_velocity]\nviscous_N_s_m = 20\n", false},
         Case{"load_cell_zero", "[extension.load_cell_zero]\nzero_N = 2\n", false},
+        Case{"empirical",
+             "[extension.empirical]\nposition_m = [-0.01, 0, 0.01]\npulling_N = [1, 4, 2]\n"
+             "letting_go_N = [0, -3, -1]\n",
+             false},
+        Case{"empirical",
+             "[extension.empirical]\ntravel_m = [0, 0.005, 0.02]\npulling_N = [-3, 0, 3]\n"
+             "letting_go_N = [4, 0, -2]\n",
+             false},
         Case{"presliding", "[extension.presliding]\npresliding_length_m = 0.005\n", false},
         Case{"friction_wear",
              "[extension.friction_wear]\nwear_coefficient = 0.3\nwear_exponent = 0.5\n"
@@ -152,6 +160,16 @@ TEST(ExtendedReplayResult, WhatDoesNotActIsTold) {
   EXPECT_EQ(
       report.warnings.back(),
       "friction_load is left out: acts on an output tension, and the input is a motor current");
+}
+
+TEST(ExtendedReplayResult, ACorrectionIsNoExtensionInWords) {
+  const ReplayResult result = replay_of(
+      profile(false), model_with("[extension.empirical]\nspeed_m_s = [0, 0.1]\npulling_N = [0, 2]\n"
+                                 "letting_go_N = [0, -2]\n"));
+  std::ostringstream summary;
+  write_summary(summary, result, "p.csv", "m.toml");
+  EXPECT_NE(summary.str().find("  correction    empirical\n"), std::string::npos);
+  EXPECT_EQ(summary.str().find("extension     empirical"), std::string::npos);
 }
 
 TEST(ExtendedReplayResult, ANominalModelSaysNothingOfExtensions) {

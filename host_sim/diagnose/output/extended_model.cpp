@@ -68,9 +68,11 @@ std::string head(const Campaign& campaign, const Diagnosis& diagnosis, InputFrom
   for (const DataFindings& part : findings_by_data(diagnosis)) {
     text += fmt::format("# Verdict on the {}: {}.\n", part.name, name_of(part.findings->verdict));
     for (const Extension& extension : part.findings->extensions) {
-      text += fmt::format("# {} {}.\n",
-                          is_in_model(extension) ? "Extended by" : "Outside of the model:",
-                          printable(extension.id));
+      text += extension.id == kEmpirical
+                  ? "# A correction besides, whose cause is not known: empirical.\n"
+                  : fmt::format("# {} {}.\n",
+                                is_in_model(extension) ? "Extended by" : "Outside of the model:",
+                                printable(extension.id));
     }
   }
   return text + "schema = 1\n";

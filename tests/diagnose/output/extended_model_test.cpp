@@ -111,6 +111,18 @@ TEST(ExtendedModel, LeavesOutWhatNoModelHas) {
             std::string::npos);
 }
 
+TEST(ExtendedModel, ACorrectionIsNoCause) {
+  Diagnosis diagnosis = recordings();
+  diagnosis.tension->findings.extensions.push_back(
+      {"empirical", {{"speed_m_s", {0, 0.1}}, {"pulling_N", {0, 2}}, {"letting_go_N", {0, -2}}}});
+  const std::string text = extended_model_text(campaign(), diagnosis, InputFrom::current, "1");
+  EXPECT_NE(text.find("# A correction besides, whose cause is not known: empirical.\n"),
+            std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("Extended by empirical"), std::string::npos);
+  EXPECT_EQ(parse_extended_model(text, "m.toml").extensions.size(), 2U);
+}
+
 TEST(ExtendedModel, SaysWhereItIsFrom) {
   const std::string text =
       extended_model_text(campaign(), host_sim_test::both_parts(), InputFrom::current, "1.2.3");

@@ -44,6 +44,12 @@ inline lifemodel::ExtendedParameters extended_paper_model() {
   e.presliding = {0, {1549082005, 33}, 1 << 28};        // 1 mm at 1 kHz
   e.viscous_force = {{1549480873, 28}};                 // 32 N s/m
   e.load_cell_zero = {3026330};                         // 1 N
+  // The worst: as many knots as there may be, and a quotient.
+  e.empirical.covariate = lifemodel::extension::Empirical::output_tension;
+  e.empirical.knots = lifemodel::extension::Empirical::kKnots;
+  for (std::int32_t i = 0; i < e.empirical.knots; ++i) {
+    e.empirical.knot[static_cast<std::size_t>(i)] = {i << 25, 302633 * i, -302633 * i};
+  }
   e.effects = (1u << lifemodel::extension::kEffects) - 1;
   return model;
 }
