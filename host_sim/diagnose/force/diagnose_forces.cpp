@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "host_sim/diagnose/force/force_fit.hpp"
+#include "host_sim/diagnose/force/written_term.hpp"
 #include "host_sim/diagnose/sessions.hpp"
 #include "host_sim/statistics/parallel.hpp"
 #include "host_sim/statistics/random.hpp"
@@ -446,24 +447,14 @@ class Report {
   }
 
   /// Of what a written model can hold.
-  static void add_extension(ForceTerm term, const std::vector<Estimate>& parameters,
-                            Findings& findings) {
-    switch (term) {
-      case ForceTerm::preload:
-      case ForceTerm::load:
-      case ForceTerm::lag: {
-        const Estimate& only = parameters.front();
-        findings.extensions.push_back(
-            {std::string(definition_of(term).id), {{only.name, {only.value}}}});
-        break;
-      }
-      case ForceTerm::velocity:
-      case ForceTerm::presliding:
-      case ForceTerm::position:
-      case ForceTerm::slack:
-      case ForceTerm::compliance:
-      case ForceTerm::zero:
-        break;
+  void add_extension(ForceTerm term, const std::vector<Estimate>& parameters,
+                     Findings& findings) const {
+    std::vector<double> values;
+    for (const Estimate& parameter : parameters) {
+      values.push_back(parameter.value);
+    }
+    if (auto extension = written_term(term, values, data_.scales())) {
+      findings.extensions.push_back(*std::move(extension));
     }
   }
 
