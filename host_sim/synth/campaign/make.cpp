@@ -75,7 +75,8 @@ Model model_of(const SynthPlan& plan) {
 
 std::string campaign_text(const SynthPlan& plan) {
   Model model = model_of(plan);
-  std::string text = fmt::format("schema = 1\n\n[campaign]\nname = {}\n", quoted(plan.name));
+  std::string text = fmt::format("schema = 1\n\n[campaign]\nname = {}\n{}", quoted(plan.name),
+                                 plan.two_sided ? "two_sided = true\n" : "");
   std::string_view table;
   for (const ModelKey& key : model_keys()) {
     if (!has_table(plan, key.table)) {

@@ -14,6 +14,7 @@
 #include "host_sim/synth/draws.hpp"
 #include "host_sim/synth/plan/plan.hpp"
 #include "host_sim/synth/tension/departures.hpp"
+#include "host_sim/synth/two_sided/kinds.hpp"
 
 namespace host_sim::synth {
 
@@ -49,6 +50,20 @@ std::vector<std::unique_ptr<TensionPart>> tension_parts(const SynthPlan& plan,
     }
   }
   return parts;
+}
+
+TwoSidedEffects two_sided_effects(const SynthPlan& plan) {
+  TwoSidedEffects effects;
+  for (const Departure& departure : plan.departures) {
+    const auto kinds = departure.outside ? outside_two_sided_kinds() : two_sided_kinds();
+    const auto kind = std::find_if(kinds.begin(), kinds.end(), [&](const TwoSidedKind& candidate) {
+      return !departure.of_life && candidate.id == departure.id;
+    });
+    if (kind != kinds.end()) {
+      kind->add(departure.values, effects);
+    }
+  }
+  return effects;
 }
 
 namespace fs = std::filesystem;
@@ -116,11 +131,13 @@ SessionScatter session_scatter(const SynthPlan& plan, std::uint64_t seed, std::s
 
 Channels session_channels(const SynthPlan& plan, const Setting& setting,
                           const SessionScatter& scatter, std::uint64_t seed) {
-  const auto parts = tension_parts(plan, setting, seed);
   const Rig rig = rig_of(plan);
   const Instants instants =
       draw_instants(plan.noise, seed, setting.number, samples_of(rig), rig.sample_rate_Hz);
-  Channels channels = simulate(rig, setting, scatter, parts, instants);
+  Channels channels =
+      plan.two_sided
+          ? simulate_two_sided(rig, setting, scatter, two_sided_effects(plan), instants)
+          : simulate(rig, setting, scatter, tension_parts(plan, setting, seed), instants);
   add_noise(plan.noise, seed, setting.number, channels);
   check_ranges(plan, setting, channels);
   return channels;

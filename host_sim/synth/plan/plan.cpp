@@ -10,6 +10,7 @@
 #include "host_sim/synth/life_departures.hpp"
 #include "host_sim/synth/plan/tables.hpp"
 #include "host_sim/synth/tension/departures.hpp"
+#include "host_sim/synth/two_sided/kinds.hpp"
 
 namespace host_sim::synth {
 
@@ -145,17 +146,26 @@ void read(const TomlTable& table, const Kinds& kinds, const Departure& like,
 }
 
 /// The departures of [effects], or of [outside].
-std::vector<Departure> departures_in(const TomlTable& table, bool outside) {
+std::vector<Departure> departures_in(const TomlTable& table, bool outside, bool two_sided) {
   const auto tension = outside ? outside_tension_kinds() : tension_kinds();
+  const auto signed_force = outside ? outside_two_sided_kinds() : two_sided_kinds();
   const auto life = outside ? outside_life_kinds() : life_kinds();
   std::vector<std::string_view> ids;
-  add_ids(tension, ids);
+  if (two_sided) {
+    add_ids(signed_force, ids);
+  } else {
+    add_ids(tension, ids);
+  }
   add_ids(life, ids);
   table.refuse_unknown_keys({}, ids);
   std::vector<Departure> departures;
   Departure like;
   like.outside = outside;
-  read(table, tension, like, departures);
+  if (two_sided) {
+    read(table, signed_force, like, departures);
+  } else {
+    read(table, tension, like, departures);
+  }
   like.of_life = true;
   read(table, life, like, departures);
   return departures;
@@ -211,7 +221,7 @@ void check_agreement(const TomlTable& top, const SynthPlan& plan) {
 constexpr std::array<std::string_view, 10> kTop{"schema",     "campaign", "model",   "thermal",
                                                 "recordings", "noise",    "scatter", "lives",
                                                 "effects",    "outside"};
-constexpr std::array<std::string_view, 1> kCampaign{"name"};
+constexpr std::array<std::string_view, 2> kCampaign{"name", "two_sided"};
 
 void append(std::vector<Departure>& to, std::vector<Departure> from) {
   for (Departure& departure : from) {
@@ -237,6 +247,7 @@ SynthPlan parse_synth_plan(std::string_view text, std::string_view name) {
   const TomlTable campaign = top.table("campaign");
   campaign.refuse_unknown_keys({}, kCampaign);
   plan.name = campaign.text("name");
+  plan.two_sided = campaign.flag("two_sided");
   plan.model = known_tables_of(top.table("model"));
   const auto read = [&](std::string_view key, const auto& into) {
     if (top.has(key)) {
@@ -244,15 +255,18 @@ SynthPlan parse_synth_plan(std::string_view text, std::string_view name) {
     }
   };
   read("thermal", [&](const TomlTable& table) { plan.thermal = thermal_in(table); });
-  read("recordings",
-       [&](const TomlTable& table) { plan.recordings.emplace(recordings_in(table)); });
+  read("recordings", [&](const TomlTable& table) {
+    plan.recordings.emplace(recordings_in(table, plan.two_sided));
+  });
   read("noise", [&](const TomlTable& table) { plan.noise = noise_in(table); });
   read("scatter", [&](const TomlTable& table) { plan.scatter = scatter_in(table); });
   read("lives", [&](const TomlTable& table) { plan.lives.emplace(lives_in(table)); });
-  read("effects",
-       [&](const TomlTable& table) { append(plan.departures, departures_in(table, false)); });
-  read("outside",
-       [&](const TomlTable& table) { append(plan.departures, departures_in(table, true)); });
+  read("effects", [&](const TomlTable& table) {
+    append(plan.departures, departures_in(table, false, plan.two_sided));
+  });
+  read("outside", [&](const TomlTable& table) {
+    append(plan.departures, departures_in(table, true, plan.two_sided));
+  });
   check_agreement(top, plan);
   return plan;
 }

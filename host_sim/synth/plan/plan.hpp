@@ -87,6 +87,7 @@ struct Departure {
 struct SynthPlan {
   std::string file;  ///< what stands for the plan in errors
   std::string name;
+  bool two_sided = false;  ///< forces of either sign; the effects of two_sided_kinds()
   NominalModel model;
   Thermal thermal;
   std::optional<RecordingPlan> recordings;

@@ -23,6 +23,7 @@ namespace {
 
 constexpr NumberKey kBendAngles{"bend_angles_deg", "deg", {0, 1800}};
 constexpr NumberKey kMeans{"output_means_N", "N", {0, 1000, true}};
+constexpr NumberKey kSignedMeans{"output_means_N", "N", {-1000, 1000}};
 constexpr NumberKey kAmplitudes{"output_amplitudes_N", "N", {0, 1000}};
 constexpr NumberKey kFrequencies{"frequencies_Hz", "Hz", {0.001, 50}};
 constexpr NumberKey kTravels{"travels_mm", "mm", {0.01, 1000}};
@@ -113,13 +114,13 @@ void read_sessions(const TomlTable& table, RecordingPlan& plan) {
 
 }  // namespace
 
-RecordingPlan recordings_in(const TomlTable& table) {
+RecordingPlan recordings_in(const TomlTable& table, bool two_sided) {
   constexpr double kRoom_C = 20;
   table.refuse_unknown_keys(kNumbers, kOthers);
   RecordingPlan plan;
   read_sessions(table, plan);
   plan.bend_angles_deg = numbers(table, kBendAngles);
-  plan.output_means_N = numbers(table, kMeans);
+  plan.output_means_N = numbers(table, two_sided ? kSignedMeans : kMeans);
   plan.output_amplitudes_N = numbers(table, kAmplitudes);
   plan.frequencies_Hz = numbers(table, kFrequencies);
   plan.travels_mm = numbers(table, kTravels);
@@ -153,15 +154,17 @@ void check_pull(const TomlTable& table, double mean_N, double amplitude_N) {
 }
 
 /// @pre the lists of a listed design are of one length
-void check_settings(const TomlTable& table, const RecordingPlan& plan) {
-  const bool any_pair = plan.design != RecordingPlan::Design::listed;
+void check_settings(const TomlTable& table, const RecordingPlan& plan, bool two_sided) {
+  const bool any_pair = !two_sided && plan.design != RecordingPlan::Design::listed;
   for (std::size_t i = 0; any_pair && i < plan.output_means_N.size(); ++i) {
     for (const double amplitude_N : plan.output_amplitudes_N) {
       check_pull(table, plan.output_means_N[i], amplitude_N);
     }
   }
   for (const Setting& setting : settings_of(plan, 0)) {
-    check_pull(table, setting.output_mean_N, setting.output_amplitude_N);
+    if (!two_sided) {
+      check_pull(table, setting.output_mean_N, setting.output_amplitude_N);
+    }
     if (2 * setting.frequency_Hz * std::max(1.0, plan.motion.load_frequency_ratio) >
         plan.sample_rate_Hz) {
       table.fail(
@@ -248,7 +251,7 @@ void check_recordings(const TomlTable& top, const SynthPlan& plan) {
   }
   check_listed(table, *plan.recordings);
   check_size(table, *plan.recordings);
-  check_settings(table, *plan.recordings);
+  check_settings(table, *plan.recordings, plan.two_sided);
   check_channels(top, table, plan);
   check_jitter(top, "clock_jitter_s", plan.noise.clock_jitter_s, *plan.recordings);
   check_jitter(top, "jitter_s", plan.noise.jitter_s, *plan.recordings);

@@ -34,7 +34,7 @@ std::size_t choice_of(const hal::files::TomlTable& table, std::string_view key,
 std::vector<hal::files::TomlTable> tables(const hal::files::TomlTable& above, std::string_view key);
 
 /// [recordings] and [lives]. Throw InputError.
-RecordingPlan recordings_in(const hal::files::TomlTable& table);
+RecordingPlan recordings_in(const hal::files::TomlTable& table, bool two_sided);
 LifePlan lives_in(const hal::files::TomlTable& table);
 
 /// Throw InputError where [recordings], or [lives], do not agree with themselves or the model;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <span>
 
 namespace blind {
 namespace {
@@ -23,26 +24,43 @@ bool go_together(const SizedEffect& one, const SizedEffect& other) {
 }
 
 /// Another effect that the same campaign can show.
-SizedEffect partner_of(const SizedEffect& one, Dice& dice) {
+SizedEffect partner_of(const std::vector<SizedEffect>& effects, const std::vector<SizedEffect>& all,
+                       Dice& dice) {
   std::vector<SizedEffect> partners;
-  const std::vector<SizedEffect> all = catalogue();
   std::copy_if(all.begin(), all.end(), std::back_inserter(partners), [&](const SizedEffect& other) {
-    return other.id != one.id && go_together(one, other);
+    return std::all_of(effects.begin(), effects.end(), [&](const SizedEffect& one) {
+      return other.id != one.id && go_together(one, other);
+    });
   });
   return dice.one_of(partners);
 }
 
-std::vector<SizedEffect> draw_effects(CampaignKind kind, Dice& dice) {
+std::size_t count_of(CampaignKind kind) {
+  switch (kind) {
+    case CampaignKind::none:
+      return 0;
+    case CampaignKind::one:
+    case CampaignKind::outside:
+      break;
+    case CampaignKind::two:
+      return 2;
+    case CampaignKind::three:
+      return 3;
+  }
+  return 1;
+}
+
+std::vector<SizedEffect> draw_effects(CampaignKind kind, const std::vector<SizedEffect>& all,
+                                      std::span<const SizedEffect> outside, Dice& dice) {
   if (kind == CampaignKind::none) {
     return {};
   }
   if (kind == CampaignKind::outside) {
-    const auto all = outside_effects();
-    return {dice.one_of(std::vector<SizedEffect>(all.begin(), all.end()))};
+    return {dice.one_of(std::vector<SizedEffect>(outside.begin(), outside.end()))};
   }
-  std::vector<SizedEffect> effects{dice.one_of(catalogue())};
-  if (kind == CampaignKind::two) {
-    effects.push_back(partner_of(effects.front(), dice));
+  std::vector<SizedEffect> effects{dice.one_of(all)};
+  while (effects.size() < count_of(kind)) {
+    effects.push_back(partner_of(effects, all, dice));
   }
   return effects;
 }
@@ -59,31 +77,22 @@ bool any_of_temperature(const std::vector<SizedEffect>& effects) {
   });
 }
 
-}  // namespace
-
-double share_of(CampaignKind kind) {
-  switch (kind) {
-    case CampaignKind::none:
-      return 0.2;
-    case CampaignKind::one:
-      return 0.45;
-    case CampaignKind::two:
-      return 0.15;
-    case CampaignKind::outside:
-      return 0.2;
-  }
-  return 0;
+/// Of campaigns with two, a third get one more.
+CampaignKind with_three(CampaignKind kind, Dice& dice) {
+  return dice.chance(1.0 / 3) && kind == CampaignKind::two ? CampaignKind::three : kind;
 }
 
+}  // namespace
+
 CampaignKind draw_kind(Dice& dice) {
-  double left = dice.between(0, 1);
-  for (const CampaignKind kind : {CampaignKind::none, CampaignKind::one, CampaignKind::two}) {
-    left -= share_of(kind);
-    if (left < 0) {
-      return kind;
-    }
-  }
-  return CampaignKind::outside;
+  constexpr double kNone = 0.2;
+  constexpr double kOne = 0.45;
+  constexpr double kTwo = 0.15;
+  const double place = dice.between(0, 1);
+  return place < kNone                 ? CampaignKind::none
+         : place < kNone + kOne        ? CampaignKind::one
+         : place < kNone + kOne + kTwo ? CampaignKind::two
+                                       : CampaignKind::outside;
 }
 
 Choice choose(std::uint64_t seed) {
@@ -92,13 +101,29 @@ Choice choose(std::uint64_t seed) {
   Choice choice;
   choice.kind = draw_kind(dice);
   choice.design = dice.chance(kOnePoseShare) ? Design::one_pose : Design::crossed;
-  choice.effects = draw_effects(choice.kind, effects);
   const bool current = dice.chance(0.5);
+  const bool temperatures = dice.chance(kTemperaturesShare);
+  choice.kind = with_three(choice.kind, dice);
+  choice.effects = draw_effects(choice.kind, catalogue(), outside_effects(), effects);
   choice.input = any_needs(choice.effects, Needs::load_cell)       ? Input::load_cell
                  : any_needs(choice.effects, Needs::motor_current) ? Input::motor_current
                  : current                                         ? Input::motor_current
                                                                    : Input::load_cell;
-  choice.temperatures = dice.chance(kTemperaturesShare) || any_of_temperature(choice.effects);
+  choice.temperatures = temperatures || any_of_temperature(choice.effects);
+  return choice;
+}
+
+Choice choose_two_sided(std::uint64_t seed) {
+  Dice dice(seed, Purpose::kind);
+  Dice effects(seed, Purpose::effects);
+  const auto all = two_sided_effects();
+  Choice choice;
+  choice.design = Design::two_sided;
+  choice.kind = draw_kind(dice);
+  choice.input = dice.chance(0.5) ? Input::motor_current : Input::load_cell;
+  choice.kind = with_three(choice.kind, dice);
+  choice.effects =
+      draw_effects(choice.kind, {all.begin(), all.end()}, outside_two_sided_effects(), effects);
   return choice;
 }
 

@@ -54,7 +54,8 @@ TEST(Generator, KindsAndDesignsHaveTheirShares) {
   }
   expect_share(kinds[CampaignKind::none], kMany, 0.20);
   expect_share(kinds[CampaignKind::one], kMany, 0.45);
-  expect_share(kinds[CampaignKind::two], kMany, 0.15);
+  expect_share(kinds[CampaignKind::two], kMany, 0.10);
+  expect_share(kinds[CampaignKind::three], kMany, 0.05);
   expect_share(kinds[CampaignKind::outside], kMany, 0.20);
   expect_share(one_pose, kMany, 0.15);
 }
@@ -86,12 +87,16 @@ TEST(Generator, EachEffectIsAsOftenAloneAsAnyOther) {
   }
 }
 
-TEST(Generator, TwoAreDifferentAndSeenByOneSensor) {
+TEST(Generator, SeveralAreDifferentAndSeenByOneSensor) {
   for (std::uint64_t seed = 1; seed <= kMany; ++seed) {
     const Choice choice = choose(seed);
-    if (choice.kind == CampaignKind::two) {
-      ASSERT_EQ(choice.effects.size(), 2U);
-      EXPECT_NE(choice.effects[0].id, choice.effects[1].id);
+    std::set<std::string_view> ids;
+    for (const SizedEffect& effect : choice.effects) {
+      ids.insert(effect.id);
+    }
+    EXPECT_EQ(ids.size(), choice.effects.size());
+    if (choice.kind == CampaignKind::two || choice.kind == CampaignKind::three) {
+      EXPECT_EQ(ids.size(), choice.kind == CampaignKind::two ? 2U : 3U);
     }
     for (const SizedEffect& effect : choice.effects) {
       EXPECT_FALSE(effect.needs == Needs::motor_current && choice.input == Input::load_cell);
@@ -131,6 +136,37 @@ TEST(Generator, PlansAreAcceptedAndHideWhatTheyShould) {
     const double samples = plan.recordings->duration_s * plan.recordings->sample_rate_Hz;
     EXPECT_GE(samples, 8 * 100);
     EXPECT_LE(samples, 20 * 200);
+  }
+}
+
+TEST(Generator, DrivesThatWorkInBothDirectionsHideWhatTheyShould) {
+  std::map<std::string, std::size_t> alone;
+  std::size_t ones = 0;
+  for (std::uint64_t seed = 1; seed <= 1500; ++seed) {
+    const Scenario scenario = draw_two_sided(seed);
+    const auto plan = parse_synth_plan(scenario.plan, "plan");
+    EXPECT_TRUE(plan.two_sided);
+    ASSERT_EQ(plan.departures.size(), scenario.hidden.size()) << seed;
+    const std::size_t sessions = settings_of(*plan.recordings, seed).size();
+    EXPECT_GE(sessions, 12U);
+    EXPECT_LE(sessions, 24U);
+    if (scenario.kind == CampaignKind::one) {
+      ++alone[scenario.hidden.front().id];
+      ++ones;
+    }
+    for (const HiddenEffect& hidden : scenario.hidden) {
+      if (hidden.id == "presliding") {
+        const double share =
+            hidden.numbers.at("length_mm").front() / plan.recordings->travels_mm.front();
+        EXPECT_GE(share, 0.02 - 1e-12);
+        EXPECT_LE(share, 0.2 + 1e-12);
+      }
+    }
+  }
+  ASSERT_EQ(alone.size(), 9U);
+  for (const auto& [id, count] : alone) {
+    SCOPED_TRACE(id);
+    expect_share(count, ones, 1.0 / 9);
   }
 }
 
@@ -239,7 +275,7 @@ TEST_P(SizesTest, StayWithinPhysics) {
 INSTANTIATE_TEST_SUITE_P(Effects, SizesTest,
                          testing::Values(Range{"friction_wear", "change", 0.1, 1},
                                          Range{"friction_temperature", "slope_1_K", 0.001, 0.005},
-                                         Range{"presliding", "length_mm", 0.05, 1},
+                                         Range{"presliding", "length_mm", 0.02 * 15, 0.2 * 45},
                                          Range{"friction_load", "exponent", 0.05, 0.3},
                                          Range{"friction_preload", "force_N", 0.3, 5},
                                          Range{"slack", "dead_zone_mm", 0.1, 2},

@@ -13,6 +13,8 @@ std::string_view name_of(CampaignKind kind) {
       return "one";
     case CampaignKind::two:
       return "two";
+    case CampaignKind::three:
+      return "three";
     case CampaignKind::outside:
       return "outside";
   }
@@ -20,7 +22,15 @@ std::string_view name_of(CampaignKind kind) {
 }
 
 std::string_view name_of(Design design) {
-  return design == Design::crossed ? "crossed" : "one_pose";
+  switch (design) {
+    case Design::crossed:
+      return "crossed";
+    case Design::one_pose:
+      return "one_pose";
+    case Design::two_sided:
+      return "two_sided";
+  }
+  return "";
 }
 
 std::string_view name_of(Input input) {

@@ -10,11 +10,12 @@
 namespace blind {
 
 /// How much is hidden in a campaign.
-enum class CampaignKind { none, one, two, outside };
+enum class CampaignKind { none, one, two, three, outside };
 
 enum class Design {
-  crossed,   ///< poses, loads, speeds, temperatures and cycles apart from each other
-  one_pose,  ///< a field log: one pose, and temperature rising with the cycles
+  crossed,    ///< poses, loads, speeds, temperatures and cycles apart from each other
+  one_pose,   ///< a field log: one pose, and temperature rising with the cycles
+  two_sided,  ///< crossed, of a drive that works in both directions
 };
 
 /// What measures the tension at the drive's end.
@@ -65,6 +66,9 @@ inline constexpr std::uint64_t kFirstScoringSeed = 100'000;
 
 /// A campaign of 12 .. 36 recordings.
 Scenario draw_recordings(std::uint64_t seed);
+
+/// The same of a drive that works in both directions.
+Scenario draw_two_sided(std::uint64_t seed);
 
 /// A campaign of 48 or 96 lives. Attempts differ in design and sizes, not in what is hidden.
 Scenario draw_lives(std::uint64_t seed, std::uint64_t attempt);

@@ -18,6 +18,8 @@ struct TensionScales {
   double shortest_travel_mm = 0;
   double last_cycle = 0;
   double fastest_m_s = 0;
+  double fastest_m_s2 = 0;
+  double force_amplitude_N = 0;  ///< of a drive that works in both directions
   double rated_torque_Nm = 0;
   double full_scale_A = 0;
   std::size_t poses = 0;
@@ -38,5 +40,9 @@ std::span<const SizedEffect> friction_effects();
 std::span<const SizedEffect> transmission_effects();
 std::span<const SizedEffect> sensor_effects();
 std::span<const SizedEffect> outside_effects();
+
+/// The same of a drive that works in both directions.
+std::span<const SizedEffect> two_sided_effects();
+std::span<const SizedEffect> outside_two_sided_effects();
 
 }  // namespace blind

@@ -69,8 +69,10 @@ HiddenEffect friction_position(const TensionScales& scales, Dice& dice) {
           {}};
 }
 
-HiddenEffect presliding(const TensionScales& /*scales*/, Dice& dice) {
-  return {"presliding", false, {{"length_mm", {dice.log_between(0.05, 1)}}}, {}};
+/// From a fiftieth to a fifth of the stroke.
+HiddenEffect presliding(const TensionScales& scales, Dice& dice) {
+  const double share = dice.log_between(0.02, 0.2);
+  return {"presliding", false, {{"length_mm", {share * scales.shortest_travel_mm}}}, {}};
 }
 
 HiddenEffect slack(const TensionScales& /*scales*/, Dice& dice) {

@@ -97,9 +97,11 @@ Scenario scenario_of(const std::string& truth) {
   Scenario scenario;
   scenario.seed = json.at("seed").get<std::uint64_t>();
   scenario.data = named(json.at("data"), std::array{Data::recordings, Data::lives});
-  scenario.kind = named(json.at("kind"), std::array{CampaignKind::none, CampaignKind::one,
-                                                    CampaignKind::two, CampaignKind::outside});
-  scenario.design = named(json.at("design"), std::array{Design::crossed, Design::one_pose});
+  scenario.kind =
+      named(json.at("kind"), std::array{CampaignKind::none, CampaignKind::one, CampaignKind::two,
+                                        CampaignKind::three, CampaignKind::outside});
+  scenario.design =
+      named(json.at("design"), std::array{Design::crossed, Design::one_pose, Design::two_sided});
   scenario.input = named(json.at("input"), std::array{Input::load_cell, Input::motor_current});
   scenario.temperatures = json.at("temperatures").get<bool>();
   scenario.specimens = json.at("specimens").get<std::size_t>();

@@ -195,40 +195,45 @@ const std::vector<double>& at_drive(const Channels& channels, Input input) {
                                             : hal::files::kMotorCurrentColumn];
 }
 
-/// |d ln y / dt| by differences of neighbours.
-std::vector<double> log_slopes_1_s(const std::vector<double>& readings,
-                                   const std::vector<double>& time_s) {
-  const auto log_at = [&](std::size_t i) { return std::log(std::max(kLeastReading, readings[i])); };
+/// |dy/dt| by differences of neighbours.
+std::vector<double> slopes_1_s(const std::vector<double>& readings,
+                               const std::vector<double>& time_s) {
   std::vector<double> slopes(readings.size());
   for (std::size_t i = 0; i < slopes.size(); ++i) {
     const std::size_t before = i == 0 ? 0 : i - 1;
     const std::size_t after = std::min(i + 1, slopes.size() - 1);
-    slopes[i] = std::abs(log_at(after) - log_at(before)) / (time_s[after] - time_s[before]);
+    slopes[i] = std::abs(readings[after] - readings[before]) / (time_s[after] - time_s[before]);
   }
   return slopes;
 }
 
 /// The sources of one end whose sd is not 0 throughout.
+/// @param weight of the reading of each sample in what is disturbed
 void add_sources(const EndNoise& end, double absolute_sd, double jitter_s,
                  const std::vector<double>& readings, const std::vector<double>& time_s,
-                 std::vector<NoiseSource>& sources) {
-  if (end.relative_sd > 0) {
-    sources.push_back({std::vector<double>(readings.size(), end.relative_sd), end.ar1});
-  }
-  if (absolute_sd > 0) {
-    NoiseSource absolute{readings, end.ar1};
-    for (double& sd : absolute.sd) {
-      sd = absolute_sd / std::max(kLeastReading, sd);
+                 const std::vector<double>& weight, std::vector<NoiseSource>& sources) {
+  const auto add = [&](std::vector<double> sd, double factor, double ar1) {
+    if (factor > 0) {
+      for (std::size_t i = 0; i < sd.size(); ++i) {
+        sd[i] = factor * std::abs(sd[i]) * weight[i];
+      }
+      sources.push_back({std::move(sd), ar1});
     }
-    sources.push_back(std::move(absolute));
+  };
+  add(readings, end.relative_sd, end.ar1);
+  add(std::vector<double>(readings.size(), 1), absolute_sd, end.ar1);
+  add(slopes_1_s(readings, time_s), jitter_s, 0);
+}
+
+double absolute_sd_of(const EndNoise& input_end, Input input) {
+  return input == Input::load_cell ? input_end.absolute_N : input_end.absolute_A;
+}
+
+std::vector<double> over(std::vector<double> readings) {
+  for (double& value : readings) {
+    value = 1 / std::max(kLeastReading, value);
   }
-  if (jitter_s > 0) {
-    NoiseSource jitter{log_slopes_1_s(readings, time_s), 0};
-    for (double& sd : jitter.sd) {
-      sd *= jitter_s;
-    }
-    sources.push_back(std::move(jitter));
-  }
+  return readings;
 }
 
 }  // namespace
@@ -236,14 +241,75 @@ void add_sources(const EndNoise& end, double absolute_sd, double jitter_s,
 std::vector<NoiseSource> noise_sources(const host_sim::synth::Noise& noise,
                                        const Channels& channels, Input input) {
   const auto& time_s = channels[hal::files::kTime];
-  const double input_floor =
-      input == Input::load_cell ? noise.input.absolute_N : noise.input.absolute_A;
+  const auto& output = channels[hal::files::kOutputTensionColumn];
+  const auto& input_end = at_drive(channels, input);
   std::vector<NoiseSource> sources;
-  add_sources(noise.output, noise.output.absolute_N, noise.jitter_s,
-              channels[hal::files::kOutputTensionColumn], time_s, sources);
-  add_sources(noise.input, input_floor, noise.jitter_s, at_drive(channels, input), time_s, sources);
+  add_sources(noise.output, noise.output.absolute_N, noise.jitter_s, output, time_s, over(output),
+              sources);
+  add_sources(noise.input, absolute_sd_of(noise.input, input), noise.jitter_s, input_end, time_s,
+              over(input_end), sources);
   return sources;
 }
+
+namespace {
+
+/// Newtons, or amperes, at the drive for each newton at the load, by least squares.
+double slope_of(const std::vector<double>& input_end, const std::vector<double>& output) {
+  return std::inner_product(input_end.begin(), input_end.end(), output.begin(), 0.0) /
+         std::inner_product(output.begin(), output.end(), output.begin(), 0.0);
+}
+
+/// The sessions of one setting with the effect, without it, and without it with more friction.
+struct SignedSessions {
+  Channels with, base, more;
+  double more_friction;
+};
+
+/// Of signed forces there is no logarithm: the trace is what the effect does to the force at the
+/// drive beyond what it does to that at the load.
+Information signed_information(const SignedSessions& sessions, const Disturbance& scatter,
+                               const host_sim::synth::Noise& noise, Input input) {
+  const auto& output = sessions.base[hal::files::kOutputTensionColumn];
+  const auto& input_end = at_drive(sessions.base, input);
+  const double slope = slope_of(input_end, output);
+  Eigen::MatrixX3d columns(static_cast<Eigen::Index>(output.size()), 3);
+  for (std::size_t i = 0; i < output.size(); ++i) {
+    const double moved = at_drive(sessions.with, input)[i] - input_end[i];
+    const double moved_output_N = sessions.with[hal::files::kOutputTensionColumn][i] - output[i];
+    const double by_friction = at_drive(sessions.more, input)[i] - input_end[i];
+    columns.row(static_cast<Eigen::Index>(i)) << moved - slope * moved_output_N, input_end[i],
+        by_friction / sessions.more_friction;
+  }
+  Disturbance disturbance = scatter;
+  const auto& time_s = sessions.base[hal::files::kTime];
+  add_sources(noise.output, noise.output.absolute_N, noise.jitter_s, output, time_s,
+              std::vector<double>(output.size(), std::abs(slope)), disturbance.noise);
+  add_sources(noise.input, absolute_sd_of(noise.input, input), noise.jitter_s, input_end, time_s,
+              std::vector<double>(output.size(), 1), disturbance.noise);
+  return session_information(columns, disturbance);
+}
+
+double signed_visibility(const Scenario& scenario, const std::string& id) {
+  constexpr double kMoreFriction = 0.01;
+  const SynthPlan noisy = host_sim::synth::parse_synth_plan(scenario.plan, "blind plan");
+  const SynthPlan all = silent(scenario);
+  const SynthPlan fewer = without(all, id);
+  SynthPlan rougher = fewer;
+  rougher.model.sheath->friction_coefficient += kMoreFriction;
+  const Disturbance scatter{{}, noisy.scatter.log_gain_sd, noisy.scatter.friction_sd};
+  Information information = Information::Zero();
+  for (const Setting& setting : host_sim::synth::settings_of(*all.recordings, scenario.seed)) {
+    const auto session = [&](const SynthPlan& plan) {
+      return session_channels(plan, setting, {}, scenario.seed);
+    };
+    information +=
+        signed_information({session(all), session(fewer), session(rougher), kMoreFriction}, scatter,
+                           noisy.noise, scenario.input);
+  }
+  return sigmas_of(information);
+}
+
+}  // namespace
 
 std::vector<double> log_ratio(const Channels& channels, Input input) {
   const auto& input_end = at_drive(channels, input);
@@ -271,12 +337,14 @@ std::vector<double> signed_bend_rad(const Channels& channels) {
 Information session_information(const std::vector<double>& trace,
                                 const std::vector<double>& signed_bend_rad,
                                 const Disturbance& disturbance) {
-  const auto rows = static_cast<Eigen::Index>(trace.size());
-  Eigen::MatrixX3d columns(rows, 3);
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    const auto place = static_cast<std::size_t>(i);
-    columns.row(i) << trace[place], 1, -signed_bend_rad[place];
+  Eigen::MatrixX3d columns(static_cast<Eigen::Index>(trace.size()), 3);
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    columns.row(static_cast<Eigen::Index>(i)) << trace[i], 1, -signed_bend_rad[i];
   }
+  return session_information(columns, disturbance);
+}
+
+Information session_information(const Eigen::MatrixX3d& columns, const Disturbance& disturbance) {
   const Eigen::MatrixX3d white = whitened(columns, disturbance.noise);
   const Information without_scatter = white.transpose() * white;
   // Woodbury: the scatter is that of the coefficients in the last two columns.
@@ -325,14 +393,15 @@ Scenario draw_visible_lives(std::uint64_t seed) {
 std::vector<double> visibility_of(const Scenario& scenario) {
   std::vector<double> result;
   for (const HiddenEffect& effect : scenario.hidden) {
-    result.push_back(scenario.data == Data::lives ? life_visibility(scenario, effect.id)
-                                                  : visibility(scenario, effect.id));
+    result.push_back(scenario.data == Data::lives           ? life_visibility(scenario, effect.id)
+                     : scenario.design == Design::two_sided ? signed_visibility(scenario, effect.id)
+                                                            : visibility(scenario, effect.id));
   }
   return result;
 }
 
 double rmse_floor_N(const Scenario& scenario) {
-  if (scenario.data == Data::lives) {
+  if (scenario.data == Data::lives || scenario.design == Design::two_sided) {
     return 0;
   }
   SynthPlan nothing = host_sim::synth::parse_synth_plan(scenario.plan, "blind plan");

@@ -48,6 +48,10 @@ Information session_information(const std::vector<double>& trace,
                                 const std::vector<double>& signed_bend_rad,
                                 const Disturbance& disturbance);
 
+/// The same of columns that are worked out already: the effect's trace, and what a session's gain
+/// and friction coefficient do to each sample.
+Information session_information(const Eigen::MatrixX3d& columns, const Disturbance& disturbance);
+
 /// Size of the effect over the standard deviation of its estimate: the square root of what is left
 /// of its information beside gain and friction coefficient.
 double sigmas_of(const Information& information);
@@ -67,13 +71,13 @@ Scenario draw_visible_lives(std::uint64_t seed);
 /// At how many standard deviations an oracle sees each hidden effect of a campaign. Of recordings
 /// it knows the exact trace that the effect leaves (the simulation with everything against that
 /// without the effect, both without noise), the noise and the scatter of sessions, and estimates
-/// the effect's size beside gain and friction coefficient by generalised least squares. Of lives
-/// see life_visibility().
+/// the effect's size beside gain and friction coefficient by generalised least squares; of forces
+/// of either sign in newtons, else in logarithms. Of lives see life_visibility().
 std::vector<double> visibility_of(const Scenario& scenario);
 
 /// The error that the true model would leave: RMSE of the output tension of the same campaign with
 /// nothing hidden, with gain and friction coefficient fitted by least squares of the logarithm. 0
-/// for lives.
+/// for lives and for forces of either sign.
 double rmse_floor_N(const Scenario& scenario);
 
 /// Share of the true model's gain that an analysis reached: how far it brought an error down, over

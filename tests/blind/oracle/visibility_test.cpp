@@ -62,7 +62,7 @@ TEST(SessionInformation, SamplesOfUnlikeNoise) {
   EXPECT_NEAR(information(1, 1), 1, 1e-9);
 }
 
-// ln 20, 25 and 20 a second apart: slopes of 0.2231 at the first and the last, 0 in the middle.
+// 20, 25 and 20 N a second apart: slopes of 5 / 20 at the first and the last, 0 in the middle.
 TEST(NoiseSources, AreThoseOfBothEnds) {
   host_sim::synth::Channels channels;
   channels[hal::files::kTime] = {0, 1, 2};
@@ -84,7 +84,7 @@ TEST(NoiseSources, AreThoseOfBothEnds) {
   };
   expect(sources[0], {0.01, 0.01, 0.01}, 0.5);
   expect(sources[1], {0.005, 0.004, 0.005}, 0.5);
-  expect(sources[2], {0.0223144, 0, 0.0223144}, 0);
+  expect(sources[2], {0.025, 0, 0.025}, 0);
   expect(sources[3], {0.02, 0.02, 0.02}, 0.25);
   expect(sources[4], {0, 0, 0}, 0);
 }
@@ -128,6 +128,47 @@ TEST(Visibility, NothingHiddenHasNone) {
   Scenario scenario = small_scenario();
   scenario.hidden.clear();
   EXPECT_TRUE(visibility_of(scenario).empty());
+}
+
+/// Six sessions of a drive that works in both directions, which differ in nothing.
+Scenario two_sided_preload(const std::string& noise) {
+  Scenario scenario;
+  scenario.seed = 3;
+  scenario.kind = CampaignKind::one;
+  scenario.design = Design::two_sided;
+  scenario.hidden.push_back({"friction_preload", false, {{"force_N", {2}}}, {}});
+  scenario.plan = R"(
+[campaign]
+name = "both ways"
+two_sided = true
+[model.sheath]
+friction_coefficient = 0.02
+bend_angle_deg = 180.0
+[recordings]
+bend_angles_deg = 180.0
+output_means_N = 0.0
+output_amplitudes_N = 40.0
+frequencies_Hz = 0.5
+travels_mm = 40.0
+load_frequency_ratio = 7.3
+repeats = 6
+sample_rate_Hz = 50.0
+duration_s = 20.0
+channels = ["input_tension_N", "output_tension_N", "tendon_velocity_m_s", "bend_angle_deg"]
+[effects.friction_preload]
+force_N = 2.0
+[noise]
+)" + noise;
+  return scenario;
+}
+
+// Friction F s beside that of the sheath, phi |T| s, where T is a sine: of s is left
+// 1 - mean(|T|)^2 / mean(T^2) = 1 - 8 / pi^2. 6000 samples; noise of both ends 0.3 and 0.4 N. The
+// gain takes up next to nothing, for T changes its sign as often as not.
+TEST(Visibility, OfForcesOfEitherSignByHand) {
+  const Scenario scenario = two_sided_preload("output_absolute_N = 0.3\ninput_absolute_N = 0.4\n");
+  const double expected = 2 / 0.5 * std::sqrt(6000 * (1 - 8 / (3.14159265 * 3.14159265)));
+  EXPECT_NEAR(visibility_of(scenario).at(0), expected, 0.04 * expected);
 }
 
 /// Two levels with two specimens each from two lots, stored for no time or for 100 days.

@@ -26,13 +26,14 @@ struct Suite {
   Analysis analysis;
 };
 
-Suite suite_of(Data data) {
-  return data == Data::recordings ? Suite{draw_recordings, analysis_of_recordings()}
+Suite suite_of(std::string_view subject) {
+  return subject == "recordings"  ? Suite{draw_recordings, analysis_of_recordings()}
+         : subject == "two_sided" ? Suite{draw_two_sided, analysis_of_recordings()}
                                   : Suite{draw_visible_lives, analysis_of_lives()};
 }
 
 struct Arguments {
-  Data data = Data::recordings;
+  std::string subject;
   std::uint64_t first_seed = 0;
   std::size_t campaigns = 0;
   bool tuning = false;
@@ -45,10 +46,9 @@ struct Arguments {
 };
 
 void add_options(CLI::App& app, Arguments& arguments) {
-  const std::map<std::string, Data> data{{"recordings", Data::recordings}, {"lives", Data::lives}};
-  app.add_option("data", arguments.data, "recordings or lives")
+  app.add_option("subject", arguments.subject, "What campaigns are of")
       ->required()
-      ->transform(CLI::CheckedTransformer(data));
+      ->check(CLI::IsMember({"recordings", "two_sided", "lives"}));
   app.add_option("--first-seed", arguments.first_seed,
                  "From 100000 on to score (the standard), 1..9999 with --tuning");
   app.add_option("--campaigns", arguments.campaigns, "How many; none scores the records");
@@ -172,7 +172,7 @@ void report(const Arguments& arguments, const std::vector<Record>& records) {
     std::stringstream text;
     text << old.rdbuf();
     hal::files::OutputFile file(arguments.readme);
-    file.write(with_tables(text.str(), name_of(records.front().truth.data), tables));
+    file.write(with_tables(text.str(), arguments.subject, tables));
     file.commit();
   }
 }
@@ -185,7 +185,7 @@ int suite(int argc, char** argv) {
   try {
     check_seeds(arguments);
     RecordsFile records(arguments.records);
-    const Suite suite = suite_of(arguments.data);
+    const Suite suite = suite_of(arguments.subject);
     run_all(arguments, scenarios(arguments, suite.draw, records), suite.analysis, records);
     report(arguments, in_order(records.records()));
   } catch (const std::exception& error) {

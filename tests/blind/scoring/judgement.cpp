@@ -1,7 +1,11 @@
 #include "tests/blind/scoring/judgement.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace blind {
 namespace {
@@ -19,6 +23,17 @@ const Candidate* most_probable(const Record& record) {
   return found == candidates.end() ? nullptr : &*found;
 }
 
+/// Ids that are joined by "+", in order.
+std::string in_order(const std::string& joined) {
+  std::vector<std::string> ids;
+  std::istringstream text(joined);
+  for (std::string id; std::getline(text, id, '+');) {
+    ids.push_back(id);
+  }
+  std::sort(ids.begin(), ids.end());
+  return fmt::format("{}", fmt::join(ids, "+"));
+}
+
 bool holds(const std::vector<std::string>& ids, const std::string& id) {
   return std::find(ids.begin(), ids.end(), id) != ids.end();
 }
@@ -28,6 +43,7 @@ class Values {
   explicit Values(const HiddenEffect& effect) : effect_(effect) {}
 
   double operator()(const std::string& name) const { return effect_.numbers.at(name).front(); }
+  [[nodiscard]] bool has(const std::string& name) const { return effect_.numbers.contains(name); }
   [[nodiscard]] bool says(const std::string& name, const std::string& word) const {
     const auto found = effect_.texts.find(name);
     return found != effect_.texts.end() && found->second == word;
@@ -51,6 +67,9 @@ std::vector<TrueParameter> of_wear(const Values& values) {
 
 /// The static coefficient depends on mu, which is refitted.
 std::vector<TrueParameter> of_velocity(const Values& values) {
+  if (values.has("viscous_N_s_m")) {
+    return {{"viscous_N_s_m", values("viscous_N_s_m")}};
+  }
   const double viscous_s_m = values("viscous_s_m");
   if (viscous_s_m != 0) {
     return {{"viscous_friction_s_m", viscous_s_m}};
@@ -70,6 +89,9 @@ std::vector<TrueParameter> of_sensors(const std::string& id, const Values& value
     const double pulling = values("pulling_efficiency");
     const double releasing = values("releasing_efficiency");
     return {{"gear_asymmetry", (pulling - releasing) / (pulling + releasing)}};
+  }
+  if (id == "load_cell_zero") {
+    return {{"load_cell_zero_N", values("zero_N")}};
   }
   if (id == "torque_gain") {
     return {{"droop_1_K", values("droop_1_K")}};
@@ -94,7 +116,7 @@ std::vector<TrueParameter> of_lives(const std::string& id, const Values& values)
 
 std::string Judgement::first() const {
   const Candidate* const candidate = most_probable(record_);
-  return candidate == nullptr ? "" : candidate->id;
+  return candidate == nullptr ? "" : in_order(candidate->id);
 }
 
 double Judgement::first_probability() const {
@@ -149,7 +171,8 @@ std::vector<TrueParameter> true_parameters(const HiddenEffect& effect) {
   const Values values(effect);
   const std::string& id = effect.id;
   if (id == "compliance") {
-    return {{"stiffness_N_m", values("stiffness_N_mm") * 1e3}};
+    return {{"stiffness_N_m", values("stiffness_N_mm") * 1e3},
+            {"compliance_m_N", 1e-3 / values("stiffness_N_mm")}};
   }
   if (id == "friction_load") {
     return {{"load_exponent", values("exponent")}};
@@ -170,8 +193,11 @@ std::vector<TrueParameter> true_parameters(const HiddenEffect& effect) {
     return {{"presliding_length_m", values("length_mm") * 1e-3}};
   }
   if (id == "slack") {
-    return {{"slack_m", values("dead_zone_mm") * 1e-3},
-            {"slack_log_drop", -std::log(values("held_share"))}};
+    std::vector<TrueParameter> slack{{"slack_m", values("dead_zone_mm") * 1e-3}};
+    if (values.has("held_share")) {
+      slack.push_back({"slack_log_drop", -std::log(values("held_share"))});
+    }
+    return slack;
   }
   std::vector<TrueParameter> found = of_sensors(id, values);
   return found.empty() ? of_lives(id, values) : found;

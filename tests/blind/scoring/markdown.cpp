@@ -76,6 +76,8 @@ std::vector<Row> rows_of(const Scores& scores, double first_goal) {
       share("two at once, both right", scores.two_first, at_least(">= 90 %", 0.9)),
       share("where an oracle sees both at 5 sigma", scores.two_first_at_5),
       share("two at once, both named", scores.two_named),
+      share("three at once, all right", scores.three_first),
+      share("three at once, all named", scores.three_named),
       share("outside the catalogue: unknown", scores.outside_unknown, at_least(">= 95 %", 0.95)),
       share("outside the catalogue: falsely named", scores.outside_named, at_most("<= 1 %", 0.01)),
       number("parameters: median error", fmt::format("{:.1f} %", 100 * parameter_error),

@@ -164,6 +164,7 @@ std::string answer_of(const Scenario& truth) {
       return "unknown";
     case CampaignKind::one:
     case CampaignKind::two:
+    case CampaignKind::three:
       break;
   }
   return fmt::format("{}", fmt::join(sorted_ids(truth), "+"));

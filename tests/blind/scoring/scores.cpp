@@ -52,6 +52,10 @@ void add_by_kind(const Record& record, const Judgement& judgement, Scores& score
       }
       scores.two_named.add(judgement.named_all());
       break;
+    case CampaignKind::three:
+      scores.three_first.add(judgement.right_first());
+      scores.three_named.add(judgement.named_all());
+      break;
     case CampaignKind::outside:
       scores.outside_unknown.add(judgement.unknown());
       scores.outside_named.add(judgement.named());
@@ -89,6 +93,7 @@ void add_gain(const Record& record, Scores& scores) {
 std::string truth_in_table(const Record& record) {
   return record.truth.kind == CampaignKind::outside ? "outside: " + record.truth.hidden.front().id
          : record.truth.kind == CampaignKind::two   ? "two"
+         : record.truth.kind == CampaignKind::three ? "three"
                                                     : answer_of(record.truth);
 }
 

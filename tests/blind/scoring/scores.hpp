@@ -79,6 +79,7 @@ struct Scores {
   Proportion two_first;       ///< of campaigns with two: both together are the first candidate
   Proportion two_first_at_5;  ///< the same, where an oracle sees each of them
   Proportion two_named;
+  Proportion three_first, three_named;  ///< the same of campaigns with three
   Proportion outside_unknown, outside_named;
   std::map<std::string, Proportion> outside;  ///< unknown, by id
 
