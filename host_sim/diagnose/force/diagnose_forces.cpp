@@ -449,6 +449,11 @@ class Report {
   /// Of what a written model can hold.
   void add_extension(ForceTerm term, const std::vector<Estimate>& parameters,
                      Findings& findings) const {
+    // A controller knows the position by its rotor alone.
+    if (term == ForceTerm::position &&
+        !std::ranges::all_of(data_.records(), &ForceRecord::rotor_known)) {
+      return;
+    }
     std::vector<double> values;
     for (const Estimate& parameter : parameters) {
       values.push_back(parameter.value);
@@ -483,7 +488,8 @@ class Report {
         {"friction_coefficient", "1", friction, friction - half[1], friction + half[1]},
         {"log_gain", "1", -std::log(gain), -std::log(gain) - half[0] / gain,
          -std::log(gain) + half[0] / gain}};
-    diagnosis.friction_coefficient = friction;
+    diagnosis.friction_coefficient =
+        written_friction(friction, diagnosis.findings.extensions, data_.scales());
     diagnosis.log_gain = -std::log(gain);
   }
 

@@ -19,7 +19,8 @@ struct ForceRecord {
   std::vector<double> velocity_m_s;
   std::vector<double> position_m;
   std::vector<double> bend_angle_rad;
-  std::vector<bool> used;  ///< whether it counts; motion goes on where it does not
+  std::vector<bool> used;    ///< whether it counts; motion goes on where it does not
+  bool rotor_known = false;  ///< the position is that of the rotor and not an integral
 
   [[nodiscard]] std::size_t samples() const { return time_s.size(); }
 };

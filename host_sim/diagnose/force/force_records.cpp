@@ -39,9 +39,9 @@ std::vector<double> input_of(const Recording& recording, const NominalModel& nom
   return input_N;
 }
 
-std::vector<double> position_of(const Recording& recording, bool angle,
+std::vector<double> position_of(const Recording& recording, bool rotor_known,
                                 const NominalModel& nominal) {
-  if (angle && nominal.drive) {
+  if (rotor_known) {
     std::vector<double> position_m = recording[kMotorAngle];
     for (double& value : position_m) {
       value *= nominal.drive->spool_radius_mm * 1e-3 / nominal.drive->gear_ratio;
@@ -120,9 +120,9 @@ std::vector<ForceRecord> force_records(const std::vector<Recording>& recordings,
     record.output_N = recording[kOutputTensionColumn];
     record.output_rate_N_s = rate_of(record.time_s, record.output_N);
     record.velocity_m_s = recording[kTendonVelocity];
-    record.position_m = position_of(
-        recording, recording.has(kMotorAngle) && !constant(recording, faults, kMotorAngle),
-        nominal);
+    record.rotor_known =
+        nominal.drive && recording.has(kMotorAngle) && !constant(recording, faults, kMotorAngle);
+    record.position_m = position_of(recording, record.rotor_known, nominal);
     record.bend_angle_rad = angle_of(recording, nominal);
     record.used.assign(record.samples(), true);
     leave_out(recording, faults, record);

@@ -57,4 +57,13 @@ std::optional<Extension> written_term(ForceTerm term, std::span<const double> va
   return std::nullopt;
 }
 
+double written_friction(double friction, std::span<const Extension> extensions,
+                        const ForceScales& scales) {
+  constexpr double kReference_N = 50;
+  const Extension* const load = extension_of(extensions, "friction_load");
+  return load == nullptr ? friction
+                         : friction * std::pow(kReference_N / scales.force_N,
+                                               -value_of(*load, "load_exponent"));
+}
+
 }  // namespace host_sim::diagnose

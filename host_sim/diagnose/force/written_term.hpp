@@ -15,4 +15,9 @@ namespace host_sim::diagnose {
 std::optional<Extension> written_term(ForceTerm term, std::span<const double> values,
                                       const ForceScales& scales);
 
+/// The coefficient of friction of a model with these extensions: with `friction_load` it is that at
+/// 50 N, in the forward model that at the scale of force.
+double written_friction(double friction, std::span<const Extension> extensions,
+                        const ForceScales& scales);
+
 }  // namespace host_sim::diagnose

@@ -71,6 +71,15 @@ TEST(WrittenTerm, NamesAreThoseOfAModelFile) {
   EXPECT_FALSE(written_term(ForceTerm::compliance, std::vector{0.01}, scales));
 }
 
+TEST(WrittenTerm, FrictionThatFallsWithTheLoadCountsFrom50Newtons) {
+  const ForceScales scales{
+      .speed_m_s = 1, .stroke_m = 1, .position_m = 0, .force_N = 25, .turn_over_m_s = 1};
+  const std::vector<Extension> load{*written_term(ForceTerm::load, std::vector{0.2}, scales)};
+  // 0.1 (T/25 N)^-0.2 is 0.0870551 (T/50 N)^-0.2.
+  EXPECT_NEAR(written_friction(0.1, load, scales), 0.0870551, 1e-7);
+  EXPECT_EQ(written_friction(0.1, {}, scales), 0.1);
+}
+
 /// What the fixed-point code of the target makes of the output of all recordings.
 struct Replayed {
   std::vector<double> measured_N;
