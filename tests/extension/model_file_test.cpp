@@ -124,16 +124,14 @@ TEST(ExtensionRead, PreslidingNeedsItsLength) {
   EXPECT_EQ(complaint("[extension.presliding]\npresliding_length_m = 0.02\n"), "");
 }
 
-constexpr std::string_view kCorrection = "[extension.empirical]\n";
-
-std::string correction(std::string_view rest) {
-  return std::string(kCorrection) + std::string(rest);
+std::string correction_of(std::string_view rest) {
+  return "[extension.empirical]\n" + std::string(rest);
 }
 
 TEST(ExtensionRead, ACorrectionIsATableOverOneCovariate) {
   const Model model =
-      model_with(correction("letting_go_N = [-1, 0, 1.5]\nposition_m = [-0.1, 0, 0.2]\n"
-                            "pulling_N = [1, 2, 3]\n"));
+      model_with(correction_of("letting_go_N = [-1, 0, 1.5]\nposition_m = [-0.1, 0, 0.2]\n"
+                               "pulling_N = [1, 2, 3]\n"));
   ASSERT_EQ(model.extensions.size(), 1u);
   EXPECT_EQ(model.extensions[0].id, "empirical");
   EXPECT_THAT(values_of(model.extensions[0], "position_m"), ElementsAre(-0.1, 0, 0.2));
@@ -143,28 +141,28 @@ TEST(ExtensionRead, ACorrectionIsATableOverOneCovariate) {
 
 TEST(ExtensionRead, SaysWhatIsWrongWithACorrection) {
   const std::string forces = "pulling_N = [1, 2]\nletting_go_N = [1, 2]\n";
-  EXPECT_THAT(complaint(correction(forces)),
+  EXPECT_THAT(complaint(correction_of(forces)),
               HasSubstr("m.toml:22:12: no covariate in [extension.empirical]; accepted: exactly "
                         "one of output_tension_N, position_m, speed_m_s, travel_m"));
-  EXPECT_THAT(complaint(correction("travel_m = [0, 1]\nspeed_m_s = [0, 1]\n" + forces)),
+  EXPECT_THAT(complaint(correction_of("travel_m = [0, 1]\nspeed_m_s = [0, 1]\n" + forces)),
               HasSubstr("m.toml:23:1: travel_m beside speed_m_s"));
-  EXPECT_THAT(complaint(correction("travel_m = [0, 0.1, 0.1]\n" + forces)),
+  EXPECT_THAT(complaint(correction_of("travel_m = [0, 0.1, 0.1]\n" + forces)),
               HasSubstr("m.toml:23:1: travel_m do not rise"));
-  EXPECT_THAT(complaint(correction("travel_m = [0, 0.1, 0.2]\n" + forces)),
+  EXPECT_THAT(complaint(correction_of("travel_m = [0, 0.1, 0.2]\n" + forces)),
               HasSubstr("m.toml:24:1: pulling_N has 2 numbers; accepted: as many as travel_m: 3"));
-  EXPECT_THAT(complaint(correction("travel_m = [0, 0.1]\npulling_N = [1, 2]\n")),
+  EXPECT_THAT(complaint(correction_of("travel_m = [0, 0.1]\npulling_N = [1, 2]\n")),
               HasSubstr("no key letting_go_N"));
-  EXPECT_THAT(complaint(correction("travel_m = [0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16]\n")),
+  EXPECT_THAT(complaint(correction_of("travel_m = [0,1,2,3,4,5,6,7,8,9,10,11,12,13,14,15,16]\n")),
               HasSubstr("m.toml:23:1: travel_m has 17 numbers; accepted: travel_m an array of "
                         "1..16 numbers, each 0..1000"));
-  EXPECT_THAT(complaint(correction("travel_m = []\n")), HasSubstr("travel_m has 0 numbers"));
-  EXPECT_THAT(complaint(correction("travel_m = 3\n")), HasSubstr("travel_m is 3"));
-  EXPECT_THAT(complaint(correction("travel_m = [-1, 1]\n")),
+  EXPECT_THAT(complaint(correction_of("travel_m = []\n")), HasSubstr("travel_m has 0 numbers"));
+  EXPECT_THAT(complaint(correction_of("travel_m = 3\n")), HasSubstr("travel_m is 3"));
+  EXPECT_THAT(complaint(correction_of("travel_m = [-1, 1]\n")),
               HasSubstr("m.toml:23:13: travel_m holds -1"));
   EXPECT_THAT(
-      complaint(correction("travel_m = [0, 1]\npulling_N = [1, 178]\nletting_go_N = [1, 2]\n")),
+      complaint(correction_of("travel_m = [0, 1]\npulling_N = [1, 178]\nletting_go_N = [1, 2]\n")),
       HasSubstr("m.toml:24:1: pulling_N is 178; accepted: up to ultimate_tension_N, 177.4"));
-  EXPECT_THAT(complaint(correction("travel_m = [0, 1]\nother_N = [1]\n")),
+  EXPECT_THAT(complaint(correction_of("travel_m = [0, 1]\nother_N = [1]\n")),
               HasSubstr("unknown key 'other_N' in [extension.empirical]"));
 }
 

@@ -112,6 +112,22 @@ TEST(ExtendedBlock, SaysWhatIsWrong) {
   EXPECT_EQ(refusal_with(bytes, 5, 1u << 20), "");
 }
 
+TEST(ExtendedBlock, ACorrectionWhoseKnotsDoNotRiseIsRefused) {
+  ExtendedParameters p{parameters_of(paper_constants()), {}};
+  p.extension.empirical.knots = 3;
+  p.extension.empirical.knot[0] = {-5, 1, -1};
+  p.extension.empirical.knot[1] = {7, 2, -2};
+  p.extension.empirical.knot[2] = {8, 3, -3};
+  p.extension.add(Effect::empirical);
+  const Bytes bytes = encoded(p);
+  EXPECT_EQ(refusal(bytes), "");
+  // Words: five of the head, covariate and count, then three for each knot.
+  EXPECT_EQ(refusal_with(bytes, 10, 8), "extension with a value out of range");
+  EXPECT_EQ(refusal_with(bytes, 6, 17), "extension with a value out of range");
+  EXPECT_EQ(refusal_with(bytes, 5, 4), "extension with a value out of range");
+  EXPECT_EQ(refusal_with(bytes, 8, (1u << 29) + 1), "extension with a value out of range");
+}
+
 TEST(ExtendedBlock, AnExtensionOfAnotherBlockIsRefused) {
   Bytes bytes = encoded(with_offset_and_load());
   auto constants = paper_constants();

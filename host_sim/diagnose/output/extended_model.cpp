@@ -101,7 +101,12 @@ std::string extended_model_text(const Campaign& campaign, const Diagnosis& diagn
                      model_tables(campaign, refitted_model(campaign, diagnosis, input), "refitted");
   std::vector<Extension> extensions = merged(diagnosis).extensions;
   std::erase_if(extensions, std::not_fn(is_in_model));
-  return extensions.empty() ? text : text + "\n" + toml_text(extensions);
+  if (!extensions.empty()) {
+    text += "\n" + toml_text(extensions);
+    // What reads it has the bounds.
+    parse_extended_model(text, fmt::format("the extended model of {}", printable(campaign.name)));
+  }
+  return text;
 }
 
 }  // namespace host_sim::diagnose

@@ -158,6 +158,22 @@ TEST(ExtendedModel, WhatNoModelCanHoldIsRefused) {
   }
 }
 
+TEST(ExtendedModel, AnExtensionThatNoModelCanHoldIsRefused) {
+  Diagnosis diagnosis = recordings();
+  diagnosis.tension->findings.extensions.push_back({"friction_preload", {{"preload_N", {178}}}});
+  try {
+    extended_model_text(campaign(), diagnosis, InputFrom::current, "1");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_EQ(std::string(error.what()).rfind("the extended model of crossed:", 0), 0U)
+        << error.what();
+    EXPECT_NE(std::string(error.what())
+                  .find("preload_N is 178; accepted: up to "
+                        "ultimate_tension_N, 177.4"),
+              std::string::npos);
+  }
+}
+
 TEST(ExtendedModel, WhatItNeedsIsAskedForBeforeTheWork) {
   EXPECT_EQ(refusal(campaign()), "");
   Campaign without = campaign();
