@@ -30,6 +30,8 @@ enum Stream : std::uint64_t {
   kCurrentFloorStream,
   kOutputInstantStream,
   kInputInstantStream,
+  kVelocityStepStream,
+  kGainDriftStream,
 };
 
 /// A standard normal number: the quantile of one uniform number, the same on every machine.

@@ -402,7 +402,8 @@ class Undersampling final : public TensionPart {
       : rate_Hz_(values["rate_Hz"]), hold_(values.choice("between") == "hold") {}
 
   void record(Sensor sensor, std::vector<double>& readings, double sample_rate_Hz) const override {
-    if (sensor == Sensor::output_tension || rate_Hz_ >= sample_rate_Hz) {
+    const bool of_drive = sensor == Sensor::input_tension || sensor == Sensor::motor_current;
+    if (!of_drive || rate_Hz_ >= sample_rate_Hz) {
       return;
     }
     const std::vector<double> all = readings;

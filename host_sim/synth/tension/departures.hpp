@@ -11,8 +11,8 @@
 
 namespace host_sim::synth {
 
-/// The sensors whose readings a part may change.
-enum class Sensor { output_tension, input_tension, motor_current };
+/// The sensors whose readings a part may change; that of the velocity only as it is recorded.
+enum class Sensor { output_tension, input_tension, motor_current, velocity };
 
 /// One departure of a rig from the nominal model, with its own state in one session. Each function
 /// takes a quantity as the parts before it leave it; what a part does not override stays.
@@ -101,7 +101,8 @@ std::unique_ptr<TensionPart> make_part(const Values& values) {
 /// The effects of the catalogue that a rig may have, in order of its table.
 std::span<const TensionKind> tension_kinds();
 
-/// Departures that the catalogue does not have.
+/// Departures that the catalogue does not have, and those of them that are of sensors.
 std::span<const TensionKind> outside_tension_kinds();
+std::span<const TensionKind> outside_sensor_kinds();
 
 }  // namespace host_sim::synth

@@ -205,15 +205,76 @@ TensionKind rotor_inertia() {
   return {"rotor_inertia", {{{"inertia_g_cm2", "g_cm2", {0, 1e7}}}}, {}, make_part<RotorInertia>};
 }
 
+/// Friction is larger, or smaller, while the tendon speeds up than while it slows down.
+class FrictionAcceleration final : public TensionPart {
+ public:
+  explicit FrictionAcceleration(const Values& values) : share_s2_m_(values["share_s2_m"]) {}
+
+  [[nodiscard]] double friction(double mu, const Covariates& covariates,
+                                double /*tension_N*/) const override {
+    return mu * (1 + share_s2_m_ * covariates.acceleration_m_s2 * covariates.direction);
+  }
+
+ private:
+  double share_s2_m_;
+};
+
+TensionKind friction_acceleration() {
+  return {"friction_acceleration",
+          {{{"share_s2_m", "s2_m", {-100, 100}}}},
+          {},
+          make_part<FrictionAcceleration>};
+}
+
+/// Friction of rest: a bond between tendon and sheath that forms in time and breaks by travel,
+/// dc/dt = (1 - c) / tau - c |v| / L, and mu (1 + a c).
+class DwellFriction final : public TensionPart {
+ public:
+  explicit DwellFriction(const Values& values)
+      : share_(values["share"]),
+        time_s_(values["time_constant_s"]),
+        length_m_(values["length_mm"] * 1e-3) {}
+
+  void advance(const Covariates& covariates) override {
+    const double rate_1_s = 1 / time_s_ + std::abs(covariates.velocity_m_s) / length_m_;
+    const double settled = 1 / (time_s_ * rate_1_s);
+    bond_ = settled + (bond_ - settled) * std::exp(-rate_1_s * covariates.step_s);
+  }
+
+  [[nodiscard]] double friction(double mu, const Covariates& /*covariates*/,
+                                double /*tension_N*/) const override {
+    return mu * (1 + share_ * bond_);
+  }
+
+ private:
+  double share_, time_s_, length_m_;
+  double bond_ = 1;
+};
+
+TensionKind dwell_friction() {
+  return {"dwell_friction",
+          {{{"share", "", {0, 10}}},
+           {{"time_constant_s", "s", {0.001, 1e4}}},
+           {{"length_mm", "mm", {0.001, 1000}}}},
+          {},
+          make_part<DwellFriction>};
+}
+
 }  // namespace
 
 std::span<const TensionKind> outside_tension_kinds() {
-  static const std::vector<TensionKind> kinds{
-      sheath_creep(),           stick_slip(),
-      load_cell_cross_talk(),   humidity_cycle(),
-      tension_dependent_bend(), load_cell_thermal_lag(),
-      rotor_inertia(),
-  };
+  static const std::vector<TensionKind> kinds = [] {
+    std::vector<TensionKind> all{
+        sheath_creep(),           stick_slip(),
+        load_cell_cross_talk(),   humidity_cycle(),
+        tension_dependent_bend(), load_cell_thermal_lag(),
+        rotor_inertia(),          friction_acceleration(),
+        dwell_friction(),
+    };
+    const auto of_sensors = outside_sensor_kinds();
+    all.insert(all.end(), of_sensors.begin(), of_sensors.end());
+    return all;
+  }();
   return kinds;
 }
 

@@ -259,6 +259,7 @@ void record(TensionParts parts, const Rig& rig, Channels& channels) {
     part->record(Sensor::output_tension, channels[kOutputTensionColumn], rig.sample_rate_Hz);
     part->record(Sensor::input_tension, channels[kInputTensionColumn], rig.sample_rate_Hz);
     part->record(Sensor::motor_current, channels[kMotorCurrentColumn], rig.sample_rate_Hz);
+    part->record(Sensor::velocity, channels[kTendonVelocity], rig.sample_rate_Hz);
   }
 }
 

@@ -15,29 +15,24 @@ using enum hal::files::ProfileColumnId;
 
 namespace {
 
-constexpr int kPiecesOfSheath = 8;
-
-/// dT/dphi = slip mu (|T| / T_0)^-k |T| from one end of the sheath to the other, by Runge and Kutta
-/// where it has no closed form.
+/// dT/dphi = slip mu (|T| / T_0)^-k |T| from one end of the sheath to the other: |T|^k, with the
+/// sign of T, changes by the same for each radian, through zero as well where k is above 0.
 double through_sheath_N(double force_N, double slip_mu, double angle_rad,
                         const TwoSidedEffects& effects) {
   const double k = effects.load_exponent;
+  const double side = force_N < 0 ? -1 : 1;
   if (k == 0) {
-    return force_N * std::exp((force_N < 0 ? -1 : 1) * slip_mu * angle_rad);
+    return force_N * std::exp(side * slip_mu * angle_rad);
   }
-  const double reference = std::pow(effects.load_reference_N, k);
-  const auto slope = [&](double at_N) {
-    return at_N == 0 ? 0 : slip_mu * reference * std::pow(std::abs(at_N), 1 - k);
-  };
-  const double h = angle_rad / kPiecesOfSheath;
-  for (int i = 0; i < kPiecesOfSheath; ++i) {
-    const double a = slope(force_N);
-    const double b = slope(force_N + h / 2 * a);
-    const double c = slope(force_N + h / 2 * b);
-    const double d = slope(force_N + h * c);
-    force_N += h / 6 * (a + 2 * b + 2 * c + d);
+  if (k < 0 && force_N == 0) {
+    return 0;
   }
-  return force_N;
+  const double power = side * std::pow(std::abs(force_N), k) +
+                       k * slip_mu * std::pow(effects.load_reference_N, k) * angle_rad;
+  if (k < 0 && power * side <= 0) {
+    return side * std::numeric_limits<double>::infinity();  // friction grows faster than the force
+  }
+  return (power < 0 ? -1 : 1) * std::pow(std::abs(power), 1 / k);
 }
 
 /// The root above 0 of a rising function that is below zero at 0.

@@ -51,12 +51,12 @@ std::size_t count_of(CampaignKind kind) {
 }
 
 std::vector<SizedEffect> draw_effects(CampaignKind kind, const std::vector<SizedEffect>& all,
-                                      std::span<const SizedEffect> outside, Dice& dice) {
+                                      const std::vector<SizedEffect>& outside, Dice& dice) {
   if (kind == CampaignKind::none) {
     return {};
   }
   if (kind == CampaignKind::outside) {
-    return {dice.one_of(std::vector<SizedEffect>(outside.begin(), outside.end()))};
+    return {dice.one_of(outside)};
   }
   std::vector<SizedEffect> effects{dice.one_of(all)};
   while (effects.size() < count_of(kind)) {
@@ -75,6 +75,16 @@ bool any_of_temperature(const std::vector<SizedEffect>& effects) {
     return effect.id == "friction_temperature" || effect.id == "torque_gain" ||
            effect.id == "load_cell_thermal_lag";
   });
+}
+
+/// From outside of the catalogue, with those that are held back from tuning.
+std::vector<SizedEffect> outside_for(std::uint64_t seed, std::span<const SizedEffect> known,
+                                     std::span<const SizedEffect> held_back) {
+  std::vector<SizedEffect> all(known.begin(), known.end());
+  if (seed >= kFirstScoringSeed) {
+    all.insert(all.end(), held_back.begin(), held_back.end());
+  }
+  return all;
 }
 
 /// Of campaigns with two, a third get one more.
@@ -104,7 +114,8 @@ Choice choose(std::uint64_t seed) {
   const bool current = dice.chance(0.5);
   const bool temperatures = dice.chance(kTemperaturesShare);
   choice.kind = with_three(choice.kind, dice);
-  choice.effects = draw_effects(choice.kind, catalogue(), outside_effects(), effects);
+  choice.effects = draw_effects(choice.kind, catalogue(),
+                                outside_for(seed, outside_effects(), held_back_effects()), effects);
   choice.input = any_needs(choice.effects, Needs::load_cell)       ? Input::load_cell
                  : any_needs(choice.effects, Needs::motor_current) ? Input::motor_current
                  : current                                         ? Input::motor_current
@@ -122,8 +133,9 @@ Choice choose_two_sided(std::uint64_t seed) {
   choice.kind = draw_kind(dice);
   choice.input = dice.chance(0.5) ? Input::motor_current : Input::load_cell;
   choice.kind = with_three(choice.kind, dice);
-  choice.effects =
-      draw_effects(choice.kind, {all.begin(), all.end()}, outside_two_sided_effects(), effects);
+  choice.effects = draw_effects(
+      choice.kind, {all.begin(), all.end()},
+      outside_for(seed, outside_two_sided_effects(), held_back_two_sided_effects()), effects);
   return choice;
 }
 

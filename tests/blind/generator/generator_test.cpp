@@ -80,10 +80,39 @@ TEST(Generator, EachEffectIsAsOftenAloneAsAnyOther) {
     SCOPED_TRACE(id);
     expect_share(count, ones, 1.0 / 15);
   }
-  ASSERT_EQ(outside.size(), 7U);
+  ASSERT_EQ(outside.size(), 9U);
   for (const auto& [id, count] : outside) {
     SCOPED_TRACE(id);
-    expect_share(count, outsides, 1.0 / 7);
+    expect_share(count, outsides, 1.0 / 9);
+  }
+}
+
+TEST(Generator, SomeOfWhatIsOutsideIsHeldBackFromTuning) {
+  const auto outside = [](auto choose_one, std::uint64_t first, std::uint64_t count) {
+    std::set<std::string_view> ids;
+    for (std::uint64_t seed = first; seed < first + count; ++seed) {
+      const Choice choice = choose_one(seed);
+      if (choice.kind == CampaignKind::outside) {
+        ids.insert(choice.effects.front().id);
+      }
+    }
+    return ids;
+  };
+  const auto tuned = outside(choose, kFirstTuningSeed, kLastTuningSeed);
+  const auto scored = outside(choose, kFirstScoringSeed, kMany);
+  EXPECT_EQ(tuned.size(), 9U);
+  EXPECT_EQ(scored.size(), 14U);
+  EXPECT_TRUE(std::includes(scored.begin(), scored.end(), tuned.begin(), tuned.end()));
+  EXPECT_EQ(outside(choose_two_sided, kFirstTuningSeed, kLastTuningSeed).size(), 2U);
+  EXPECT_EQ(outside(choose_two_sided, kFirstScoringSeed, kMany).size(), 3U);
+}
+
+TEST(Generator, PlansWithWhatIsHeldBackAreAccepted) {
+  for (std::uint64_t seed = kFirstScoringSeed; seed < kFirstScoringSeed + 300; ++seed) {
+    EXPECT_EQ(parse_synth_plan(draw_recordings(seed).plan, "plan").departures.size(),
+              draw_recordings(seed).hidden.size());
+    EXPECT_EQ(parse_synth_plan(draw_two_sided(seed).plan, "plan").departures.size(),
+              draw_two_sided(seed).hidden.size());
   }
 }
 

@@ -97,6 +97,7 @@ void add_to(TensionScales& scales, const RecordingsDesign& design) {
   scales.last_cycle = most_of(design.start_cycles);
   scales.fastest_m_s =
       std::numbers::pi * most_of(design.frequencies_Hz) * most_of(design.travels_mm) * 1e-3;
+  scales.fastest_m_s2 = 2 * std::numbers::pi * most_of(design.frequencies_Hz) * scales.fastest_m_s;
   scales.poses = design.bend_angles_deg.size();
 }
 

@@ -41,8 +41,12 @@ std::span<const SizedEffect> transmission_effects();
 std::span<const SizedEffect> sensor_effects();
 std::span<const SizedEffect> outside_effects();
 
+/// More of these that seeds to tune with never draw.
+std::span<const SizedEffect> held_back_effects();
+
 /// The same of a drive that works in both directions.
 std::span<const SizedEffect> two_sided_effects();
 std::span<const SizedEffect> outside_two_sided_effects();
+std::span<const SizedEffect> held_back_two_sided_effects();
 
 }  // namespace blind

@@ -144,9 +144,13 @@ std::span<const SizedEffect> two_sided_effects() {
 
 std::span<const SizedEffect> outside_two_sided_effects() {
   static const std::vector<SizedEffect> effects{
-      {"moving_mass", Needs::any_input, moving_mass},
       {"one_way_friction", Needs::any_input, one_way_friction},
       {"sheath_creep", Needs::any_input, signed_creep}};
+  return effects;
+}
+
+std::span<const SizedEffect> held_back_two_sided_effects() {
+  static const std::vector<SizedEffect> effects{{"moving_mass", Needs::any_input, moving_mass}};
   return effects;
 }
 
