@@ -168,7 +168,8 @@ RC_GTEST_PROP(Corrector, Position, ()) {
     table += fmt::format("position_sine_{0} = {1}\nposition_cosine_{0} = {2}\n", harmonic,
                          drawn(-0.15, 0.15), drawn(-0.15, 0.15));
   }
-  check_output(table + fmt::format("wavelength_m = {}\n", drawn(0.02, 0.32)));
+  check_output(table + fmt::format("wavelength_m = {}\n", drawn(0.02, 0.32)) +
+               fmt::format("[extension.friction_preload]\npreload_N = {}\n", drawn(0, 20)));
 }
 RC_GTEST_PROP(Corrector, BendAngle, ()) {
   check_output(
@@ -269,7 +270,11 @@ void check_correction(std::string_view covariate, double low, double high) {
   Both both(table);
   Covariates at = drawn_covariates();
   at.velocity_m_s = to_double(from_double<Velocity>(at.velocity_m_s));
-  for (int i = 0; i < 10; ++i) {
+  for (int i = 0; i < 20; ++i) {
+    if (i % 7 == 6) {  // turns
+      at.velocity_m_s = -at.velocity_m_s;
+      at.direction = -at.direction;
+    }
     RC_ASSERT(is_near(both.output_N(40, at), both.exact_output_N(40, at)));
   }
 }
