@@ -17,7 +17,8 @@ inline Scenario hiding(const std::vector<std::string>& ids) {
   Scenario truth;
   truth.kind = ids.empty()       ? CampaignKind::none
                : ids.size() == 1 ? CampaignKind::one
-                                 : CampaignKind::two;
+               : ids.size() == 2 ? CampaignKind::two
+                                 : CampaignKind::three;
   for (const std::string& id : ids) {
     truth.hidden.push_back({id, false, {}, {}});
   }

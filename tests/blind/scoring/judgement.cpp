@@ -23,15 +23,14 @@ const Candidate* most_probable(const Record& record) {
   return found == candidates.end() ? nullptr : &*found;
 }
 
-/// Ids that are joined by "+", in order.
-std::string in_order(const std::string& joined) {
+std::vector<std::string> ids_in(const std::string& joined) {
   std::vector<std::string> ids;
   std::istringstream text(joined);
   for (std::string id; std::getline(text, id, '+');) {
     ids.push_back(id);
   }
   std::sort(ids.begin(), ids.end());
-  return fmt::format("{}", fmt::join(ids, "+"));
+  return ids;
 }
 
 bool holds(const std::vector<std::string>& ids, const std::string& id) {
@@ -116,12 +115,18 @@ std::vector<TrueParameter> of_lives(const std::string& id, const Values& values)
 
 std::string Judgement::first() const {
   const Candidate* const candidate = most_probable(record_);
-  return candidate == nullptr ? "" : in_order(candidate->id);
+  return candidate == nullptr ? "" : fmt::format("{}", fmt::join(ids_in(candidate->id), "+"));
 }
 
 double Judgement::first_probability() const {
   const Candidate* const candidate = most_probable(record_);
   return candidate == nullptr ? 0 : candidate->probability;
+}
+
+bool Judgement::first_is_hidden() const {
+  const std::vector<std::string> ids = ids_in(first());
+  return !ids.empty() &&
+         std::all_of(ids.begin(), ids.end(), [&](const std::string& id) { return hides(id); });
 }
 
 bool Judgement::right_class() const {

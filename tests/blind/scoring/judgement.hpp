@@ -17,6 +17,8 @@ class Judgement {
   /// The most probable candidate; empty without any.
   [[nodiscard]] std::string first() const;
   [[nodiscard]] double first_probability() const;
+  /// Whether each effect of it is hidden.
+  [[nodiscard]] bool first_is_hidden() const;
 
   /// Whether that is the truth: none, an effect, both of two, or unknown for what is from outside.
   [[nodiscard]] bool right_first() const { return first() == answer_; }

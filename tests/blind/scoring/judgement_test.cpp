@@ -58,6 +58,15 @@ TEST(Judgement, TwoAreRightTogetherInOrderOfTheirIds) {
   EXPECT_TRUE(Judgement(record).named_all());
 }
 
+TEST(Judgement, ACandidateOfSeveralMayHaveThemInAnyOrder) {
+  const Record record = answered(hiding({"slack", "friction_wear"}), Verdict::named,
+                                 {{"slack+friction_wear", 0.96}}, {"slack", "friction_wear"});
+  EXPECT_TRUE(Judgement(record).right_first());
+  EXPECT_TRUE(Judgement(record).first_is_hidden());
+  EXPECT_FALSE(
+      Judgement(answered(hiding({"slack"}), Verdict::none, {{"none", 0.9}})).first_is_hidden());
+}
+
 TEST(Judgement, OneOfTwoIsARightNameButNotAll) {
   const Record record =
       answered(hiding({"slack", "friction_wear"}), Verdict::named, {{"slack", 0.96}}, {"slack"});
@@ -134,6 +143,22 @@ TEST(Parameters, WhatTheCatalogueHasInAnotherFormIsNotCompared) {
   const HiddenEffect bump{
       "friction_position", false, {{"change", {0.3}}, {"centre_mm", {0}}, {"width_mm", {3}}}, {}};
   EXPECT_TRUE(true_parameters(bump).empty());
+}
+
+// 1 / (20 N/mm) is 50e-6 m/N.
+TEST(Parameters, OfADriveThatWorksInBothDirections) {
+  const auto value = [](const char* id, const char* key, double number, const char* name) {
+    for (const TrueParameter& parameter : true_parameters({id, false, {{key, {number}}}, {}})) {
+      if (parameter.name == name) {
+        return parameter.value;
+      }
+    }
+    return std::nan("");
+  };
+  EXPECT_NEAR(value("compliance", "stiffness_N_mm", 20, "compliance_m_N"), 50e-6, 1e-12);
+  EXPECT_EQ(value("load_cell_zero", "zero_N", -2, "load_cell_zero_N"), -2);
+  EXPECT_EQ(value("friction_velocity", "viscous_N_s_m", 30, "viscous_N_s_m"), 30);
+  EXPECT_NEAR(value("slack", "dead_zone_mm", 3, "slack_m"), 0.003, 1e-12);
 }
 
 TEST(Parameters, ErrorAndCoverageAreByName) {

@@ -6,7 +6,10 @@
 #include <boost/math/distributions/binomial.hpp>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <string_view>
 
+#include "tests/blind/generator/sized_effect.hpp"
 #include "tests/blind/oracle/visibility.hpp"
 #include "tests/blind/scoring/judgement.hpp"
 
@@ -19,6 +22,14 @@ constexpr double kTail = 0.025;
 
 constexpr double kBarely = 3;
 constexpr double kPlainly = 5;
+
+bool is_held_back(std::string_view id) {
+  const auto holds = [&](std::span<const SizedEffect> effects) {
+    return std::any_of(effects.begin(), effects.end(),
+                       [&](const SizedEffect& effect) { return effect.id == id; });
+  };
+  return holds(held_back_effects()) || holds(held_back_two_sided_effects());
+}
 
 void add(const Judgement& judgement, Detection& detection) {
   detection.first.add(judgement.right_first());
@@ -33,6 +44,7 @@ void add_one(const Record& record, const Judgement& judgement, Scores& scores) {
   }
   if (judgement.visible_at(kPlainly)) {
     add(judgement, scores.one_at_5);
+    scores.one_named_at_5.add(judgement.named_all());
   }
 }
 
@@ -60,6 +72,10 @@ void add_by_kind(const Record& record, const Judgement& judgement, Scores& score
       scores.outside_unknown.add(judgement.unknown());
       scores.outside_named.add(judgement.named());
       scores.outside[record.truth.hidden.front().id].add(judgement.unknown());
+      if (is_held_back(record.truth.hidden.front().id)) {
+        scores.held_back_unknown.add(judgement.unknown());
+        scores.held_back_named.add(judgement.named());
+      }
       break;
   }
 }
@@ -72,7 +88,9 @@ void add_parameters(const Record& record, Scores& scores) {
       }
       for (const ParameterScore& score : score_parameters(true_parameters(hidden), found)) {
         scores.parameter_errors.push_back(score.relative_error);
-        scores.parameters_covered.add(score.covered);
+        (record.truth.hidden.size() == 1 ? scores.parameters_covered
+                                         : scores.parameters_covered_of_several)
+            .add(score.covered);
       }
     }
   }
@@ -88,6 +106,16 @@ void add_gain(const Record& record, Scores& scores) {
           relative_gain(metric.before, metric.after, record.rmse_floor_N));
     }
   }
+}
+
+std::string first_in_table(const Record& record, const Judgement& judgement) {
+  const std::string first = judgement.first();
+  if (record.truth.hidden.size() < 2 || first == "none" || first == "unknown") {
+    return first;
+  }
+  return judgement.right_first()       ? "all of them"
+         : judgement.first_is_hidden() ? "some of them"
+                                       : "others";
 }
 
 std::string truth_in_table(const Record& record) {
@@ -174,7 +202,7 @@ Scores scores_of(const std::vector<Record>& records) {
     scores.covered.add(judgement.covered());
     sizes += static_cast<double>(judgement.set_size());
     scores.calibration.add(judgement.first_probability(), judgement.right_first());
-    ++scores.confusion[{truth_in_table(record), judgement.first()}];
+    ++scores.confusion[{truth_in_table(record), first_in_table(record, judgement)}];
   }
   scores.set_size = sizes / static_cast<double>(scores.covered.of);
   std::sort(scores.parameter_errors.begin(), scores.parameter_errors.end());

@@ -73,6 +73,7 @@ struct Scores {
 
   Detection one;                             ///< over all sizes
   Detection one_at_3, one_at_5;              ///< where an oracle sees it at so many sigmas
+  Proportion one_named_at_5;                 ///< the same: it is named, and nothing else
   std::map<std::string, Detection> effects;  ///< by id, over all sizes
 
   Proportion named_right;     ///< of all campaigns with a name: each name is right
@@ -81,18 +82,20 @@ struct Scores {
   Proportion two_named;
   Proportion three_first, three_named;  ///< the same of campaigns with three
   Proportion outside_unknown, outside_named;
-  std::map<std::string, Proportion> outside;  ///< unknown, by id
+  Proportion held_back_unknown, held_back_named;  ///< of these, what is held back from tuning
+  std::map<std::string, Proportion> outside;      ///< unknown, by id
 
   Proportion covered;   ///< of all campaigns: the 95 % set holds the truth
   double set_size = 0;  ///< mean
   Calibration calibration;
 
   std::vector<double> parameter_errors;  ///< relative, rising
-  Proportion parameters_covered;
+  Proportion parameters_covered;         ///< of campaigns that hide one effect
+  Proportion parameters_covered_of_several;
 
   std::vector<double> relative_gains;  ///< of the true model's, where named right; rising
 
-  /// Campaigns by truth and first candidate.
+  /// Campaigns by truth and first candidate; of several effects by how much of them is in it.
   std::map<std::pair<std::string, std::string>, std::size_t> confusion;
 };
 

@@ -139,6 +139,7 @@ TEST(Scores, CountsByWhatIsHidden) {
   expect(scores.one.first, 1, 3);
   expect(scores.one_at_3.first, 1, 2);
   expect(scores.one_at_5.first, 1, 1);
+  expect(scores.one_named_at_5, 1, 1);
   expect(scores.effects.at("slack").first, 1, 2);
   expect(scores.effects.at("presliding").first, 0, 1);
   expect(scores.named_right, 2, 3);
@@ -149,6 +150,36 @@ TEST(Scores, CountsByWhatIsHidden) {
   expect(scores.outside_named, 0, 2);
   expect(scores.outside.at("stick_slip"), 1, 1);
   EXPECT_EQ((scores.confusion.at({"presliding", "slack"})), 1U);
+}
+
+TEST(Scores, SeveralAreCountedByHowMuchOfThemIsFound) {
+  const Scores scores = scores_of({
+      answered(hiding({"slack", "presliding", "compliance"}), Verdict::named,
+               {{"slack+presliding+compliance", 0.99}}, {"slack", "presliding", "compliance"}),
+      answered(hiding({"slack", "presliding", "compliance"}), Verdict::named,
+               {{"presliding+slack", 0.99}}, {"presliding", "slack"}),
+      answered(hiding({"slack", "presliding", "compliance"}), Verdict::ambiguous,
+               {{"filter_lag+slack", 0.6}}),
+      answered(hiding({"slack", "presliding", "compliance"}), Verdict::unknown, {{"unknown", 0.9}}),
+  });
+  expect(scores.three_first, 1, 4);
+  expect(scores.three_named, 1, 4);
+  expect(scores.two_first, 0, 0);
+  EXPECT_EQ((scores.confusion.at({"three", "all of them"})), 1U);
+  EXPECT_EQ((scores.confusion.at({"three", "some of them"})), 1U);
+  EXPECT_EQ((scores.confusion.at({"three", "others"})), 1U);
+  EXPECT_EQ((scores.confusion.at({"three", "unknown"})), 1U);
+}
+
+TEST(Scores, WhatIsHeldBackFromTuningIsCountedApart) {
+  const Scores scores = scores_of({
+      answered(hiding_outside("stick_slip"), Verdict::named, {{"slack", 0.97}}, {"slack"}),
+      answered(hiding_outside("resonance"), Verdict::unknown, {{"unknown", 0.7}}),
+      answered(hiding_outside("moving_mass"), Verdict::named, {{"slack", 0.97}}, {"slack"}),
+  });
+  expect(scores.outside_named, 2, 3);
+  expect(scores.held_back_unknown, 1, 2);
+  expect(scores.held_back_named, 1, 2);
 }
 
 TEST(Scores, MeanSetAndItsCoverage) {
@@ -170,6 +201,10 @@ TEST(Scores, ParametersAreThoseOfRightNames) {
   ASSERT_EQ(scores.parameter_errors.size(), 1U);
   EXPECT_NEAR(scores.parameter_errors[0], 0.05, 1e-12);
   expect(scores.parameters_covered, 0, 1);
+  record.truth.kind = CampaignKind::two;
+  record.truth.hidden.push_back({"presliding", false, {{"length_mm", {1}}}, {}});
+  expect(scores_of({record}).parameters_covered, 0, 0);
+  expect(scores_of({record}).parameters_covered_of_several, 0, 1);
 }
 
 TEST(Scores, QuantilesLieBetweenNumbers) {
