@@ -132,6 +132,25 @@ TEST(SynthTwoSided, FrictionThatDependsOnTheLoadIsIntegratedAlongTheSheath) {
   }
 }
 
+TEST(SynthTwoSided, AnExponentOfNextToNothingIsNone) {
+  expect_input("[effects.friction_load]\nexponent = 1e-9\nreference_N = 20\n", 1e-6,
+               [](const Sample& sample) {
+                 return sample.output_N + capstan_N(sample.output_N, sample.direction);
+               });
+}
+
+TEST(SynthTwoSided, ForcesThatRunAwayAreRefused) {
+  const auto complaint = [](const std::string& hidden) {
+    return complaint_of([&] { both_ways(hidden); });
+  };
+  const std::string steep = "[effects.friction_load]\nexponent = -1\nreference_N = 0.1\n";
+  EXPECT_EQ(complaint(steep).rfind("plan: in session 1, input_tension_N gets to ", 0), 0U)
+      << complaint(steep);
+  EXPECT_EQ(complaint(steep + "[effects.compliance]\nstiffness_N_mm = 0.1\n")
+                .rfind("plan: in session 1, ", 0),
+            0U);
+}
+
 TEST(SynthTwoSided, FrictionHasARoughPlace) {
   expect_input(
       "[effects.friction_position]\nchange = 0.5\ncentre_mm = 3\nwidth_mm = 4\n"

@@ -15,14 +15,22 @@ using enum hal::files::ProfileColumnId;
 
 namespace {
 
+// Far beyond what can be recorded, so that forces that run away end there.
+constexpr double kMostForce_N = 1e12;
+
+double bounded_N(double force_N) {
+  return std::clamp(force_N, -kMostForce_N, kMostForce_N);
+}
+
 /// dT/dphi = slip mu (|T| / T_0)^-k |T| from one end of the sheath to the other: |T|^k, with the
 /// sign of T, changes by the same for each radian, through zero as well where k is above 0.
 double through_sheath_N(double force_N, double slip_mu, double angle_rad,
                         const TwoSidedEffects& effects) {
+  constexpr double kLeastExponent = 1e-6;  // |T|^k of less tells no forces apart
   const double k = effects.load_exponent;
   const double side = force_N < 0 ? -1 : 1;
-  if (k == 0) {
-    return force_N * std::exp(side * slip_mu * angle_rad);
+  if (std::abs(k) < kLeastExponent) {
+    return bounded_N(force_N * std::exp(side * slip_mu * angle_rad));
   }
   if (k < 0 && force_N == 0) {
     return 0;
@@ -30,9 +38,9 @@ double through_sheath_N(double force_N, double slip_mu, double angle_rad,
   const double power = side * std::pow(std::abs(force_N), k) +
                        k * slip_mu * std::pow(effects.load_reference_N, k) * angle_rad;
   if (k < 0 && power * side <= 0) {
-    return side * std::numeric_limits<double>::infinity();  // friction grows faster than the force
+    return side * kMostForce_N;  // friction grows faster than the force
   }
-  return (power < 0 ? -1 : 1) * std::pow(std::abs(power), 1 / k);
+  return bounded_N((power < 0 ? -1 : 1) * std::pow(std::abs(power), 1 / k));
 }
 
 /// The root above 0 of a rising function that is below zero at 0.

@@ -30,7 +30,8 @@ void check_recordings(SynthPlan plan) {
     require(std::isfinite(channels[hal::files::kTime][i]));
     require(i == 0 || channels[hal::files::kTime][i] > channels[hal::files::kTime][i - 1]);
     require(!std::isnan(channels[hal::files::kInputTensionColumn][i]));
-    require(channels[hal::files::kOutputTensionColumn][i] > -1e4);
+    require(std::isfinite(channels[hal::files::kOutputTensionColumn][i]));
+    require(plan.two_sided || channels[hal::files::kOutputTensionColumn][i] > -1e4);
   }
 }
 
