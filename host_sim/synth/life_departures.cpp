@@ -178,7 +178,7 @@ class LotFrailty final : public LifePart {
 };
 
 LifeKind lot_frailty() {
-  return {"lot_frailty", {{{"log_sd", "", {0, 1}}}}, {}, make_life_part<LotFrailty>};
+  return {"lot_frailty", {{{"log_sd", "", {0, 3}}}}, {}, make_life_part<LotFrailty>};
 }
 
 /// Corrosion: a cycle at a later day does more damage, by exp(lambda t), in store and under test.

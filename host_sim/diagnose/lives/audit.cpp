@@ -105,10 +105,12 @@ class Auditor {
               : Eigen::MatrixXd(vector_of(signature.columns.front()));
       const Eigen::MatrixXd left = projection_.left(columns);
       const double all = projection_.scaled(columns).norm();
-      result.share = std::max(result.share, all > least ? left.norm() / all : 0);
+      // A and gamma take what an effect does to the mean, not what it does to the scatter.
+      const double shown = effect.kind() == effects::LifeEffectKind::both ? all : left.norm();
+      result.share = std::max(result.share, all > least ? shown / all : 0);
       const double draws = static_cast<double>(std::max<Eigen::Index>(1, columns.cols() - 1));
-      result.sigmas = std::max(result.sigmas, view.largest * left.norm() / std::sqrt(draws));
-      view.shapes.push_back(left);
+      result.sigmas = std::max(result.sigmas, view.largest * shown / std::sqrt(draws));
+      view.shapes.push_back(left.norm() > least ? left : Eigen::MatrixXd::Zero(left.rows(), 1));
     }
     return view;
   }

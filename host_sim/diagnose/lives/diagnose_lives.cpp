@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,7 @@
 #include "host_sim/diagnose/lives/discrepancy.hpp"
 #include "host_sim/diagnose/lives/estimates.hpp"
 #include "host_sim/diagnose/lives/fit.hpp"
+#include "host_sim/diagnose/lives/gain_test.hpp"
 #include "host_sim/diagnose/lives/life_sample.hpp"
 #include "host_sim/diagnose/lives/likelihood.hpp"
 #include "host_sim/diagnose/lives/prose.hpp"
@@ -58,9 +60,9 @@ std::string hindrance(const LifeSample& sample, const NominalFit& nominal) {
     return fmt::format("{} of {} specimens failed; {} failures are the least to judge a law by",
                        sample.failures(), sample.size(), kLeastToJudge);
   }
-  if (sample.levels < 2) {
-    return "all specimens were tested at one effective tension, which says nothing of gamma; test "
-           "at three levels or more";
+  if (sample.levels < 2 && !sample.nominal) {
+    return "all specimens were tested at one effective tension, which says nothing of gamma; give "
+           "the campaign a [model.life], or test at three levels or more";
   }
   switch (nominal.problem) {
     case statistics::FitProblem::none:
@@ -117,6 +119,8 @@ class Diagnostician {
     hypotheses_ = weigh(sample_, visible, calibration(), options_.threads);
     nominal_ = fit_model(ModelView(sample_, prior_, {}));
     decision_ = decide(hypotheses_, before_.p);
+    report(0.6);
+    ask_the_gain();
     report(0.7);
     check_what_is_left();
     write_findings();
@@ -151,6 +155,23 @@ class Diagnostician {
   }
 
   [[nodiscard]] const Hypothesis::Form& extended() const { return decision_.best->best(); }
+
+  /// What is probable and shows against no covariate is named where lives of the nominal law seldom
+  /// gain as much by it.
+  void ask_the_gain() {
+    constexpr double kSeldom_p = 0.05;
+    if (decision_.verdict != Verdict::ambiguous || decision_.best == nullptr ||
+        decide(hypotheses_, 0).verdict != Verdict::named) {
+      return;
+    }
+    const Decision named = decide(hypotheses_, 0);
+    const Hypothesis::Form& form = named.best->best();
+    gain_p_ = gain_p(sample_, prior_, form.model, nominal_, form.fit,
+                     {.seed = options_.seed, .threads = options_.threads});
+    if (*gain_p_ <= kSeldom_p) {
+      decision_ = named;
+    }
+  }
 
   /// Named effects must leave no discrepancy; nor may there be one where nothing is wrong.
   void check_what_is_left() {
@@ -207,7 +228,21 @@ class Diagnostician {
     if (findings.verdict == Verdict::ambiguous) {
       findings.next_experiment = experiment_for(findings.credible_set);
     }
-    findings.prose = verdict_prose(findings, before_, after_) + no_gain_prose(findings);
+    Omnibus before = before_;
+    before.p = gain_p_.value_or(before_.p);
+    findings.prose = verdict_prose(findings, before, after_) + no_gain_prose(findings);
+    if (sample_.levels == 1) {
+      findings.prose += " All lives are at one effective tension: gamma is that of the model.";
+    }
+    if (gain_p_) {
+      findings.prose += fmt::format(
+          " No covariate alone shows it (p = {:.2g}): lives of the nominal law gain as much by the "
+          "most probable model with p = {:.2g}.",
+          before_.p, *gain_p_);
+    }
+    if (decision_.best != nullptr) {
+      findings.prose += mean_stress_prose(hypotheses_, *decision_.best);
+    }
     const std::string validation =
         validation_prose(campaign_, ModelView(sample_, prior_, {}), nominal_);
     findings.prose += validation.empty() ? "" : " " + validation;
@@ -234,7 +269,8 @@ class Diagnostician {
       const effects::LifeEffect& effect = life_effect(decision_.effects[i]);
       diagnosis_.findings.effects.push_back(
           {.id = decision_.effects[i],
-           .term = std::string(effect.term()),
+           .term = extended().model[i].words.empty() ? std::string(effect.term())
+                                                     : extended().model[i].words,
            .equation = std::string(effect.equation()),
            .life_consequence = std::string(effect.life_consequence()),
            .probability = decision_.probabilities[i],
@@ -299,6 +335,7 @@ class Diagnostician {
   LifeSample sample_;
   CommonPrior prior_;
   Omnibus before_, after_;
+  std::optional<double> gain_p_;  ///< where no covariate shows the gain
   std::vector<Hypothesis> hypotheses_;
   ModelFit nominal_;
   Decision decision_;

@@ -88,6 +88,15 @@ double late(Residuals residuals) {
   return sum;
 }
 
+/// Of Anderson and Darling, from the exponential distribution.
+double distance(Residuals residuals) {
+  statistics::Sample lives;
+  for (const CoxSnell& residual : residuals) {
+    lives.push_back({std::max(residual.value, 1e-300), residual.failed});
+  }
+  return statistics::anderson_darling({statistics::Family::weibull, 1, 1}, lives);
+}
+
 template <typename Value>
 std::vector<double> each(const LifeSample& sample, Value value) {
   std::vector<double> values;
@@ -162,11 +171,12 @@ std::vector<CoxSnell> residuals_under(const life_law::LifeLaw& law,
 /// All statistics: the observed ones first, then those of each replicate.
 using Table = std::vector<std::vector<double>>;
 
-Table simulated(const life_law::LifeData& data, const life_law::LifeFit& fit,
-                const std::vector<CovariateStatistic>& statistics, const OmnibusOptions& options) {
+Table simulated(const life_law::LifeData& data, const LawOfSample& of_sample,
+                const life_law::LifeFit& fit, const std::vector<CovariateStatistic>& statistics,
+                const OmnibusOptions& options) {
   Table table(options.replicates);
   const life_law::LifeSimulation simulation(data);
-  const life_law::LifeLaw law = fit.law();
+  const life_law::LifeLaw law = of_sample.law(fit);
   const statistics::BootstrapOptions bootstrap{.seed = options.seed,
                                                .stream = kOmnibusStream,
                                                .replicates = options.replicates,
@@ -178,7 +188,7 @@ Table simulated(const life_law::LifeData& data, const life_law::LifeFit& fit,
       if (refit.problem != statistics::FitProblem::none) {
         return;
       }
-      const std::vector<CoxSnell> residuals = residuals_under(refit.law(), drawn);
+      const std::vector<CoxSnell> residuals = residuals_under(of_sample.law(refit), drawn);
       for (const CovariateStatistic& test : statistics) {
         table[i].push_back(test.statistic(residuals));
       }
@@ -222,10 +232,17 @@ Scale scale_of(const Table& table, std::size_t test) {
 std::vector<CovariateStatistic> covariate_statistics(const LifeSample& sample) {
   std::vector<CovariateStatistic> statistics;
   add_values(sample, statistics);
-  statistics.push_back(between(
-      "load", numbers(sample, [](const auto& specimen) { return specimen.load; }), sample.loads));
-  statistics.push_back(shapes_between(
-      numbers(sample, [](const auto& specimen) { return specimen.last().level; }), sample.levels));
+  if (sample.loads > 1) {
+    statistics.push_back(between(
+        "load", numbers(sample, [](const auto& specimen) { return specimen.load; }), sample.loads));
+  }
+  if (sample.levels > 1) {
+    statistics.push_back(
+        shapes_between(numbers(sample, [](const auto& specimen) { return specimen.last().level; }),
+                       sample.levels));
+  } else {
+    statistics.push_back({"distribution", distance});
+  }
   if (sample.lots > 1) {
     statistics.push_back(
         between("lot", numbers(sample, [](const auto& specimen) { return specimen.lot_number; }),
@@ -247,14 +264,15 @@ std::vector<CovariateStatistic> covariate_statistics(const LifeSample& sample) {
 
 Omnibus omnibus_test(const LifeSample& sample, const OmnibusOptions& options) {
   const life_law::LifeData data = life_data_of(sample);
-  const life_law::LifeFit fit = life_law::fit_life(data);
+  const LawOfSample of_sample(sample);
+  const life_law::LifeFit fit = of_sample.fit(data);
   Omnibus omnibus;
   if (fit.problem != statistics::FitProblem::none) {
     return omnibus;
   }
   const std::vector<CovariateStatistic> statistics = covariate_statistics(sample);
-  const std::vector<CoxSnell> residuals = residuals_under(fit.law(), data);
-  Table table = simulated(data, fit, statistics, options);
+  const std::vector<CoxSnell> residuals = residuals_under(of_sample.law(fit), data);
+  Table table = simulated(data, of_sample, fit, statistics, options);
   std::vector<double> observed;
   observed.reserve(statistics.size());
   for (const CovariateStatistic& test : statistics) {

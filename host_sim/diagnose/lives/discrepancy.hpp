@@ -49,8 +49,9 @@ struct OmnibusOptions {
 
 /// Tests the Cox-Snell residuals of the nominal law, refitted, against each covariate: rest of
 /// the scatter between loads, lots and groups, curvature, shape by level, days, ratio of wire to
-/// bend, mean tension, order of blocks, and the distribution of the residuals. p by the parametric
-/// bootstrap: lives drawn from the fit under the campaign's own plan of suspension, refitted.
+/// bend, mean tension, order of blocks, and the distribution of the residuals, of one level as a
+/// whole. p by the parametric bootstrap: lives drawn from the fit under the campaign's own plan of
+/// suspension, refitted.
 Omnibus omnibus_test(const LifeSample& sample, const OmnibusOptions& options);
 
 /// The lives as they would be without what a model adds to the nominal law, for another test: each

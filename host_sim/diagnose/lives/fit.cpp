@@ -12,11 +12,43 @@
 namespace host_sim::diagnose::lives {
 namespace {
 
-/// ln of half a standard normal density and half of one that is four times as wide, less that of
-/// the first at 0.
+/// ln of a normal density that is wider than the standard one, less that of the standard one at 0.
+double log_wide(double u, double sd) {
+  return -u * u / (2 * sd * sd) - std::log(sd);
+}
+
+/// Of half a standard normal density and half of one that is four times as wide.
 double log_mixture(double u) {
   constexpr double kWide = 4;
-  return log_sum(-u * u / 2, -u * u / (2 * kWide * kWide) - std::log(kWide)) - std::log(2);
+  return log_sum(log_wide(u, 1), log_wide(u, kWide)) - std::log(2);
+}
+
+/// Where the nominal law of maximum likelihood is looked for from.
+constexpr double kFarthestNominal = 0.8 * kFarthest;
+
+Eigen::VectorXd with_nominal(Eigen::VectorXd at, const CommonPrior& prior) {
+  at.head<CommonPrior::kCount>() = prior.nominal;
+  return at;
+}
+
+/// The first that is not hopeless against the others: a hill that is higher where the climb begins
+/// need not be the highest.
+Eigen::VectorXd start_of(const ModelView& view, std::vector<Eigen::VectorXd> starts) {
+  if (starts.empty()) {
+    starts.emplace_back(Eigen::VectorXd::Zero(view.coordinates()));
+  }
+  const std::size_t given = starts.size();
+  for (std::size_t i = 0; i < given; ++i) {
+    starts.push_back(with_nominal(starts[i], view.prior()));
+  }
+  std::vector<double> values;
+  for (const Eigen::VectorXd& start : starts) {
+    values.push_back(view.log_posterior(start));
+  }
+  constexpr double kHopeless = 100;
+  const double least = std::ranges::max(values) - kHopeless;
+  const auto first = std::ranges::find_if(values, [=](double value) { return value >= least; });
+  return starts[static_cast<std::size_t>(first - values.begin())];
 }
 
 /// Curvature below that of the widest prior comes of the approximation.
@@ -26,6 +58,18 @@ constexpr double kLeastCurvature = 0.05;
 
 life_law::LifeData life_data_of(const LifeSample& sample) {
   life_law::LifeData data;
+  if (sample.levels == 1 && sample.nominal) {
+    const double centre_N = std::exp(centre_ln_N(sample, LifeSettings{}));
+    for (const LifeSample::Specimen& specimen : sample.specimens) {
+      double cycles = 0;
+      for (const LifeSample::Block& block : specimen.blocks) {
+        cycles +=
+            block.cycles * std::pow(block.effective_N / centre_N, sample.nominal->ipl_exponent);
+      }
+      data.push_back({.blocks = {{centre_N, cycles}}, .failed = specimen.failed, .level = 0});
+    }
+    return data;
+  }
   data.reserve(sample.size());
   for (const LifeSample::Specimen& specimen : sample.specimens) {
     life_law::LifeDatum datum;
@@ -41,12 +85,34 @@ life_law::LifeData life_data_of(const LifeSample& sample) {
   return data;
 }
 
+LawOfSample::LawOfSample(const LifeSample& sample)
+    : one_level_(sample.levels == 1 && sample.nominal),
+      centre_ln_N_(centre_ln_N(sample, LifeSettings{})) {
+  if (one_level_) {
+    model_exponent_ = sample.nominal->ipl_exponent;
+  }
+}
+
+life_law::LifeFit LawOfSample::fit(const life_law::LifeData& data) const {
+  return life_law::fit_life(data, {.scale = one_level_ ? life_law::LifeForm::Scale::free
+                                                       : life_law::LifeForm::Scale::power_law});
+}
+
+life_law::LifeLaw LawOfSample::law(const life_law::LifeFit& fit) const {
+  return one_level_
+             ? life_law::LifeLaw{.scale = std::exp(fit.scale[0] + model_exponent_ * centre_ln_N_),
+                                 .exponent = model_exponent_,
+                                 .shape = std::exp(fit.shape[0])}
+             : fit.law();
+}
+
 NominalFit fit_nominal(const LifeSample& sample) {
-  const life_law::LifeFit fit = life_law::fit_life(life_data_of(sample));
+  const LawOfSample of_sample(sample);
+  const life_law::LifeFit fit = of_sample.fit(life_data_of(sample));
   if (fit.problem != statistics::FitProblem::none) {
     return {.problem = fit.problem};
   }
-  const life_law::LifeLaw law = fit.law();
+  const life_law::LifeLaw law = of_sample.law(fit);
   const double centre = centre_ln_N(sample, LifeSettings{});
   return {.centre_ln_N = centre,
           .ln_life_at_centre = std::log(law.scale) - law.exponent * centre,
@@ -55,8 +121,12 @@ NominalFit fit_nominal(const LifeSample& sample) {
           .log_likelihood = fit.log_likelihood};
 }
 
-double CommonPrior::log_density(double u_exponent, double u_shape) {
-  return log_mixture(u_exponent) + log_mixture(u_shape);
+double CommonPrior::log_density(double u_exponent, double u_shape) const {
+  constexpr double kLogExponentUnknown_sd = 1 / kLogExponent_sd;
+  constexpr double kLogShapeUnknown_sd = 1 / kLogShape_sd;
+  return modelled ? log_mixture(u_exponent) + log_mixture(u_shape)
+                  : log_wide(u_exponent, kLogExponentUnknown_sd) +
+                        log_wide(u_shape, kLogShapeUnknown_sd);
 }
 
 ModelView::ModelView(const LifeSample& sample, const CommonPrior& prior,
@@ -89,13 +159,13 @@ LifeSettings ModelView::settings(const Eigen::VectorXd& at) const {
 }
 
 double ModelView::log_prior(const Eigen::VectorXd& at) const {
-  return CommonPrior::log_density(at[1], at[2]) - at[0] * at[0] / 2 -
+  return prior_.log_density(at[1], at[2]) - at[0] * at[0] / 2 -
          at.tail(at.size() - CommonPrior::kCount).squaredNorm() / 2;
 }
 
 double ModelView::log_posterior(const Eigen::VectorXd& at) const {
   constexpr double kNone = -1e10;
-  constexpr double kOutside = 12;
+  constexpr double kOutside = kFarthest + 1;
   if (at.cwiseAbs().maxCoeff() > kOutside) {
     return kNone;
   }
@@ -104,20 +174,29 @@ double ModelView::log_posterior(const Eigen::VectorXd& at) const {
 }
 
 CommonPrior common_prior(const LifeSample& sample) {
+  constexpr double kUsualExponent = 6;
+  constexpr double kUsualShape = 3;
   const NominalFit fit = fit_nominal(sample);
-  const double exponent = sample.nominal ? sample.nominal->ipl_exponent : fit.exponent;
-  const double shape = sample.nominal ? sample.nominal->weibull_shape : fit.shape;
-  return {.ln_life_at_centre = fit.ln_life_at_centre,
-          .ln_exponent = std::log(std::clamp(exponent, 0.2, 40.0)),
-          .ln_shape = std::log(std::clamp(shape, 0.3, 50.0))};
+  CommonPrior prior{.ln_life_at_centre = fit.ln_life_at_centre,
+                    .ln_exponent = std::log(kUsualExponent),
+                    .ln_shape = std::log(kUsualShape),
+                    .modelled = sample.nominal.has_value()};
+  if (prior.modelled) {
+    prior.ln_exponent = std::log(std::clamp(sample.nominal->ipl_exponent, 0.2, 40.0));
+    prior.ln_shape = std::log(std::clamp(sample.nominal->weibull_shape, 0.3, 50.0));
+  }
+  if (fit.exponent > 0 && fit.shape > 0) {
+    prior.nominal = {0, (std::log(fit.exponent) - prior.ln_exponent) / CommonPrior::kLogExponent_sd,
+                     (std::log(fit.shape) - prior.ln_shape) / CommonPrior::kLogShape_sd};
+    prior.nominal = prior.nominal.cwiseMax(-kFarthestNominal).cwiseMin(kFarthestNominal);
+  }
+  return prior;
 }
 
-ModelFit fit_model(const ModelView& view, const Eigen::VectorXd& start) {
+ModelFit fit_model(const ModelView& view, const std::vector<Eigen::VectorXd>& starts) {
   const auto objective = [&](const Eigen::VectorXd& at) { return view.log_posterior(at); };
-  const Eigen::VectorXd from =
-      start.size() == 0 ? Eigen::VectorXd::Zero(view.coordinates()) : start;
   ModelFit fit;
-  fit.at = maximize(objective, from);
+  fit.at = maximize(objective, start_of(view, starts));
   fit.log_posterior = objective(fit.at);
   fit.log_likelihood = fit.log_posterior - view.log_prior(fit.at);
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> curvature(-hessian(objective, fit.at));

@@ -31,6 +31,7 @@ struct Hypothesis {
     Model model;
     ModelFit fit;
     double ln_weight = 0;
+    std::vector<Eigen::VectorXd> starts = {};  ///< coordinates to fit from
   };
   std::vector<std::string> effects;  ///< ids, rising; none where nothing is wrong
   bool outside = false;              ///< nothing of the catalogue, then `effects` has its covariate

@@ -8,6 +8,9 @@
 
 namespace host_sim::diagnose::lives {
 
+/// Standard deviation of ln N of a Weibull life, times its shape: pi / sqrt(6).
+inline constexpr double kLogLifeSd = 1.2825498301618641;
+
 /// All that a model of lives says: the nominal law, and each departure from it at its neutral value
 /// unless a term sets it. ln alpha of a block is
 ///   ln_life_at_centre - exponent (ln(T - S) - ln(T_c - S)) + what shifts it,
@@ -26,9 +29,11 @@ struct LifeSettings {
   double ageing_1_day = 0;
   double lot_log_sd = 0;
 
-  /// A second Weibull that competes with the first: ln alpha_2 = ln alpha + log_life_shift
-  /// + steepness |ln T - ln T_end| from the end of the levels that it reaches from.
+  /// A second Weibull that competes with the first in each specimen, or that a share of them has in
+  /// place of the first: ln alpha_2 = ln alpha + log_life_shift + steepness |ln T - ln T_end| from
+  /// the end of the levels that it reaches from.
   struct SecondMode {
+    double share = 0;  ///< of the specimens; 0 where it competes in each
     double log_life_shift = 0;
     double shape = 1;
     double steepness = 0;  ///< 0 or above: how fast it fades away from that end
@@ -41,6 +46,7 @@ struct LifeSettings {
   double group_log_sd = 0;
   double weak_share = 0;  ///< of specimens that live only a part of their life
   double weak_life_left = 1;
+  bool lognormal = false;                      ///< with the median and scatter of the Weibull
   std::vector<double> load_shift;              ///< of ln alpha; empty or one for each load
   std::vector<double> level_log_shape;         ///< of ln beta; empty or one for each level
   double day_shift = 0;                        ///< of ln alpha for each day

@@ -36,19 +36,17 @@ double call(const std::vector<double>& x, std::vector<double>& gradient, void* d
   return value;
 }
 
-}  // namespace
-
-Eigen::VectorXd maximize(const Function& function, const Eigen::VectorXd& start) {
+/// From the best that was seen; it ends early where a slope breaks off.
+void climb(Call& data) {
   constexpr double kLastGain = 1e-7;
   constexpr int kMostCalls = 200;
-  Call data{&function, start, function(start)};
-  nlopt::opt search(nlopt::LD_SLSQP, static_cast<unsigned>(start.size()));
+  nlopt::opt search(nlopt::LD_SLSQP, static_cast<unsigned>(data.best.size()));
   search.set_max_objective(call, &data);
   search.set_lower_bounds(-kFarthest);
   search.set_upper_bounds(kFarthest);
   search.set_ftol_abs(kLastGain);
   search.set_maxeval(kMostCalls);
-  std::vector<double> x(start.data(), start.data() + start.size());
+  std::vector<double> x(data.best.data(), data.best.data() + data.best.size());
   double value = 0;
   try {
     search.optimize(x, value);
@@ -56,6 +54,21 @@ Eigen::VectorXd maximize(const Function& function, const Eigen::VectorXd& start)
     // The best that was seen is as good as differences allow.
   } catch (const std::runtime_error&) {
     // The same where a step of it failed.
+  }
+}
+
+}  // namespace
+
+Eigen::VectorXd maximize(const Function& function, const Eigen::VectorXd& start) {
+  constexpr double kWorthwhile = 1e-3;
+  constexpr int kMostClimbs = 20;
+  Call data{&function, start, function(start)};
+  for (int i = 0; i < kMostClimbs; ++i) {
+    const double before = data.best_value;
+    climb(data);
+    if (!(data.best_value > before + kWorthwhile)) {
+      break;
+    }
   }
   return data.best;
 }

@@ -56,6 +56,14 @@ Term of_weak() {
           }};
 }
 
+/// Lives scatter by another distribution than Weibull's.
+Term of_distribution() {
+  return {
+      .id = "distribution",
+      .outside = true,
+      .apply = [](std::span<const double>, LifeSettings& settings) { settings.lognormal = true; }};
+}
+
 Term of_loads(std::size_t loads) {
   return {.id = "load",
           .outside = true,
@@ -116,6 +124,8 @@ std::vector<Term> outside_terms(const LifeSample& sample) {
   if (sample.levels > 1) {
     terms.push_back(of_loads(sample.loads));
     terms.push_back(of_shapes(sample.levels));
+  } else {
+    terms.push_back(of_distribution());
   }
   if (sample.has_days && any(sample, [](const auto& specimen) { return specimen.days > 0; })) {
     terms.push_back(of_days(sample));

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -49,6 +50,9 @@ std::string named_prose(const Findings& findings) {
   }
   return prose;
 }
+
+/// Twice a difference of log likelihoods: the 0.99 point of chi-square with one degree of freedom.
+constexpr double kRejected = 6.634896601021214;
 
 constexpr std::uint64_t kShapeStream = 502;
 constexpr std::size_t kLeastFailures = 5;
@@ -126,6 +130,34 @@ std::string verdict_prose(const Findings& findings, const Omnibus& before, const
       "The nominal law is wrong (p = {:.2g}, most against {}) in a way that no effect of the "
       "catalogue explains.",
       before.p, most_significant(before));
+}
+
+std::string mean_stress_prose(const std::vector<Hypothesis>& hypotheses, const Hypothesis& best) {
+  std::vector<std::string> others = best.effects;
+  if (best.outside || std::erase(others, "mean_stress") == 0) {
+    return "";
+  }
+  const auto gerber = std::ranges::find_if(hypotheses, [&](const Hypothesis& hypothesis) {
+    return !hypothesis.outside && hypothesis.effects == others;
+  });
+  if (gerber == hypotheses.end()) {
+    return "";
+  }
+  std::string gains;
+  std::set<std::string> laws;
+  for (const Hypothesis::Form& form : best.forms) {
+    const auto law = std::ranges::find(form.model, "mean_stress", &Term::id);
+    if (laws.insert(law->law).second) {
+      gains += fmt::format(
+          "{}{:.1f} {} with {}'s", gains.empty() ? "" : " and ",
+          2 * std::abs(form.fit.log_likelihood - gerber->best().fit.log_likelihood),
+          form.fit.log_likelihood > gerber->best().fit.log_likelihood ? "larger" : "smaller",
+          law->law);
+    }
+  }
+  const double gain = 2 * (best.best().fit.log_likelihood - gerber->best().fit.log_likelihood);
+  return fmt::format(" Against Gerber's law of mean stress{} twice the log likelihood is {}.",
+                     gain > kRejected ? ", which is rejected," : "", gains);
 }
 
 std::string shape_prose(const Campaign& campaign, const ShapeTestOptions& options) {

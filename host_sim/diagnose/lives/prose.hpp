@@ -7,6 +7,7 @@
 #include "host_sim/campaign/campaign.hpp"
 #include "host_sim/diagnose/diagnosis.hpp"
 #include "host_sim/diagnose/lives/discrepancy.hpp"
+#include "host_sim/diagnose/lives/hypotheses.hpp"
 
 namespace host_sim::diagnose::lives {
 
@@ -16,6 +17,11 @@ std::string experiment_for(const std::vector<std::string>& credible_set);
 
 /// The verdict in sentences. `after` has no tests where nothing was extended.
 std::string verdict_prose(const Findings& findings, const Omnibus& before, const Omnibus& after);
+
+/// How much better the lives fit the laws of mean stress that a hypothesis holds than Gerber's, as
+/// a sentence behind others; empty where it holds none.
+/// @param hypotheses with the one that lacks mean_stress alone
+std::string mean_stress_prose(const std::vector<Hypothesis>& hypotheses, const Hypothesis& best);
 
 struct ShapeTestOptions {
   std::uint64_t seed = 1;

@@ -20,8 +20,8 @@ std::vector<NormalNode> normalised(std::vector<NormalNode> nodes) {
 }
 
 std::vector<NormalNode> make_even() {
-  constexpr int kSteps = 14;
-  constexpr double kStep = 0.25;
+  constexpr double kStep = 0.15;
+  constexpr int kSteps = 23;
   std::vector<NormalNode> nodes;
   for (int i = -kSteps; i <= kSteps; ++i) {
     const double at = kStep * i;

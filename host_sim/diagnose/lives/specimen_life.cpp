@@ -1,8 +1,10 @@
 #include "host_sim/diagnose/lives/specimen_life.hpp"
 
 #include <algorithm>
+#include <boost/math/special_functions/expint.hpp>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "host_sim/diagnose/lives/life_settings.hpp"
 #include "host_sim/diagnose/lives/quadrature.hpp"
@@ -54,6 +56,61 @@ double shift_of(const LifeSample::Specimen& specimen, const LifeSettings& settin
     shift += falls ? settings.falling_shift : settings.rising_shift;
   }
   return shift;
+}
+
+/// -ln of the median of a Weibull strength, times its shape: -ln(ln 2).
+constexpr double kLogMedian = 0.36651292058166433;
+
+/// Of a lognormal strength with the median and the standard deviation of ln of a Weibull one.
+SpecimenLife::Risk lognormal_risk(double ln_damage, double shape) {
+  const double sd = kLogLifeSd / shape;
+  const double z = (ln_damage + kLogMedian / shape) / sd;
+  constexpr double kFar = 30;  // the tail beyond is that of its leading term
+  const double log_survival = z > kFar ? -z * z / 2 - std::log(z * std::sqrt(2 * std::numbers::pi))
+                                       : std::log(std::erfc(z / std::numbers::sqrt2) / 2);
+  return {log_survival,
+          -z * z / 2 - std::log(sd * std::sqrt(2 * std::numbers::pi)) - ln_damage - log_survival};
+}
+
+/// What one limit makes of a specimen: x = beta ln D, e^x and the survival exp(-e^x).
+struct LimitNode {
+  double x = -kForever, power = 0, survival = 1;
+};
+
+LimitNode node_of(double x) {
+  const double power = std::exp(x);
+  return {.x = x, .power = power, .survival = std::exp(-power)};
+}
+
+/// Integral of exp(-e^x) from x on, plus x where that is large.
+double survival_beyond(const LimitNode& node) {
+  constexpr double kAllFailed = 6.5;
+  constexpr double kNoneFailed = -7;
+  if (node.x > kAllFailed) {
+    return 0;
+  }
+  return node.x < kNoneFailed ? node.power - std::numbers::egamma - node.x
+                              : boost::math::expint(1, node.power);
+}
+
+/// By how much x falls between two limits at most.
+constexpr double kFall = 6;
+
+/// Means over the limits between two, of the survival and of its slope -dS/dx. x is taken to be
+/// straight between them, so that it does not matter how much lives differ from one to the next,
+/// and to fall by so much at most that nothing fails: at the load it falls without end.
+double mean_survival(const LimitNode& near, const LimitNode& far) {
+  const double fall = near.x - far.x;
+  constexpr double kFlat = 1e-4;
+  return std::abs(fall) < kFlat ? (near.survival + far.survival) / 2
+                                : (survival_beyond(far) - survival_beyond(near)) / fall;
+}
+
+double mean_slope(const LimitNode& near, const LimitNode& far) {
+  const double fall = near.x - far.x;
+  constexpr double kFlat = 1e-4;
+  return std::abs(fall) < kFlat ? (near.power * near.survival + far.power * far.survival) / 2
+                                : (far.survival - near.survival) / fall;
 }
 
 bool reaches(const LifeSettings::SecondMode& mode, std::size_t level) {
@@ -132,6 +189,7 @@ SpecimenLife::SpecimenLife(const LifeSample& sample, const LifeSample::Specimen&
     ln_shape_ += settings.level_log_shape[specimen.last().level];
   }
   shape_ = std::exp(ln_shape_);
+  lognormal_ = settings.lognormal;
   if (settings.weak_share > 0) {
     has_weak_ = true;
     ln_strong_ = std::log1p(-settings.weak_share);
@@ -157,11 +215,15 @@ void SpecimenLife::add_cases(const LifeSample& sample, const LifeSample::Specime
       blocks[j].ln_life =
           left_N > 0 ? frame.ln_scale + shift - settings.exponent * std::log(left_N) : kForever;
     }
-    cases_.push_back({damage_of(blocks, settings.sequence_exponent), limit.ln_weight});
+    const Damage damage = damage_of(blocks, settings.sequence_exponent);
+    cases_.push_back({damage, std::exp(limit.ln_weight), std::exp(damage.ln_rate - damage.ln)});
   }
   if (settings.second_mode) {
     const LifeSettings::SecondMode& mode = *settings.second_mode;
     has_second_ = true;
+    competes_ = mode.share == 0;
+    ln_first_share_ = std::log1p(-mode.share);
+    ln_second_share_ = std::log(mode.share);
     second_shape_ = mode.shape;
     ln_second_shape_ = std::log(mode.shape);
     const double ln_own = settings.ln_life_at_centre + settings.exponent * frame.ln_centre_N;
@@ -176,51 +238,80 @@ void SpecimenLife::add_cases(const LifeSample& sample, const LifeSample::Specime
   }
 }
 
-double SpecimenLife::log_of(const Damage& damage, double shift, bool density) const {
+SpecimenLife::Risk SpecimenLife::first_risk(const Damage& damage, double shift) const {
   const double ln_damage = damage.ln - shift;
-  double log_survival = -std::exp(shape_ * ln_damage);
-  double ln_hazard = ln_shape_ + (shape_ - 1) * ln_damage + damage.ln_rate - shift;
-  if (has_second_) {
-    log_survival -= std::exp(second_shape_ * second_.ln);
-    const double second =
-        std::isfinite(second_.ln_rate)
-            ? ln_second_shape_ + (second_shape_ - 1) * second_.ln + second_.ln_rate
-            : -kForever;
-    ln_hazard = log_sum(std::isfinite(damage.ln_rate) ? ln_hazard : -kForever, second);
-  } else if (!std::isfinite(damage.ln_rate)) {
-    ln_hazard = -kForever;
+  Risk risk = lognormal_
+                  ? lognormal_risk(ln_damage, shape_)
+                  : Risk{-std::exp(shape_ * ln_damage), ln_shape_ + (shape_ - 1) * ln_damage};
+  risk.ln_hazard =
+      std::isfinite(damage.ln_rate) ? risk.ln_hazard + damage.ln_rate - shift : -kForever;
+  return risk;
+}
+
+SpecimenLife::Risk SpecimenLife::second_risk() const {
+  const double ln_hazard = ln_second_shape_ + (second_shape_ - 1) * second_.ln + second_.ln_rate;
+  return {-std::exp(second_shape_ * second_.ln),
+          std::isfinite(second_.ln_rate) ? ln_hazard : -kForever};
+}
+
+double SpecimenLife::log_of(const Damage& damage, double shift, bool density) const {
+  Risk risk = first_risk(damage, shift);
+  if (has_second_ && competes_) {
+    const Risk second = second_risk();
+    risk.log_survival += second.log_survival;
+    risk.ln_hazard = log_sum(risk.ln_hazard, second.ln_hazard);
   }
-  return density ? log_survival + ln_hazard : log_survival;
+  return risk.log(density);
 }
 
 double SpecimenLife::log_mean(double shift, bool density) const {
   if (cases_.size() == 1) {
     return log_of(cases_.front().damage, shift, density);
   }
-  double sum = 0;
-  for (const Case& one : cases_) {
-    sum += std::exp(one.ln_weight + log_of(one.damage, shift, density));
+  const bool competes = has_second_ && competes_;
+  double survival = 0;
+  double failing = 0;
+  LimitNode near = node_of(shape_ * (cases_.front().damage.ln - shift));
+  for (std::size_t i = 1; i < cases_.size(); ++i) {
+    const double weight = (cases_[i - 1].weight + cases_[i].weight) / 2;
+    if (!std::isfinite(near.x)) {
+      survival += weight;
+      near = node_of(shape_ * (cases_[i].damage.ln - shift));
+      continue;
+    }
+    const double x = shape_ * (cases_[i].damage.ln - shift);
+    const LimitNode far = node_of(std::max(x, near.x - kFall * shape_));
+    if (!density || competes) {
+      survival += weight * mean_survival(near, far);
+    }
+    if (density) {
+      failing += weight * cases_[i - 1].rate_of_damage * shape_ * mean_slope(near, far);
+    }
+    near = x == far.x ? far : node_of(x);
   }
-  return sum > 0 ? std::log(sum) : -1e4;
+  const Risk second = competes ? second_risk() : Risk{0, -kForever};
+  const double mean = density ? failing + std::exp(second.ln_hazard) * survival : survival;
+  constexpr double kNone = -1e4;
+  return second.log_survival + (mean > 0 ? std::log(mean) : kNone);
+}
+
+double SpecimenLife::log_mixed(double shift, bool density) const {
+  double mixed = log_mean(shift, density);
+  if (has_weak_) {
+    mixed = log_sum(ln_strong_ + mixed, ln_weak_ + log_mean(shift + weak_shift_, density));
+  }
+  if (has_second_ && !competes_) {
+    mixed = log_sum(ln_first_share_ + mixed, ln_second_share_ + second_risk().log(density));
+  }
+  return mixed;
 }
 
 double SpecimenLife::log_survival(double shift) const {
-  if (!has_weak_) {
-    return log_mean(shift, false);
-  }
-  return log_sum(ln_strong_ + log_mean(shift, false),
-                 ln_weak_ + log_mean(shift + weak_shift_, false));
+  return log_mixed(shift, false);
 }
 
 double SpecimenLife::log_likelihood(double shift) const {
-  if (!failed_) {
-    return log_survival(shift);
-  }
-  if (!has_weak_) {
-    return log_mean(shift, true);
-  }
-  return log_sum(ln_strong_ + log_mean(shift, true),
-                 ln_weak_ + log_mean(shift + weak_shift_, true));
+  return log_mixed(shift, failed_);
 }
 
 double SpecimenLife::ln_damage() const {

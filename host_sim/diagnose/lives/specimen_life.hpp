@@ -48,6 +48,16 @@ class SpecimenLife {
   /// ln of its part of the likelihood: density of a failure per cycle, or survival.
   [[nodiscard]] double log_likelihood(double shift) const;
 
+  /// ln of the probability to survive, and of the hazard.
+  struct Risk {
+    double log_survival = 0, ln_hazard = 0;
+
+    /// ln of the density, or of the survival.
+    [[nodiscard]] double log(bool density) const {
+      return density ? log_survival + ln_hazard : log_survival;
+    }
+  };
+
   /// beta of this specimen, and ln D at the median of what is random.
   [[nodiscard]] double shape() const { return shape_; }
   [[nodiscard]] double ln_damage() const;
@@ -56,20 +66,25 @@ class SpecimenLife {
  private:
   struct Case {
     Damage damage;
-    double ln_weight = 0;
+    double weight = 1;
+    double rate_of_damage = 0;  ///< (dD/dn)/D
   };
   void add_cases(const LifeSample& sample, const LifeSample::Specimen& specimen,
                  const LifeSettings& settings, const LifeFrame& frame);
+  [[nodiscard]] Risk first_risk(const Damage& damage, double shift) const;
+  [[nodiscard]] Risk second_risk() const;
   [[nodiscard]] double log_of(const Damage& damage, double shift, bool density) const;
   [[nodiscard]] double log_mean(double shift, bool density) const;
+  [[nodiscard]] double log_mixed(double shift, bool density) const;
 
   std::vector<Case> cases_;  ///< one, or one for each node of the limit
   Damage second_;
-  bool has_second_ = false;
+  bool has_second_ = false, competes_ = true;
+  double ln_first_share_ = 0, ln_second_share_ = 0;  ///< where the second does not compete
   double shape_ = 1, ln_shape_ = 0;
   double second_shape_ = 1, ln_second_shape_ = 0;
   double ln_strong_ = 0, ln_weak_ = 0, weak_shift_ = 0;
-  bool has_weak_ = false;
+  bool has_weak_ = false, lognormal_ = false;
   bool failed_ = true;
 };
 

@@ -8,6 +8,15 @@
 namespace host_sim::diagnose::lives {
 namespace {
 
+/// The same within narrower bounds.
+TermParameter within(TermParameter parameter, double minimum, double maximum, double typical) {
+  parameter.minimum = minimum;
+  parameter.maximum = maximum;
+  const double share = (typical - minimum) / (maximum - minimum);
+  parameter.centre = std::log(share / (1 - share));
+  return parameter;
+}
+
 std::vector<Term> ageing_terms(const LifeSample&) {
   const effects::LifeEffect& effect = life_effect("ageing");
   constexpr double kSpread = 1.5;
@@ -41,6 +50,7 @@ std::vector<Term> bending_fatigue_terms(const LifeSample&) {
   return terms;
 }
 
+/// A limit below all levels bends the line; one among them leaves specimens that never fail.
 std::vector<Term> endurance_limit_terms(const LifeSample& sample) {
   const effects::LifeEffect& effect = life_effect("endurance_limit");
   constexpr double kSpread = 1.2;
@@ -91,6 +101,8 @@ std::vector<Term> mean_stress_terms(const LifeSample& sample) {
   std::vector<Term> terms{
       {.id = "mean_stress",
        .ln_weight = std::log(kWalkerShare),
+       .law = "Walker",
+       .words = "mean-stress law: Walker's in place of Gerber's",
        .parameters = {parameter_of(effect, "walker_exponent", kSpread)},
        .apply = [](std::span<const double> values,
                    LifeSettings& settings) { settings.walker_exponent = values[0]; },
@@ -102,6 +114,8 @@ std::vector<Term> mean_stress_terms(const LifeSample& sample) {
     terms.push_back(
         {.id = "mean_stress",
          .ln_weight = std::log(1 - kWalkerShare),
+         .law = "Goodman",
+         .words = "mean-stress law: Goodman's in place of Gerber's",
          .apply = [](std::span<const double>,
                      LifeSettings& settings) { settings.walker_exponent = 0; },
          .of_catalogue = [](std::span<const double>, const LifeSettings&) -> std::vector<double> {
@@ -110,9 +124,6 @@ std::vector<Term> mean_stress_terms(const LifeSample& sample) {
   }
   return terms;
 }
-
-/// Standard deviation of ln N of a Weibull life, times its shape: pi / sqrt(6).
-constexpr double kLogLifeSd = 1.2825498301618641;
 
 struct SecondModeForm {
   bool from_top = true;
@@ -130,13 +141,14 @@ Term second_mode_term(const effects::LifeEffect& effect, const LifeSample& sampl
   mode.first_level = form.from_top ? sample.levels - form.reached : 0;
   mode.last_level = form.from_top ? sample.levels - 1 : form.reached - 1;
   mode.end_N = form.from_top ? sample.highest_N : sample.lowest_N;
-  TermParameter shift = parameter_of(effect, "log_life_shift", kShiftSpread);
-  shift.centre = 0;
+  constexpr double kShift = 2;
   const double levels = form.from_top ? 1.0 : -1.0;
   const double reach = form.steepness > 0 ? 2 : static_cast<double>(form.reached);
   return {.id = "second_mode",
           .ln_weight = ln_weight,
-          .parameters = {shift, parameter_of(effect, "second_log_sd", kSpread)},
+          .parameters = {within(parameter_of(effect, "log_life_shift", kShiftSpread), -kShift,
+                                kShift, 0),
+                         parameter_of(effect, "second_log_sd", kSpread)},
           .apply =
               [mode](std::span<const double> values, LifeSettings& settings) {
                 settings.second_mode = mode;
@@ -145,13 +157,53 @@ Term second_mode_term(const effects::LifeEffect& effect, const LifeSample& sampl
               },
           .of_catalogue = [levels, reach](std::span<const double> values,
                                           const LifeSettings&) -> std::vector<double> {
-            return {values[0], values[1], levels * reach};
+            return {values[0], values[1], levels * reach, 0};
           }};
+}
+
+/// Each specimen has one mode or the other, so that the lives of one load fall into two groups. A
+/// smaller part of the specimens than the bounds allow is one that died early, of anything.
+Term second_group_term(const effects::LifeEffect& effect, const LifeSample& sample) {
+  constexpr double kSpread = 1;
+  constexpr double kUsualShift = -1.5;
+  constexpr double kLeastShare = 0.2;
+  LifeSettings::SecondMode mode;
+  mode.end_N = sample.highest_N;
+  const TermParameter shift = parameter_of(effect, "log_life_shift", kSpread);
+  return {.id = "second_mode",
+          .words = "second failure mode of a part of the specimens",
+          .parameters = {within(shift, shift.minimum, 0, kUsualShift),
+                         parameter_of(effect, "second_log_sd", kSpread),
+                         within(parameter_of(effect, "second_share", kSpread), kLeastShare,
+                                1 - kLeastShare, 0.5)},
+          .apply =
+              [mode](std::span<const double> values, LifeSettings& settings) {
+                settings.second_mode = mode;
+                settings.second_mode->log_life_shift = values[0];
+                settings.second_mode->shape = kLogLifeSd / values[1];
+                settings.second_mode->share = values[2];
+              },
+          .of_catalogue = [](std::span<const double> values,
+                             const LifeSettings&) -> std::vector<double> {
+            return {values[0], values[1], 1, values[2]};
+          }};
+}
+
+/// Of lives at one level: the mode shows in their shape alone.
+std::vector<Term> second_mode_terms_of_one_level(const LifeSample& sample) {
+  const effects::LifeEffect& effect = life_effect("second_mode");
+  std::vector<Term> terms{second_mode_term(effect, sample, {.weight = 0.5}, std::log(0.5)),
+                          second_group_term(effect, sample)};
+  terms.back().ln_weight = std::log(0.5);
+  return terms;
 }
 
 /// A mode on a line of its own fades away from one end of the levels by its steepness, or it
 /// reaches some levels and no more. High loads are where a mode is expected first.
 std::vector<Term> second_mode_terms(const LifeSample& sample) {
+  if (sample.levels == 1) {
+    return second_mode_terms_of_one_level(sample);
+  }
   constexpr double kFromTop = 0.7;
   constexpr double kWeightOfReach[] = {0.35, 0.2};
   constexpr double kWeightOfSteepness = 0.15;

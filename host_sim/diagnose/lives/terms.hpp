@@ -31,7 +31,9 @@ struct TermParameter {
 struct Term {
   std::string id;  ///< of the effect; of what is outside the covariate it shows against
   bool outside = false;
-  double ln_weight = 0;  ///< of this form among those of its id
+  double ln_weight = 0;    ///< of this form among those of its id
+  std::string law = {};    ///< of mean stress, by its author
+  std::string words = {};  ///< the form, in place of the effect's own term; empty for that
   std::vector<TermParameter> parameters = {};
   std::function<void(std::span<const double> values, LifeSettings& settings)> apply = nullptr;
   /// Values for the table of an extension, in order of the effect's parameters.

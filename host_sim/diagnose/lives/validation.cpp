@@ -45,11 +45,11 @@ std::vector<Fold> folds_of(const LifeSample& sample, bool by_level) {
 }
 
 Score score_of(const LifeSample& sample, const Fold& fold, const CommonPrior& prior,
-               const Model& model, const Eigen::VectorXd& start) {
+               const Model& model, const std::vector<Eigen::VectorXd>& starts) {
   const LifeSample kept = sample.with(fold.kept);
   const LifeSample held_out = sample.with(fold.held_out);
   const ModelView view(kept, prior, model);
-  const LifeSettings settings = view.settings(fit_model(view, start).at);
+  const LifeSettings settings = view.settings(fit_model(view, starts).at);
   Score score;
   // What is held out shares its lots with what is kept.
   score.log_density = log_likelihood(sample, settings) - log_likelihood(kept, settings);
@@ -135,7 +135,7 @@ HeldOutGain gain_of(const LifeSample& sample, const Model& model, const ModelFit
       folds.size(),
       [&](std::size_t i) {
         before[i] = score_of(sample, folds[i], prior, {}, {});
-        after[i] = score_of(sample, folds[i], prior, model, fit.at);
+        after[i] = score_of(sample, folds[i], prior, model, {fit.at});
       },
       threads);
   Score without;

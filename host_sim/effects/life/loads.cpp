@@ -54,7 +54,7 @@ namespace endurance_limit {
 constexpr Parameter kParameters[] = {
     {.name = "endurance_share", .unit = "1", .minimum = 0, .maximum = 1, .typical = 1},
     {.name = "limit_log_sd", .unit = "1", .minimum = 0, .maximum = 0.5, .typical = 0.1},
-    {.name = "limit_of_lowest", .unit = "1", .minimum = 0.1, .maximum = 0.95, .typical = 0.6},
+    {.name = "limit_of_lowest", .unit = "1", .minimum = 0.1, .maximum = 1.5, .typical = 0.7},
 };
 
 constexpr Separation kSeparations[] = {
@@ -100,8 +100,8 @@ LifeDefinition definition() {
           .kind = LifeEffectKind::both,
           .term = "fatigue limit, curvature of the S-N line",
           .equation =
-              "alpha = A/(T_eff - S_e)^gamma, S_e a share of the lowest level, its logarithm "
-              "with scatter (Pascual and Meeker)",
+              "alpha = A/(T_eff - S_e)^gamma, S_e of each specimen lognormal about a share of the "
+              "lowest level (random fatigue limit of Pascual and Meeker)",
           .life_consequence =
               "light use lasts longer than the straight line says, without end below "
               "the limit, and scatters the more the nearer it is",

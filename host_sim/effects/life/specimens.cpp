@@ -44,7 +44,7 @@ LifeDefinition definition() {
 namespace lot_frailty {
 
 constexpr Parameter kParameters[] = {
-    {.name = "lot_log_sd", .unit = "1", .minimum = 0, .maximum = 0.6, .typical = 0.2},
+    {.name = "lot_log_sd", .unit = "1", .minimum = 0, .maximum = 3, .typical = 0.2},
 };
 
 constexpr Separation kSeparations[] = {
@@ -80,9 +80,15 @@ LifeDefinition definition() {
 namespace second_mode {
 
 constexpr Parameter kParameters[] = {
-    {.name = "log_life_shift", .unit = "1", .minimum = -2, .maximum = 2, .typical = 0.3},
+    {.name = "log_life_shift", .unit = "1", .minimum = -5, .maximum = 2, .typical = 0.3},
     {.name = "second_log_sd", .unit = "1", .minimum = 0, .maximum = 1, .typical = 0.2},
     {.name = "levels_reached", .unit = "1", .minimum = -2, .maximum = 2, .typical = 1},
+    {.name = "second_share",
+     .unit = "1",
+     .minimum = 0,
+     .maximum = 1,
+     .typical = 0.5,
+     .off_line = true},
 };
 
 constexpr Separation kSeparations[] = {
@@ -90,12 +96,8 @@ constexpr Separation kSeparations[] = {
     {"lot_frailty", "test each lot at each level"},
 };
 
-std::string_view missing(const LifeCovariates& covariates) {
-  return covariates.levels() < 2 ? "two levels or more" : "";
-}
-
-/// The shape says how many levels the mode reaches: from the highest load down, or where negative
-/// from the lowest up.
+/// The shape says how many levels the mode reaches, in all of their specimens: from the highest
+/// load down, or where negative from the lowest up.
 bool reached(std::size_t level, std::size_t levels, double reach) {
   const double from_end =
       reach > 0 ? static_cast<double>(levels - 1 - level) : static_cast<double>(level);
@@ -127,14 +129,14 @@ LifeDefinition definition() {
           .term = "competing failure mode",
           .equation =
               "R = exp(-(n/alpha)^beta - (n/alpha_2)^beta_2) at the levels that the second "
-              "mode reaches",
+              "mode reaches; or (1 - q) exp(-(n/alpha)^beta) + q exp(-(n/alpha_2)^beta_2), q the "
+              "share of specimens that have it",
           .life_consequence =
               "life there follows another line and another shape: B10 from the common "
               "shape is too long where the second shape is smaller",
           .parameters = kParameters,
           .separations = kSeparations,
-          .shapes = {{-2}, {-1}, {1}, {2}},
-          .missing = missing,
+          .shapes = {{-2, 0}, {-1, 0}, {1, 0}, {2, 0}},
           .columns = columns,
           .scatter = scatter};
 }

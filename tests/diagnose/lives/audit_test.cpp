@@ -87,7 +87,23 @@ TEST(LifeAudit, NoMeanTensionShowsNoMeanStress) {
 TEST(LifeAudit, TwoLevelsShowNoCurvature) {
   const LifeAudit audit = audit_of(test::campaign_of(lives_at({30, 60}, 2)));
   EXPECT_THAT(of(audit, "endurance_limit").why, HasSubstr("three levels"));
-  EXPECT_FALSE(of(audit, "second_mode").visible());
+}
+
+// A and gamma take what a mode does to the mean at two levels or at one, and not its scatter.
+TEST(LifeAudit, ASecondModeShowsInTheScatterOfOneLevel) {
+  for (const std::vector<double>& tensions_N :
+       {std::vector<double>{30, 60}, std::vector<double>{50}}) {
+    const LifeAudit audit = audit_of(test::campaign_of(lives_at(tensions_N, 2)));
+    EXPECT_TRUE(of(audit, "second_mode").visible());
+    EXPECT_THAT(audit.equivalent, IsEmpty());
+  }
+}
+
+// Levels 284 to 333 apart by 17 % in all: what a limit does to their mean a power law does as well.
+TEST(LifeAudit, ALimitShowsInTheScatterOfLevelsThatAreNear) {
+  const LifeAudit audit =
+      audit_of(test::campaign_of(lives_at({28.4, 29.4, 30.4, 31.4, 32.4, 33.3}, 2)));
+  EXPECT_TRUE(of(audit, "endurance_limit").visible());
 }
 
 TEST(LifeAudit, CurvatureOfThreeLevelsIsALimitOrAMode) {

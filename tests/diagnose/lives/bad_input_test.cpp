@@ -18,21 +18,25 @@ std::string row(int number, double tension_N, double cycles, const char* status)
   return fmt::format("s{},1,0,{},{:.0f},{},fit\n", 100 + number, tension_N, cycles, status);
 }
 
-void expect_nothing_asked(const std::string& specimens, const std::string& why) {
-  const LifeDiagnosis diagnosis = diagnose_lives(campaign_of(specimens), {});
+LifeDiagnosis expect_nothing_asked(const Campaign& campaign, const std::string& why) {
+  const LifeDiagnosis diagnosis = diagnose_lives(campaign, {});
   EXPECT_EQ(diagnosis.findings.verdict, Verdict::none);
   EXPECT_THAT(diagnosis.findings.prose, HasSubstr(why));
   EXPECT_EQ(diagnosis.findings.invisible.size(), effects::life_effects().size());
   EXPECT_TRUE(diagnosis.findings.effects.empty());
-  EXPECT_EQ(diagnosis.ipl_scale, 1.53e5);
+  return diagnosis;
 }
 
-TEST(DiagnoseLivesBadInput, OneLevel) {
+void expect_nothing_asked(const std::string& specimens, const std::string& why) {
+  EXPECT_EQ(expect_nothing_asked(campaign_of(specimens), why).ipl_scale, 1.53e5);
+}
+
+TEST(DiagnoseLivesBadInput, OneLevelWithoutAModelOfLife) {
   std::string text = kHeader;
   for (int i = 0; i < 20; ++i) {
     text += row(i, 50, 700 + 10 * i, "failed");
   }
-  expect_nothing_asked(text, "one effective tension");
+  expect_nothing_asked(campaign_of(text, 177.4, ""), "give the campaign a [model.life]");
 }
 
 TEST(DiagnoseLivesBadInput, AllSuspended) {

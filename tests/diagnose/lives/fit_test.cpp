@@ -48,6 +48,26 @@ TEST_F(LifeFits, TheNominalLawIsNearlyThatOfMaximumLikelihood) {
   EXPECT_NEAR(view.settings(fit.at).exponent, nominal.exponent, 0.03 * nominal.exponent);
 }
 
+// Under the model's gamma of 1.38 and beta of 5.94 these lives have a probability of exp(-1e9).
+TEST_F(LifeFits, AModelThatIsFarOffIsLetGoOf) {
+  LifeSample sample = sample_of_hidden("none", 20001);
+  for (LifeSample::Specimen& specimen : sample.specimens) {
+    for (LifeSample::Block& block : specimen.blocks) {
+      block.cycles *= std::pow(block.effective_N / 40, -14);
+    }
+  }
+  const NominalFit nominal = fit_nominal(sample);
+  for (const bool modelled : {true, false}) {
+    if (!modelled) {
+      sample.nominal.reset();
+    }
+    const ModelView view(sample, common_prior(sample), {});
+    const ModelFit fit = fit_model(view);
+    EXPECT_NEAR(fit.log_likelihood, nominal.log_likelihood, 1);
+    EXPECT_NEAR(view.settings(fit.at).exponent, nominal.exponent, 0.1 * nominal.exponent);
+  }
+}
+
 // The integral over a coordinate that the data say nothing of is that of its prior: 1.
 TEST_F(LifeFits, EvidenceIgnoresAParameterWithoutAnEffect) {
   const LifeSample sample = sample_of_hidden("none", 20001);

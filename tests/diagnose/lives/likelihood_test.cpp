@@ -134,6 +134,58 @@ TEST(LifeLikelihood, OfALimitOfEachSpecimen) {
       2e-3);
 }
 
+// Lives at a limit 8 % below the load differ by a factor of 3 for 0.2 standard deviations of the
+// limit, and hardly at all for one limit.
+TEST(LifeLikelihood, OfALimitNearTheLoadWithHardlyAnyOtherScatter) {
+  LifeSettings settings = law();
+  settings.limit_N = 60;
+  settings.limit_log_sd = 0.06;
+  settings.shape = 40;
+  settings.ln_life_at_centre = std::log(1000);
+  const auto alpha = [](double z) {
+    const double limit_N = 60 * std::exp(0.06 * z);
+    return limit_N < 65 ? 1000 * std::pow(40 / (65 - limit_N), 2) : 1e300;
+  };
+  const auto of_sample = [&](double cycles, bool failed) {
+    return log_likelihood(sample_with({reversed(65, cycles, failed)}, 100), settings);
+  };
+  for (const double cycles : {2e4, 6e4}) {
+    EXPECT_NEAR(
+        of_sample(cycles, true),
+        std::log(normal_mean([&](double z) { return weibull_density(cycles, alpha(z), 40); })),
+        0.03)
+        << cycles;
+    EXPECT_NEAR(
+        of_sample(cycles, false),
+        std::log(normal_mean([&](double z) { return std::exp(-std::pow(cycles / alpha(z), 40)); })),
+        0.01)
+        << cycles;
+  }
+}
+
+TEST(LifeLikelihood, OfASecondModeOfAPartOfTheSpecimensIsAMixture) {
+  LifeSettings settings = law();
+  settings.second_mode =
+      LifeSettings::SecondMode{.share = 0.3, .log_life_shift = std::log(0.1), .shape = 2};
+  settings.second_mode->end_N = 50;
+  EXPECT_NEAR(of_one(reversed(50, 90), settings),
+              std::log(0.7 * weibull_density(90, 1000, 3) + 0.3 * weibull_density(90, 100, 2)),
+              1e-12);
+  EXPECT_NEAR(of_one(reversed(50, 200, false), settings),
+              std::log(0.7 * std::exp(-0.008) + 0.3 * std::exp(-4)), 1e-12);
+}
+
+// ln N has the standard deviation pi/(sqrt(6) 3) = 0.427517 about ln of the median, 1000
+// (ln 2)^(1/3) = 884.997.
+TEST(LifeLikelihood, OfLognormalLives) {
+  LifeSettings settings = law();
+  settings.lognormal = true;
+  EXPECT_NEAR(of_one(reversed(50, 884.997, false), settings), std::log(0.5), 1e-5);
+  const double z = std::log(500 / 884.997) / 0.427517;
+  EXPECT_NEAR(of_one(reversed(50, 500), settings),
+              -z * z / 2 - std::log(0.427517 * 500 * std::sqrt(2 * std::numbers::pi)), 1e-5);
+}
+
 TEST(LifeLikelihood, OfLotsThatShareADraw) {
   LifeSettings settings = law();
   settings.lot_log_sd = 0.3;

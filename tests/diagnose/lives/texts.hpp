@@ -9,13 +9,18 @@
 
 namespace host_sim::diagnose::lives::test {
 
-/// A campaign of the text of specimens.csv, with the law of the paper and T_u.
-inline Campaign campaign_of(const std::string& specimens, double ultimate_tension_N = 177.4) {
+inline constexpr const char* kPaperLife =
+    "[model.life]\nmean_stress = \"gerber\"\nipl_scale = 1.53e5\nipl_exponent = 1.38\n"
+    "weibull_shape = 5.94\n";
+
+/// A campaign of the text of specimens.csv, with T_u and, unless told otherwise, the law of the
+/// paper.
+inline Campaign campaign_of(const std::string& specimens, double ultimate_tension_N = 177.4,
+                            const char* life = kPaperLife) {
   const std::string model = fmt::format(
       "[campaign]\nname = \"text\"\n[model.cable]\ndiameter_mm = 0.457\nultimate_tension_N = {}\n"
-      "[model.life]\nmean_stress = \"gerber\"\nipl_scale = 1.53e5\nipl_exponent = 1.38\n"
-      "weibull_shape = 5.94\n",
-      ultimate_tension_N);
+      "{}",
+      ultimate_tension_N, life);
   return assemble(parse_campaign_file(model, "campaign.toml"),
                   parse_specimens(hal::files::memory_source(specimens), "specimens.csv"), {});
 }
