@@ -4,9 +4,9 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <stdexcept>
 
 #include "hal/files/interruption.hpp"
+#include "hal/files/output_file.hpp"
 #include "host_sim/command_line/options.hpp"
 #include "host_sim/diagnose/diagnosis.hpp"
 #include "host_sim/diagnose/output/extended_model.hpp"
@@ -59,42 +59,79 @@ std::string checked_model(const Campaign& campaign, const diagnose::Diagnosis& d
   return text;
 }
 
-int run(const Arguments& arguments) {
-  const Campaign campaign = read_campaign(arguments.folder);
-  auto input = diagnose::InputFrom::load_cell;
-  if (!arguments.out.empty()) {
-    diagnose::require_extensible_model(campaign);
-    input = diagnose::input_of(campaign);
+/// The model that was asked for. What was found is worth having also without it, so that what it
+/// fails by is kept until all else is written.
+class ModelOutput {
+ public:
+  ModelOutput(const Campaign& campaign, const std::string& path)
+      : campaign_(campaign), path_(path) {
+    attempt([&] {
+      if (!path_.empty()) {
+        diagnose::require_extensible_model(campaign_);
+        input_ = diagnose::input_of(campaign_);
+        file_.emplace(path_);
+      }
+    });
   }
-  auto out = open_if_asked(arguments.out);
-  auto json = open_if_asked(arguments.json);
-  auto page = open_if_asked(arguments.report);
 
-  const diagnose::Diagnosis diagnosis = with_progress(campaign, arguments.options);
-  // What was found is written also where no model can hold it.
-  std::exception_ptr no_model;
-  if (out) {
-    try {
-      out->write(checked_model(campaign, diagnosis, input, arguments.out));
-      out->stream().flush();
-    } catch (const std::runtime_error&) {
-      no_model = std::current_exception();
-      out.reset();
+  void write(const diagnose::Diagnosis& diagnosis) {
+    attempt([&] {
+      if (file_) {
+        file_->write(checked_model(campaign_, diagnosis, input_, path_));
+        file_->commit();
+      }
+    });
+  }
+
+  /// Empty where there is none.
+  [[nodiscard]] std::string path() const { return failure_ ? std::string() : path_; }
+
+  void rethrow() const {
+    if (failure_) {
+      std::rethrow_exception(failure_);
     }
   }
+
+ private:
+  template <typename Action>
+  void attempt(Action action) {
+    try {
+      action();
+    } catch (const hal::files::Interruption&) {
+      throw;
+    } catch (const std::exception&) {
+      failure_ = std::current_exception();
+      file_.reset();
+    }
+  }
+
+  const Campaign& campaign_;
+  std::string path_;
+  diagnose::InputFrom input_ = diagnose::InputFrom::load_cell;
+  std::optional<hal::files::OutputFile> file_;
+  std::exception_ptr failure_;
+};
+
+int run(const Arguments& arguments) {
+  const Campaign campaign = read_campaign(arguments.folder);
+  auto json = open_if_asked(arguments.json);
+  auto page = open_if_asked(arguments.report);
+  ModelOutput model(campaign, arguments.out);
+  if (!json && !page) {
+    model.rethrow();  // before the long work, which nothing would be left of
+  }
+  const diagnose::Diagnosis diagnosis = with_progress(campaign, arguments.options);
+  model.write(diagnosis);
   if (json) {
-    json->write(diagnose::diagnosis_json(
-        diagnosis,
-        {campaign.name, no_model ? std::string() : arguments.out, arguments.options.seed}));
+    json->write(
+        diagnose::diagnosis_json(diagnosis, {campaign.name, model.path(), arguments.options.seed}));
   }
   if (page) {
     write_diagnose_report(page->stream(), campaign.name, diagnosis, kProgramVersion);
   }
-  commit_all({&out, &json, &page});
+  commit_all({&json, &page});
   diagnose::write_summary(summary_stream(arguments.outputs()), campaign.name, diagnosis);
-  if (no_model) {
-    std::rethrow_exception(no_model);
-  }
+  model.rethrow();
   const bool found = diagnosis.verdict() != diagnose::Verdict::none;
   return arguments.fail_on_discrepancy && found ? kFoundInData : 0;
 }

@@ -49,6 +49,28 @@ class DiagnoseProgram : public CampaignProgram {
     EXPECT_TRUE(out_.empty()) << out_;
     EXPECT_EQ(files(), before);
   }
+
+  /// All is written but the model, and why not is said in one line at the end.
+  void expect_found_without_model(const std::string& model, const std::string& words) {
+    EXPECT_EQ(run("diagnose r --out " + model + " --json r.json --report p.html"), 1);
+    EXPECT_EQ(err_.rfind(words, 0), 0U) << err_;
+    EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
+    EXPECT_FALSE(fs::is_regular_file(folder_ / model));
+    ASSERT_TRUE(fs::exists(folder_ / "r.json"));
+    const json result = json::parse(contents(folder_ / "r.json"));
+    EXPECT_TRUE(result["extended_model"].is_null());
+    EXPECT_FALSE(result["verdict"].is_null());
+    EXPECT_FALSE(result["tension"].is_null());
+    EXPECT_NE(contents(folder_ / "p.html").find("</html>"), std::string::npos);
+    EXPECT_EQ(out_.rfind("short: ", 0), 0U) << out_;
+  }
+
+  static std::string without_table(std::string text, const std::string& table) {
+    const std::size_t at = text.find(table);
+    EXPECT_NE(at, std::string::npos) << text;
+    const std::size_t end = text.find("\n[", at);
+    return text.erase(at, end == std::string::npos ? end : end - at);
+  }
 };
 
 TEST_F(DiagnoseProgram, RecordingsGiveAllOutputs) {
@@ -142,24 +164,31 @@ TEST_F(DiagnoseProgram, BadInputIsToldInOneLine) {
 TEST_F(DiagnoseProgram, WhatWasFoundIsWrittenAlsoWhereNoModelCanHoldIt) {
   write("r/campaign.toml",
         host_sim_test::with(contents(folder_ / "r/campaign.toml"), "ipl_scale", "1e300"));
-  EXPECT_EQ(run("diagnose r --out m.toml --json r.json --report p.html"), 1);
-  EXPECT_EQ(err_.rfind("m.toml: the board cannot represent it: ", 0), 0U) << err_;
-  EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), 1) << err_;
-  EXPECT_FALSE(fs::exists(folder_ / "m.toml"));
-  const json result = json::parse(contents(folder_ / "r.json"));
-  EXPECT_TRUE(result["extended_model"].is_null());
-  EXPECT_FALSE(result["verdict"].is_null());
-  EXPECT_NE(contents(folder_ / "p.html").find("</html>"), std::string::npos);
-  EXPECT_EQ(out_.rfind("short: ", 0), 0U) << out_;
+  expect_found_without_model("m.toml", "m.toml: the board cannot represent it: ");
 }
 
-TEST_F(DiagnoseProgram, AModelThatCannotBeWrittenIsToldBeforeTheWork) {
-  std::string text = contents(folder_ / "r/campaign.toml");
-  const std::size_t at = text.find("[model.life]");
-  ASSERT_NE(at, std::string::npos) << text;
-  const std::size_t end = text.find("\n[", at);
-  write("r/campaign.toml", text.erase(at, end == std::string::npos ? end : end - at));
-  expect_refusal("r", "r/campaign.toml", "no table [model.life], which --out needs");
+TEST_F(DiagnoseProgram, WhatWasFoundIsWrittenAlsoWhereTheNominalModelLacksATable) {
+  write("r/campaign.toml", without_table(contents(folder_ / "r/campaign.toml"), "[model.life]"));
+  expect_found_without_model("m.toml", "r/campaign.toml: no table [model.life], which --out needs");
+}
+
+TEST_F(DiagnoseProgram, WhatWasFoundIsWrittenAlsoWhereTheModelHasNoFolder) {
+  expect_found_without_model("no/such/folder/m.toml", "no/such/folder/m.toml: cannot be written: ");
+}
+
+TEST_F(DiagnoseProgram, WhatWasFoundIsWrittenAlsoWhereTheModelCannotTakeItsPlace) {
+  fs::create_directories(folder_ / "taken/inside");
+  expect_found_without_model("taken", "taken: cannot be written: ");
+  EXPECT_TRUE(fs::is_directory(folder_ / "taken/inside"));
+}
+
+TEST_F(DiagnoseProgram, AModelAloneThatCannotBeWrittenIsToldBeforeTheWork) {
+  write("r/campaign.toml", without_table(contents(folder_ / "r/campaign.toml"), "[model.life]"));
+  const auto before = files();
+  EXPECT_EQ(run("diagnose r --out m.toml"), 1);
+  EXPECT_EQ(err_.rfind("r/campaign.toml: no table [model.life], which --out needs", 0), 0U) << err_;
+  EXPECT_TRUE(out_.empty()) << out_;
+  EXPECT_EQ(files(), before);
   EXPECT_EQ(run("diagnose c --json no/such/folder/r.json"), 1);
   EXPECT_EQ(err_.rfind("no/such/folder/r.json", 0), 0U) << err_;
 }
