@@ -26,8 +26,8 @@ constexpr protocol::LifeState graver(protocol::LifeState one, protocol::LifeStat
 /// Within an epoch, a damage that was reported with one record is never undercut with a later one;
 /// but for a power cut, of which the node reports the most that it loses. So the proof is a low
 /// report, then a record that is later than that of a mark, then kWitnesses more low reports,
-/// without a break. A mark is a record and the damage that was reported before and after it,
-/// without a break. Low is a damage
+/// without a break of the reports and without another count in the frames of the records. A mark is
+/// a record and the damage that was reported before and after it, without a break. Low is a damage
 ///   - below that of a mark by more than a power cut loses, where that is known, or
 ///   - below that of a mark of the same run of reports at all: without a break there was no
 ///   restart.
@@ -48,6 +48,10 @@ class DamageWatch {
     of_run_.reset();
     forget_low();
   }
+
+  /// Records come in other frames than the reports, and those have gone on with another count: the
+  /// last record may be of another speaker than the low reports around it.
+  void records_of_another() { forget_low(); }
 
   /// The node reports its last record, and what a power cut may lose: none where that may be more
   /// than it can report.

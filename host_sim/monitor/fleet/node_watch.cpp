@@ -132,9 +132,13 @@ void NodeWatch::take(std::size_t kind, const hal::CanFrame& frame, std::int64_t 
     return;
   }
   look_for_a_second_speaker(time_ns);
-  if (status == Status::initial || status == Status::wrong_sequence ||
-      (status == Status::repeated && !streams_[kind].is_the_same_again())) {
+  const bool of_another_count = status == Status::wrong_sequence ||
+                                (status == Status::repeated && !streams_[kind].is_the_same_again());
+  if (status == Status::initial || of_another_count) {
     break_runs(kind);
+  }
+  if (of_another_count && kFrames[kind] == &protocol::schema::kLifeDetailFrame) {
+    damage_.records_of_another();
   }
   if (!protocol::e2e::is_usable(status)) {
     is_alive(time_ns);

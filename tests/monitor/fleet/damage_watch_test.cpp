@@ -127,6 +127,37 @@ TEST(Fleet, AnOldLogThatIsPlayedAgainIsNoNewEpoch) {
   EXPECT_TRUE(reports.epochs().empty());
 }
 
+// The counters of the old log go on where those of the node stopped, and the reports of the node
+// are lost meanwhile, not its record. That it is of another speaker shows in the next page alone:
+// it has the same counter.
+TEST(Fleet, ARecordOfTheNodeAmongTheReportsOfAnOldLogIsNoNewEpoch) {
+  Reports reports;
+  Sender old_log(3);
+  const auto old_status = [&](std::int64_t time_ns) {
+    return old_log.damage(time_ns, 100'000'000);
+  };
+  const auto old_record = [&](std::int64_t time_ns) {
+    return old_log.page(time_ns,
+                        protocol::detail::Storage{.sequence = 50, .worst_unsaved_ppb = 1'000});
+  };
+  reports.damage(700'000'000, 2);
+  reports.record(90, 1'000);
+  reports.damage(700'000'000);
+  for (int i = 0; i < 3; ++i) {
+    (void)old_status(0);
+  }
+  (void)old_record(0);
+  reports.fleet.see(old_status(reports.now_ns += 100 * kMs));
+  reports.record(91, 1'000);
+  reports.fleet.see(old_record(reports.now_ns += kMs));
+  for (int i = 0; i < 3; ++i) {
+    reports.fleet.see(old_status(reports.now_ns += 100 * kMs));
+  }
+  EXPECT_EQ(reports.node().streams.at(1).good, 7u);  // the reports of both
+  EXPECT_EQ(reports.shown_ppb(), 700'000'000u);
+  EXPECT_TRUE(reports.epochs().empty());
+}
+
 TEST(Fleet, ALostRecordIsNoNewEpoch) {
   Reports reports;
   reports.damage(700'000'000);
