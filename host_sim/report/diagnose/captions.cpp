@@ -26,13 +26,18 @@ std::size_t outside(const ResidualPicture& residual, const std::vector<double>& 
 
 std::string traces(const diagnose::TensionDiagnosis& tension) {
   const std::size_t shown = worst_traces(tension, kMostTraces).size();
-  return shown < tension.traces.size()
-             ? fmt::format(
-                   "The {} of {} sessions that the nominal model misses most, worst first. "
-                   "The nominal model has its parameters refitted.",
-                   shown, tension.traces.size())
-             : "The nominal model has its parameters refitted. The session that it misses most "
-               "comes first.";
+  const std::string which =
+      shown < tension.traces.size()
+          ? fmt::format(
+                "The {} of {} sessions that the nominal model misses most, worst first. "
+                "The nominal model has its parameters refitted.",
+                shown, tension.traces.size())
+          : "The nominal model has its parameters refitted. The session that it misses most "
+            "comes first.";
+  return which +
+         " Loops are of one or two cycles from the middle of the recording, with arrows as time "
+         "goes on. The width of a loop is the friction. Where loops differ, and whether at "
+         "reversals, at high or at low tension, indicates the cause.";
 }
 
 std::string trace(const diagnose::TensionDiagnosis& tension, std::size_t index) {
@@ -46,9 +51,14 @@ std::string trace(const diagnose::TensionDiagnosis& tension, std::size_t index) 
   return text + ".";
 }
 
-std::string loop() {
-  return "The width of the loop is the friction. Where the loops differ, and whether at reversals, "
-         "at high or at low tension, indicates the cause.";
+std::string loop(const diagnose::TensionDiagnosis& tension, std::size_t index) {
+  const diagnose::TracePicture& trace = tension.traces.at(index);
+  const Stretch stretch = cycles_in(trace.input_N);
+  if (stretch.last <= stretch.first || trace.time_s.size() < stretch.last) {
+    return {};
+  }
+  return fmt::format("From {} to {}.", quantity_text(trace.time_s[stretch.first], "s"),
+                     quantity_text(trace.time_s[stretch.last - 1], "s"));
 }
 
 std::string residuals(const diagnose::TensionDiagnosis& tension) {

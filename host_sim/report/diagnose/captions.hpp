@@ -10,7 +10,7 @@ namespace host_sim::diagnose_page::captions {
 
 [[nodiscard]] std::string traces(const diagnose::TensionDiagnosis& tension);
 [[nodiscard]] std::string trace(const diagnose::TensionDiagnosis& tension, std::size_t index);
-[[nodiscard]] std::string loop();
+[[nodiscard]] std::string loop(const diagnose::TensionDiagnosis& tension, std::size_t index);
 [[nodiscard]] std::string residuals(const diagnose::TensionDiagnosis& tension);
 [[nodiscard]] std::string residual(const diagnose::TensionDiagnosis& tension, std::size_t index);
 [[nodiscard]] std::string weibull(const diagnose::LifeDiagnosis& lives);

@@ -26,7 +26,20 @@ inline constexpr std::string_view kAfterColour = "line";
 /// Output tension of one session over time, measured and simulated.
 [[nodiscard]] Chart trace_chart(const diagnose::TensionDiagnosis& tension, std::size_t trace);
 
-/// Its loop: output tension over input tension.
+/// Samples after a time that nothing was recorded in, as indices.
+[[nodiscard]] std::vector<std::size_t> gaps_in(const std::vector<double>& time_s);
+
+/// Samples from `first` up to but not including `last`.
+struct Stretch {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+/// Two cycles of the input tension from the middle of a recording, from where it rises through its
+/// mean; one where there are no two, and all of it where there is none.
+[[nodiscard]] Stretch cycles_in(const std::vector<double>& input_N);
+
+/// Its loop in one or two cycles: output tension over input tension, with the direction of travel.
 [[nodiscard]] Chart loop_chart(const diagnose::TensionDiagnosis& tension, std::size_t trace);
 
 /// The residuals in the order of the page, as indices: the covariate whose means leave their

@@ -37,7 +37,8 @@ std::string traces(const diagnose::TensionDiagnosis& tension) {
   for (const std::size_t trace : worst_traces(tension, kMostTraces)) {
     html += in_pair(
         elements::chart(trace_chart(tension, trace), captions::trace(tension, trace), kNothing));
-    html += in_pair(elements::chart(loop_chart(tension, trace), captions::loop(), kNothing));
+    html += in_pair(
+        elements::chart(loop_chart(tension, trace), captions::loop(tension, trace), kNothing));
   }
   return html + "</div>\n";
 }

@@ -33,6 +33,7 @@ json layer_json(const Layer& layer) {
           {"filled", layer.filled},
           {"dashed", layer.dashed},
           {"width", layer.width_px},
+          {"heads", layer.heads},
           {"arrow", name_in(kArrows, layer.arrow)},
           {"x", layer.x},
           {"y", layer.y},

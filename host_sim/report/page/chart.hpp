@@ -40,6 +40,7 @@ struct Layer {
   bool filled = true;                 ///< points
   bool dashed = false;                ///< lines
   double width_px = 2;                ///< lines and bars
+  int heads = 0;                      ///< of arrows along a line, from its first to its last point
   Arrow arrow = Arrow::none;          ///< of points: the value lies beyond
   std::vector<double> x;
   std::vector<double> y;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <set>
 
 #include "tests/report/diagnose/sample_diagnosis.hpp"
@@ -57,8 +58,60 @@ TEST(TraceChart, ShowsMeasuredAndBothModels) {
   EXPECT_EQ(layer_of(chart, "Nominal model").y, trace.before_N);
   EXPECT_EQ(layer_of(chart, "Extended model").y, trace.after_N);
   EXPECT_EQ(layer_of(chart, "Measured").x, trace.time_s);
-  EXPECT_EQ(layer_of(loop_chart(*diagnosis.tension, 5), "Measured").x, trace.input_N);
   EXPECT_NE(layer_of(chart, "Nominal model").dashed, layer_of(chart, "Extended model").dashed);
+}
+
+TEST(TraceChart, NoLineCrossesATimeWithoutSamples) {
+  diagnose::TensionDiagnosis tension;
+  tension.traces = {{"a", {0, 1, 2, 9, 10}, {1, 2, 3, 4, 5}, {5, 6, 7, 8, 9}, {1, 1, 1, 1, 1}, {}}};
+  for (const Chart& chart : {trace_chart(tension, 0), loop_chart(tension, 0)}) {
+    const Layer measured = layer_of(chart, "Measured");
+    ASSERT_EQ(measured.y.size(), 6U);
+    EXPECT_TRUE(std::isnan(measured.x[3]) && std::isnan(measured.y[3])) << chart.id;
+    EXPECT_EQ(measured.y[2], 7);
+    EXPECT_EQ(measured.y[4], 8);
+    EXPECT_EQ(layer_of(chart, "Nominal model").y.size(), 6U);
+  }
+}
+
+TEST(Gaps, AreLongerThanThreeUsualIntervals) {
+  EXPECT_THAT(gaps_in({0, 1, 2, 5, 6, 9.1, 10}), ElementsAre(5));
+  EXPECT_THAT(gaps_in({0, 1}), ElementsAre());
+  EXPECT_THAT(gaps_in({}), ElementsAre());
+}
+
+/// A trace of cos and sin of as many cycles as `cycles`, 100 samples each, and noise.
+diagnose::TracePicture circles(double cycles) {
+  diagnose::TracePicture trace;
+  trace.session = "a";
+  for (int i = 0; i < static_cast<int>(100 * cycles); ++i) {
+    const double phase = 2 * std::numbers::pi * i / 100;
+    trace.time_s.push_back(0.1 * i);
+    trace.input_N.push_back(20 - 10 * std::cos(phase) + (i % 2 == 0 ? 1 : -1));
+    trace.measured_N.push_back(20 + 10 * std::sin(phase));
+  }
+  return trace;
+}
+
+TEST(Loop, IsOfTwoCyclesFromTheMiddleWithArrows) {
+  diagnose::TensionDiagnosis tension;
+  tension.traces = {circles(7)};
+  // It rises in each of seven cycles: of the six whole ones two are left out before and after.
+  const Stretch stretch = cycles_in(tension.traces[0].input_N);
+  EXPECT_EQ(stretch.last - stretch.first, 201U);
+  EXPECT_EQ(stretch.first / 100, 2U);
+  const Chart chart = loop_chart(tension, 0);
+  EXPECT_EQ(layer_of(chart, "Measured").x.size(), 201U);
+  EXPECT_GT(layer_of(chart, "Measured").heads, 0);
+  EXPECT_EQ(layer_of(trace_chart(tension, 0), "Measured").heads, 0);
+  EXPECT_EQ(layer_of(trace_chart(tension, 0), "Measured").x.size(), 700U);
+}
+
+TEST(Loop, IsOfOneCycleOrOfAllWhereThereAreNoTwo) {
+  EXPECT_EQ(cycles_in(circles(2).input_N).last - cycles_in(circles(2).input_N).first, 101U);
+  EXPECT_EQ(cycles_in(circles(1).input_N).last, 100U);
+  EXPECT_EQ(cycles_in({}).last, 0U);
+  EXPECT_EQ(cycles_in({5, 5, 5}).last, 3U);
 }
 
 TEST(TraceChart, WithoutAnExtensionHasNoLineOfIt) {

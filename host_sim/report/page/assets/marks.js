@@ -64,6 +64,37 @@ class Surface {
     }
   }
 
+  /** Heads of arrows at equal distances along a line, as many as the layer has. */
+  heads(layer, places) {
+    const { context, pixel } = this;
+    const points = places.filter((at) => at.every(Number.isFinite))
+      .map(([x, y]) => [this.x(x), this.y(y)]);
+    const along = [0];
+    for (let i = 1; i < points.length; i += 1) {
+      const [[x, y], [beforeX, beforeY]] = [points[i], points[i - 1]];
+      along.push(along[i - 1] + Math.hypot(x - beforeX, y - beforeY));
+    }
+    const length = along[along.length - 1];
+    const size = (3 + layer.width) * pixel;
+    const at = (distance) => {
+      const next = Math.max(1, along.findIndex((reached) => reached >= distance));
+      const share = (distance - along[next - 1]) / (along[next] - along[next - 1]);
+      return [0, 1].map((side) =>
+        points[next - 1][side] + share * (points[next][side] - points[next - 1][side]));
+    };
+    context.setLineDash([]);
+    for (let head = 0; head < layer.heads && length > 2 * size * layer.heads; head += 1) {
+      const middle = ((head + 0.5) / layer.heads) * length;
+      const [fromX, fromY] = at(middle - size);
+      const [x, y] = at(middle + size);
+      context.save();
+      context.translate((x + fromX) / 2, (y + fromY) / 2);
+      context.rotate(Math.atan2(y - fromY, x - fromX));
+      context.fill(new Path2D(`M${size} 0L${-size} ${-0.8 * size}V${0.8 * size}Z`));
+      context.restore();
+    }
+  }
+
   mark(layer, x, y) {
     const { context, pixel } = this;
     const scale = POINT_RADIUS * pixel;
@@ -91,8 +122,10 @@ class Surface {
 /** How each kind of layer is drawn; `places` are those of x, y and high along the axes. */
 const DRAW_LAYER = {
   line(surface, layer, places) {
-    surface.path(places.map(({ x, y }) => [x, y]));
+    const line = places.map(({ x, y }) => [x, y]);
+    surface.path(line);
     surface.context.stroke();
+    surface.heads(layer, line);
   },
 
   area(surface, layer, places) {
