@@ -94,8 +94,15 @@ void add_presliding(const Extension& e, const Model& model, std::string_view mod
   result.add(Effect::presliding);
 }
 
-fixed::FrictionLoad load_of(const Extension& e, const Model& model) {
+fixed::FrictionLoad load_of(const Extension& e, const Model& model, std::string_view model_name) {
   constexpr double kReference_N = 50;
+  constexpr double kLeastUltimate_N = kReference_N / 8;  // log2 of 50 N in steps is below 32 there
+  if (!(model.cable.ultimate_tension_N > kLeastUltimate_N)) {
+    throw InputError(model_name, 0, 0,
+                     fmt::format("ultimate_tension_N is {} with [extension.friction_load]",
+                                 model.cable.ultimate_tension_N),
+                     fmt::format("more than {} N with it", kLeastUltimate_N));
+  }
   // Below this a term of the series is all there is.
   constexpr double kLeastExponent = 0x1p-16;
   const double exponent = value_of(e, "load_exponent");
@@ -216,7 +223,7 @@ void add_friction(const Extension& e, const Model& model, std::string_view model
     result.bend_angle = bend_angle_of(e);
     result.add(Effect::bend_angle);
   } else if (e.id == "friction_load") {
-    result.friction_load = load_of(e, model);
+    result.friction_load = load_of(e, model, model_name);
     result.add(Effect::friction_load);
   } else if (e.id == "friction_position" && model.drive) {
     result.friction_position = position_of(e, model, model_name);

@@ -196,7 +196,7 @@ constexpr Companion kCompanions[] = {
     {"friction_temperature", {{"sheath_reference_C", "C", {-50, 150}}, 20, false}},
     {"torque_gain", {{"winding_reference_C", "C", {-50, 200}}, 20, false}},
     {"bending_fatigue", {{"wire_to_bend_ratio", "", {0, 1}}, kUnknown, false}},
-    {"endurance_limit", {{"lowest_effective_N", "N", {0, 1000, true}}, kUnknown, false}},
+    {"endurance_limit", {{"lowest_effective_N", "N", {0, 1e6, true}}, kUnknown, false}},
     {"friction_velocity", {{"viscous_N_s_m", "N_s_m", {0, 1e6}}, kUnknown, false}},
 };
 

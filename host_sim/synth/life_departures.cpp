@@ -105,7 +105,7 @@ class EnduranceLimit final : public LifePart {
 
 LifeKind endurance_limit() {
   return {"endurance_limit",
-          {{{"limit_N", "N", {0, 1000}}}, {{"log_sd", "", {0, 1}}, 0}},
+          {{{"limit_N", "N", {0, 1e6}}}, {{"log_sd", "", {0, 1}}, 0}},
           {},
           make_life_part<EnduranceLimit>};
 }
@@ -153,7 +153,7 @@ class SecondMode final : public LifePart {
 LifeKind second_mode() {
   return {"second_mode",
           {{{"life_cycles", "cycles", {1, 1e12}}},
-           {{"reference_N", "N", {0.1, 1000}}},
+           {{"reference_N", "N", {0.001, 1e6}}},
            {{"exponent", "", {0, 30}}},
            {{"shape", "", {0.3, 50}}}},
           {},

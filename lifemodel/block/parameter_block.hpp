@@ -42,7 +42,7 @@ inline constexpr std::size_t kBlockBytes = 84;
 using ParameterBlock = std::array<std::byte, kBlockBytes>;
 
 inline constexpr std::uint32_t kLowestUltimate_mN = 1'000;
-inline constexpr std::uint32_t kHighestUltimate_mN = 100'000'000;
+inline constexpr std::uint32_t kHighestUltimate_mN = 1'000'000'000;
 
 /// Why a parameter block is refused.
 enum class BlockError : std::uint8_t {
@@ -51,7 +51,7 @@ enum class BlockError : std::uint8_t {
   not_a_block,           ///< other magic
   unknown_version,       ///< made for another version of this library
   damaged,               ///< the CRC does not fit
-  ultimate_tension,      ///< outside 1 N .. 100 kN, or not what the scale follows from
+  ultimate_tension,      ///< outside 1 N .. 1 MN, or not what the scale follows from
   hysteresis,            ///< zero, or not below the ultimate tension
   ipl_exponent,          ///< outside 1 .. 12
   ipl_scale,             ///< life at the ultimate tension outside 2^-500 .. 2^500 cycles
@@ -77,7 +77,7 @@ constexpr const char* to_string(BlockError error) {
     case BlockError::damaged:
       return "damaged: the CRC-32 does not fit";
     case BlockError::ultimate_tension:
-      return "ultimate tension out of range: 1 N to 100 kN";
+      return "ultimate tension out of range: 1 N to 1 MN";
     case BlockError::hysteresis:
       return "hysteresis out of range: above 0 and below the ultimate tension";
     case BlockError::ipl_exponent:

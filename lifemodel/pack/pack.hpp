@@ -50,6 +50,16 @@ inline Tension tension(double tension_N, double ultimate_tension_N) {
   return from_double<Tension>(tension_N / ultimate_tension_N);
 }
 
+/// The ultimate tension of parameters: in whole mN where the scale is that of it, else what the
+/// scale follows from.
+inline double ultimate_tension_N(const Parameters& p) {
+  const Factor& scale = p.scale.steps_per_mN;
+  const double whole_N = p.ultimate_mN * 1e-3;
+  const double scaled_N = std::ldexp(1e-3, Tension::kFractionBits + scale.shift) / scale.mantissa;
+  constexpr double kRounding = 1e-9;  // of a mantissa of 31 bits
+  return std::fabs(scaled_N / whole_N - 1) < kRounding ? whole_N : scaled_N;
+}
+
 /// The factor nearest to this one, or nothing where it cannot be represented.
 inline std::optional<Factor> factor(double value) {
   int exponent = 0;
@@ -82,7 +92,7 @@ inline Result<Parameters, BlockError> parameters(const Constants& c) {
   const auto within = [](double value, double low, double high) {
     return value >= low && value <= high;
   };
-  if (!within(c.ultimate_tension_N, 1, 1e5)) {
+  if (!within(c.ultimate_tension_N, 1, 1e6)) {
     return BlockError::ultimate_tension;
   }
   if (!within(c.hysteresis_N, 0, c.ultimate_tension_N * (1 - 1e-9))) {

@@ -164,14 +164,15 @@ const std::vector<BadFile> kBadFiles{
     {"UnknownTableOfModel", "[model.cable]", "[model.rope]\n[model.cable]",
      ":4:8: unknown table 'rope' in [model]; accepted: cable, sheath, drive, counting, life"},
     {"OtherUnitOfModel", "ultimate_tension_N = 177.4", "ultimate_tension_kN = 0.1774",
-     ":6:1: unknown unit 'kN' of key 'ultimate_tension_kN'; accepted: ultimate_tension_N 5..1000"},
+     ":6:1: unknown unit 'kN' of key 'ultimate_tension_kN'; accepted: ultimate_tension_N "
+     "1..1000000"},
     {"MissingKeyOfModel", "ultimate_tension_N = 177.4\n", "",
-     ":4:8: no key ultimate_tension_N in [model.cable]; accepted: ultimate_tension_N 5..1000"},
+     ":4:8: no key ultimate_tension_N in [model.cable]; accepted: ultimate_tension_N 1..1000000"},
     {"ModelOutOfRange", "friction_coefficient = 0.128", "friction_coefficient = 1.5",
      ":8:1: friction_coefficient is 1.5; accepted: friction_coefficient 0..1"},
     {"Hysteresis", "hysteresis_N = 0.2", "hysteresis_N = 200",
      ":12:1: hysteresis_N is 200; "
-     "accepted: hysteresis_N 0..100"},
+     "accepted: less than ultimate_tension_N, which is 177.4"},
     {"UseIsATable", "[[use]]\nname = \"glove\"", "[use]\nname = \"glove\"",
      ":17:1: Error while parsing table header: cannot redefine existing table 'use' as "
      "array-of-tables; accepted: TOML 1.0"},

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "hal/files/input_error.hpp"
 #include "host_sim/extension/fixed.hpp"
 #include "host_sim/extension/tension.hpp"
 #include "lifemodel/pack/pack.hpp"
@@ -302,6 +303,28 @@ RC_GTEST_PROP(Corrector, ForcesOfEitherSign, ()) {
   const Covariates at = drawn_covariates();
   const double output_N = drawn(-100, 100);
   RC_ASSERT(is_near(both.output_N(output_N, at), both.exact_output_N(output_N, at)));
+}
+
+// The 50 N that the law refers to are 8 times 6.25 N, and 1 MN is 2e4 times as much.
+TEST(Corrector, FrictionByLoadNeedsAnUltimateTensionAbove6_25N) {
+  host_sim::Model model =
+      extension_test::model_with("[extension.friction_load]\nload_exponent = 0.2\n");
+  for (const double ultimate_N : {6.26, 1e6}) {
+    model.cable.ultimate_tension_N = ultimate_N;
+    EXPECT_NEAR(std::ldexp(host_sim::fixed_extension(model, model.extensions, "m.toml")
+                               .friction_load.log2_reference,
+                           -26),
+                29 + std::log2(50 / ultimate_N), 1e-7);
+  }
+  model.cable.ultimate_tension_N = 6.25;
+  try {
+    host_sim::fixed_extension(model, model.extensions, "m.toml");
+    FAIL() << "accepted";
+  } catch (const hal::files::InputError& error) {
+    EXPECT_STREQ(error.what(),
+                 "m.toml: ultimate_tension_N is 6.25 with [extension.friction_load]; accepted: "
+                 "more than 6.25 N with it");
+  }
 }
 
 /// Many at once: the order of the equations is the same.

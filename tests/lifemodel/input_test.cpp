@@ -44,7 +44,7 @@ TEST(MotorDrive, EveryGainKeepsNineDigits) {
 }
 
 TEST(TensionScale, MillinewtonsOfAnyWire) {
-  for (const double ultimate_N : {1.0, 177.4, 2500.0, 1e5}) {
+  for (const double ultimate_N : {1.0, 177.4, 2500.0, 1e6}) {
     auto constants = paper_constants();
     constants.ultimate_tension_N = ultimate_N;
     constants.ipl_scale = std::pow(ultimate_N, 1.38) * 100;

@@ -100,11 +100,22 @@ TEST(ParameterBlock, WhatIsOutOfRangeIsRefusedWithTheReason) {
 }
 
 TEST(ParameterBlock, AnUltimateTensionFinerThanItsWordIsAccepted) {
-  for (const double ultimate_N : {1.0004999, 5.0005, 44.4822, 177.92886, 99'999.99951}) {
+  for (const double ultimate_N :
+       {1.0004999, 5.0005, 44.4822, 177.92886, 99'999.99951, 999'999.99951}) {
     auto constants = paper_constants();
     constants.ultimate_tension_N = ultimate_N;
     EXPECT_TRUE(decode(encode(parameters_of(constants)))) << ultimate_N;
   }
+}
+
+// In whole mN it would be 4e-4 and 4e-8 off.
+TEST(Pack, TheUltimateTensionOfParametersIsThatOfTheirScale) {
+  for (const double ultimate_N : {1.0, 1.0004, 177.4, 9'999.9996, 1e6}) {
+    auto constants = paper_constants();
+    constants.ultimate_tension_N = ultimate_N;
+    EXPECT_NEAR(pack::ultimate_tension_N(parameters_of(constants)), ultimate_N, 1e-9 * ultimate_N);
+  }
+  EXPECT_EQ(pack::ultimate_tension_N(parameters_of(paper_constants())), 177.4);
 }
 
 TEST(ParameterBlock, MagicAndVersionComeFirst) {
@@ -130,7 +141,7 @@ TEST(Pack, WhatIsOutOfRangeIsRefusedWithTheReason) {
   using pack::Constants;
   const double nan = std::nan("");
   EXPECT_EQ(packing_error([](Constants&) {}), BlockError::none);
-  for (const double bad : {0.9, 100'001.0, nan}) {
+  for (const double bad : {0.9, 1'000'001.0, nan}) {
     EXPECT_EQ(packing_error([&](Constants& c) { c.ultimate_tension_N = bad; }),
               BlockError::ultimate_tension);
   }
@@ -156,7 +167,7 @@ TEST(Pack, WhatIsOutOfRangeIsRefusedWithTheReason) {
 }
 
 TEST(Pack, EveryModelWithinTheRangesIsAccepted) {
-  for (const double ultimate_N : {1.0, 177.4, 100'000.0}) {
+  for (const double ultimate_N : {1.0, 177.4, 1'000'000.0}) {
     for (const double exponent : {1.0, 1.38, 12.0}) {
       for (const double shape : {0.5, 5.94, 50.0}) {
         auto constants = paper_constants();

@@ -62,6 +62,35 @@ std::string tension_cycles(int cycles) {
 // T_a 25, T_m 35: T_eff = 25 / (1 - (35 / 177.4)^2) = 26.0125 N; 26.0125^1.38 / 1.53e5 = 5.8649e-4
 constexpr double kCycleDamage = 5.86490e-4;
 
+/// tension_cycles() for a wire of another strength, every tension in proportion.
+std::string tension_cycles(int cycles, double times) {
+  const std::string low = fmt::format("{:.17g}", 10 * times);
+  const std::string high = fmt::format("{:.17g}", 60 * times);
+  std::vector<std::string> values;
+  for (int i = 0; i < cycles; ++i) {
+    values.insert(values.end(), {low, high});
+  }
+  values.push_back(low);
+  return rows("time_s,input_tension_N", values);
+}
+
+// A life is that of T_eff/T_u alone where A grows as T_u^gamma.
+TEST(Replay, WiresOfOneNewtonAndOfOneMeganewton) {
+  for (const double ultimate_N : {1.0, 1.0004, 1e6}) {
+    Model model = paper_model();
+    const double times = ultimate_N / 177.4;
+    model.cable.ultimate_tension_N = ultimate_N;
+    model.counting.hysteresis_N *= times;
+    model.life.ipl_scale *= std::pow(times, 1.38);
+    model.drive->torque_constant_Nm_per_A *= times;
+    const ReplayResult result = replay_text(tension_cycles(20, times), model);
+    EXPECT_NEAR(result.damage.total, 20 * kCycleDamage, 2e-7) << ultimate_N;
+    EXPECT_NEAR(result.equivalent_effective_tension_N, 26.0125 * times, 1e-3 * times) << ultimate_N;
+    EXPECT_LT(std::fabs(result.relative_error), 2e-6) << ultimate_N;
+    EXPECT_TRUE(result.flags.empty()) << ultimate_N;
+  }
+}
+
 TEST(Replay, TensionByHand) {
   const ReplayResult result = replay_text(tension_cycles(20), paper_model());
   EXPECT_EQ(result.samples, 41u);

@@ -294,7 +294,7 @@ TEST(CalibrateModel, WhatReplayNeedsIsAskedForBeforeTheWork) {
   campaign.nominal.counting.reset();
   EXPECT_EQ(refusal(campaign),
             "folder/campaign.toml: no table [model.counting], which --out needs; accepted: "
-            "[model.counting] with sample_rate_Hz 0.1..100000, hysteresis_N 0..100");
+            "[model.counting] with sample_rate_Hz 0.1..100000, hysteresis_N 0..100000");
   campaign = campaign_with_model();
   campaign.nominal.sheath.reset();
   EXPECT_NE(refusal(campaign).find("[model.sheath]"), std::string::npos);

@@ -44,7 +44,7 @@ class Conversion {
  public:
   Conversion(const lifemodel::Parameters& parameters, bool has_bend_angle)
       : parameters_(parameters),
-        ultimate_N_(parameters.ultimate_mN * 1e-3),
+        ultimate_N_(lifemodel::pack::ultimate_tension_N(parameters)),
         has_bend_angle_(has_bend_angle) {}
 
   std::optional<SampleT> operator()(const ProfileRow& row) {

@@ -15,8 +15,8 @@ using hal::files::TomlTable;
 namespace {
 
 constexpr NumberKey kLevelBendAngle{"bend_angle_deg", "deg", {0, 1800}};
-constexpr NumberKey kMean{"output_tension_mean_N", "N", {0, 1000}};
-constexpr NumberKey kAmplitude{"output_tension_amplitude_N", "N", {0, 1000, true}};
+constexpr NumberKey kMean{"output_tension_mean_N", "N", {0, 1e6}};
+constexpr NumberKey kAmplitude{"output_tension_amplitude_N", "N", {0, 1e6, true}};
 constexpr NumberKey kFrequency{"frequency_Hz", "Hz", {0.001, 1000}};
 constexpr NumberKey kRatio{"wire_to_bend_ratio", "", {0, 1, true}};
 constexpr NumberKey kSpecimens{"specimens", "", {1, 10'000}};

@@ -22,9 +22,9 @@ using hal::files::TomlTable;
 namespace {
 
 constexpr NumberKey kBendAngles{"bend_angles_deg", "deg", {0, 1800}};
-constexpr NumberKey kMeans{"output_means_N", "N", {0, 1000, true}};
-constexpr NumberKey kSignedMeans{"output_means_N", "N", {-1000, 1000}};
-constexpr NumberKey kAmplitudes{"output_amplitudes_N", "N", {0, 1000}};
+constexpr NumberKey kMeans{"output_means_N", "N", {0, 1e6, true}};
+constexpr NumberKey kSignedMeans{"output_means_N", "N", {-1e6, 1e6}};
+constexpr NumberKey kAmplitudes{"output_amplitudes_N", "N", {0, 1e6}};
 constexpr NumberKey kFrequencies{"frequencies_Hz", "Hz", {0.001, 50}};
 constexpr NumberKey kTravels{"travels_mm", "mm", {0.01, 1000}};
 constexpr NumberKey kAmbients{"sheath_ambients_C", "C", {-50, 200}};

@@ -129,7 +129,7 @@ class FrictionLoad final : public TensionPart {
 
 TensionKind friction_load() {
   return {"friction_load",
-          {{{"exponent", "", {-1, 1}}}, {{"reference_N", "N", {0.1, 1000}}}},
+          {{{"exponent", "", {-1, 1}}}, {{"reference_N", "N", {0.001, 1e6}}}},
           {},
           make_part<FrictionLoad>};
 }

@@ -17,21 +17,21 @@ std::span<const TwoSidedKind> two_sided_kinds() {
          effects.presliding_m = values["length_mm"] * 1e-3;
        }},
       {"friction_load",
-       {{{"exponent", "", {-1, 0.9}}}, {{"reference_N", "N", {0.1, 1000}}}},
+       {{{"exponent", "", {-1, 0.9}}}, {{"reference_N", "N", {0.001, 1e6}}}},
        {},
        [](const Values& values, TwoSidedEffects& effects) {
          effects.load_exponent = values["exponent"];
          effects.load_reference_N = values["reference_N"];
        }},
       {"friction_preload",
-       {{{"force_N", "N", {0, 1000}}}},
+       {{{"force_N", "N", {0, 1e6}}}},
        {},
        [](const Values& values, TwoSidedEffects& effects) {
          effects.preload_N = values["force_N"];
        }},
       {"friction_position",
        {{{"change", "", {-0.9, 5}}},
-        {{"centre_mm", "mm", {-1000, 1000}}},
+        {{"centre_mm", "mm", {-1e6, 1e6}}},
         {{"width_mm", "mm", {0.1, 1000}}}},
        {},
        [](const Values& values, TwoSidedEffects& effects) {
@@ -52,7 +52,7 @@ std::span<const TwoSidedKind> two_sided_kinds() {
          effects.stiffness_N_m = values["stiffness_N_mm"] * 1e3;
        }},
       {"load_cell_zero",
-       {{{"zero_N", "N", {-1000, 1000}}}},
+       {{{"zero_N", "N", {-1e6, 1e6}}}},
        {},
        [](const Values& values, TwoSidedEffects& effects) {
          effects.output_zero_N = values["zero_N"];
