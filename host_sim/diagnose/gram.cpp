@@ -46,6 +46,14 @@ void add_probe(GramLayout& layout, const Probe& probe) {
 
 using Eigen::Index;
 
+/// Of the noise of ln T_out/T_in: noise in newtons that has no mean lowers the logarithm by half
+/// its variance.
+double mean_of_noise(const recording::Covariates& covariates, std::size_t i) {
+  return covariates.input_noise.empty()
+             ? 0
+             : (covariates.input_noise[i] - covariates.output_noise[i]) / 2;
+}
+
 void fill_baseline(Eigen::MatrixXd& columns, const recording::Covariates& covariates,
                    const GramLayout& layout, double friction_coefficient) {
   const std::vector<double>& input_N = covariates.tension_in_N();
@@ -55,8 +63,8 @@ void fill_baseline(Eigen::MatrixXd& columns, const recording::Covariates& covari
     const double angle = covariates.bend_angle_rad[i] * covariates.direction[i];
     columns(row, Index{GramLayout::kIntercept}) = 1;
     columns(row, Index{GramLayout::kFriction}) = -angle;
-    columns(row, residual) =
-        std::log(covariates.output_tension_N[i] / input_N[i]) + friction_coefficient * angle;
+    columns(row, residual) = std::log(covariates.output_tension_N[i] / input_N[i]) +
+                             friction_coefficient * angle - mean_of_noise(covariates, i);
   }
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "host_sim/effects/tension/columns.hpp"
+
 namespace host_sim::diagnose {
 namespace {
 
@@ -92,7 +94,9 @@ std::vector<double> values_of(Probe::Of of, const recording::Covariates& c) {
       return mapped(c.velocity_m_s, [&](std::size_t i) { return std::abs(c.velocity_m_s[i]); });
     case Probe::Of::log_tension:
       return mapped(c.output_tension_N, [&](std::size_t i) {
-        return std::log(c.output_tension_N[i] * c.tension_in_N()[i]) / 2;
+        const double input_share = effects::input_noise_share(c, i);
+        return input_share * std::log(c.output_tension_N[i]) +
+               (1 - input_share) * std::log(c.tension_in_N()[i]);
       });
     case Probe::Of::position:
       return c.position_m;

@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <vector>
 
 #include "host_sim/statistics/parallel.hpp"
@@ -17,45 +18,70 @@ constexpr int kLadderSteps = 30;
 /// ln of the likelihood ratio for each sample that is not worth the trouble of weights.
 constexpr double kLeastGain = 0.005;
 
-double inverse_square(const recording::Covariates& covariates, std::size_t i) {
-  const double input_N = covariates.tension_in_N()[i];
-  const double output_N = covariates.output_tension_N[i];
-  return 1 / (input_N * input_N) + 1 / (output_N * output_N);
-}
+/// A session is no quieter than by this share of the variance of all.
+constexpr double kLeastOfMean = 0.01;
 
-/// -2 ln of the likelihood over the samples, a^2 at its best.
-double deviance(std::span<const Session> sessions, const std::vector<Eigen::VectorXd>& residuals,
-                double c_N2) {
-  double square = 0;
-  double logs = 0;
-  double samples = 0;
-  for (std::size_t s = 0; s < sessions.size(); ++s) {
-    const recording::Covariates& covariates = sessions[s].covariates;
-    for (std::size_t i = 0; i < covariates.samples(); ++i) {
-      const double variance = 1 + c_N2 * inverse_square(covariates, i);
-      const double residual = residuals[s](static_cast<Eigen::Index>(i));
-      square += residual * residual / variance;
-      logs += std::log(variance);
+/// What the variance of each sample goes with beside what is the same for all of a session.
+std::vector<double> variances_of(const recording::Covariates& covariates) {
+  std::vector<double> variances;
+  for (std::size_t i = 0; i < covariates.samples(); ++i) {
+    if (!covariates.input_noise.empty()) {
+      variances.push_back(covariates.input_noise[i] + covariates.output_noise[i]);
+      continue;
     }
-    samples += static_cast<double>(covariates.samples());
+    const double input_N = covariates.tension_in_N()[i];
+    const double output_N = covariates.output_tension_N[i];
+    variances.push_back(1 / (input_N * input_N) + 1 / (output_N * output_N));
   }
-  return square > 0 ? logs / samples + std::log(square / samples) : 0;
+  return variances;
 }
 
-double most_likely_c(std::span<const Session> sessions,
-                     const std::vector<Eigen::VectorXd>& residuals) {
-  const double even = deviance(sessions, residuals, 0);
-  double best_N2 = 0;
-  double least = even - 2 * kLeastGain;
+/// A session by what it is weighed by.
+struct Spread {
+  std::vector<double> variances;
+  const Eigen::VectorXd& residual;
+
+  /// a^2 of the session at its best.
+  [[nodiscard]] double square(double c) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < variances.size(); ++i) {
+      const double value = residual(static_cast<Eigen::Index>(i));
+      sum += value * value / (1 + c * variances[i]);
+    }
+    return variances.empty() ? 0 : sum / static_cast<double>(variances.size());
+  }
+
+  /// -2 ln of the likelihood.
+  [[nodiscard]] double deviance(double c) const {
+    double logs = 0;
+    for (const double variance : variances) {
+      logs += std::log(1 + c * variance);
+    }
+    const double here = square(c);
+    return here > 0 ? logs + static_cast<double>(variances.size()) * std::log(here) : 0;
+  }
+};
+
+double deviance(const std::vector<Spread>& spreads, double c) {
+  double sum = 0;
+  for (const Spread& spread : spreads) {
+    sum += spread.deviance(c);
+  }
+  return sum;
+}
+
+double most_likely_c(const std::vector<Spread>& spreads, double samples) {
+  double best = 0;
+  double least = deviance(spreads, 0) - 2 * kLeastGain * samples;
   for (int i = 0; i < kLadderSteps; ++i) {
-    const double c_N2 = kLeast_c * std::pow(kStep, i);
-    const double here = deviance(sessions, residuals, c_N2);
+    const double c = kLeast_c * std::pow(kStep, i);
+    const double here = deviance(spreads, c);
     if (here < least) {
       least = here;
-      best_N2 = c_N2;
+      best = c;
     }
   }
-  return best_N2;
+  return best;
 }
 
 using Eigen::Index;
@@ -150,13 +176,43 @@ SampleWeights weights_of_mean_one(
 
 SampleWeights sample_weights(std::span<const Session> sessions,
                              const std::vector<Eigen::VectorXd>& residuals) {
-  const double c_N2 = most_likely_c(sessions, residuals);
-  if (c_N2 == 0) {
+  std::vector<Spread> spreads;
+  double samples = 0;
+  double all = 0;
+  for (std::size_t s = 0; s < sessions.size(); ++s) {
+    spreads.push_back({variances_of(sessions[s].covariates), residuals[s]});
+    samples += static_cast<double>(sessions[s].covariates.samples());
+    all = std::accumulate(spreads.back().variances.begin(), spreads.back().variances.end(), all);
+  }
+  for (Spread& spread : spreads) {
+    for (double& variance : spread.variances) {
+      variance *= samples / all;
+    }
+  }
+  double square = 0;
+  for (const Spread& spread : spreads) {
+    square += spread.residual.squaredNorm() / samples;
+  }
+  const double c = most_likely_c(spreads, samples);
+  if (square == 0 || deviance(spreads, c) > samples * std::log(square) - 2 * kLeastGain * samples) {
     return {};
   }
-  return weights_of_mean_one(sessions, [&](const recording::Covariates& covariates, std::size_t i) {
-    return 1 / (1 + c_N2 * inverse_square(covariates, i));
-  });
+  SampleWeights weights;
+  double sum = 0;
+  for (const Spread& spread : spreads) {
+    const double here_square = std::max(spread.square(c), kLeastOfMean * square);
+    std::vector<double>& here = weights.emplace_back();
+    for (const double variance : spread.variances) {
+      here.push_back(1 / (here_square * (1 + c * variance)));
+      sum += here.back();
+    }
+  }
+  for (std::vector<double>& here : weights) {
+    for (double& value : here) {
+      value *= samples / sum;
+    }
+  }
+  return weights;
 }
 
 SampleNoise sample_noise(std::span<const Session> sessions, const effects::Baseline& baseline,

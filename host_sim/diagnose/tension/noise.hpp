@@ -18,10 +18,10 @@ SampleWeights weights_of_mean_one(
     std::span<const Session> sessions,
     const std::function<double(const recording::Covariates& covariates, std::size_t i)>& weight);
 
-/// A sensor's own noise is in newtons, and in ln T it grows as 1/T: the variance of a sample is
-/// a^2 (1 + c q), q = 1/T_in^2 + 1/T_out^2. Finds c, in N^2, by the normal likelihood of residuals
-/// that have mean zero, and gives weights 1/(1 + c q), over their mean. c is 0 where low tension is
-/// not noisier beyond doubt.
+/// The variance of a sample is a^2 (1 + c q): a of each session, q the noise of both channels where
+/// it is known, else 1/T_in^2 + 1/T_out^2, as a sensor's own noise is in newtons. Finds c and each
+/// a by the normal likelihood of residuals that have mean zero, and gives weights of one over the
+/// variance, over their mean; none where that is no likelier than one variance beyond doubt.
 /// @param residuals one vector a session, as long as its samples
 SampleWeights sample_weights(std::span<const Session> sessions,
                              const std::vector<Eigen::VectorXd>& residuals);

@@ -12,6 +12,7 @@ namespace {
 namespace friction_load {
 
 constexpr double kReference_N = 50;
+constexpr int kRounds = 3;
 
 constexpr Parameter kParameters[] = {
     {.name = "load_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1, .expected = 1},
@@ -31,15 +32,22 @@ constexpr Separation kSeparations[] = {
 
 /// Along the sheath d ln T = -mu (T/T_0)^-k s d phi, so that T_in^k - T_out^k = k mu phi s T_0^k.
 /// Over the geometric mean M of both ends that is
-/// (2/k) sinh(k ln(T_in/T_out)/2) = mu phi s (T_0/M)^k, and r = mu phi s - ln(T_in/T_out).
+/// (2/k) sinh(k ln(T_in/T_out)/2) = mu phi s (T_0/M)^k, and r = mu phi s - ln(T_in/T_out). With P,
+/// the input between both ends by their noise, ln M = ln P - mu phi s/2 + (1/2 - w) r.
 Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
                 std::span<const double> shape) {
   const double exponent = shape[0];
   return {column_of(covariates, [&](std::size_t i) {
     const double grip = baseline.friction_coefficient * angle_and_direction(covariates, i);
-    const double mean_N = std::sqrt(covariates.tension_in_N()[i] * covariates.output_tension_N[i]);
-    const double there = grip * std::pow(kReference_N / mean_N, exponent);
-    return grip - 2 / exponent * std::asinh(exponent * there / 2);
+    const double mid_N = covariates.tension_in_N()[i] * to_mid_tension(covariates, baseline, i);
+    const double off_middle = 0.5 - input_noise_share(covariates, i);
+    double r = 0;
+    for (int round = 0; round < kRounds; ++round) {
+      const double mean_N = mid_N * std::exp(-grip / 2 + off_middle * r);
+      const double there = grip * std::pow(kReference_N / mean_N, exponent);
+      r = grip - 2 / exponent * std::asinh(exponent * there / 2);
+    }
+    return r;
   })};
 }
 
@@ -194,14 +202,14 @@ constexpr Separation kSeparations[] = {
     {"friction_load", "measure at low and at high tension"},
 };
 
-/// T_in - T_out exp(mu phi s) = F s; over the geometric mean G of both terms that is
-/// -2 sinh(r/2) = F s/G.
+/// T_in - T_out exp(mu phi s) = F s, over the tension between both terms.
 Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
                 std::span<const double> shape) {
   const double preload_N = shape[0];
   return {column_of(covariates, [&](std::size_t i) {
     const double mid_N = covariates.tension_in_N()[i] * to_mid_tension(covariates, baseline, i);
-    return -2 * std::asinh(preload_N * covariates.direction[i] / mid_N / 2);
+    return log_of_difference(preload_N * covariates.direction[i] / mid_N,
+                             input_noise_share(covariates, i));
   })};
 }
 

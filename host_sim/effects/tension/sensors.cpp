@@ -30,13 +30,13 @@ constexpr Separation kSeparations[] = {
 
 constexpr Need kNeeds[] = {kCurrentNeed};
 
-/// The true current is i - b; over the geometric mean m of it and i that is -2 sinh(r/2) = b/m.
+/// The true current is i - b; the difference b over the current between both.
 Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
                 std::span<const double> shape) {
   const double offset_A = shape[0];
   return {column_of(covariates, [&](std::size_t i) {
     const double mid_A = covariates.current_A[i] * to_mid_tension(covariates, baseline, i);
-    return -2 * std::asinh(offset_A / mid_A / 2);
+    return log_of_difference(offset_A / mid_A, input_noise_share(covariates, i));
   })};
 }
 
