@@ -182,7 +182,6 @@ struct DiagnoseOptions {
   std::uint64_t seed = 1;
   unsigned threads = 0;              ///< 0: all cores; the answer does not depend on it
   std::vector<std::string> without;  ///< effects that are taken out of the catalogue
-  bool steps = true;                 ///< Findings::steps, which take a while
   std::function<void(double share)> progress = nullptr;
 };
 

@@ -48,10 +48,12 @@ class Search {
   void run() {
     while (model_.terms.size() < kMostForceTerms && grow()) {
     }
-    while (prune()) {
-    }
-    for (std::size_t i = 0; i < judged_.size(); ++i) {
-      judged_[i].others = stand_ins(i);
+    for (int round = 0; round < kRounds; ++round) {
+      while (prune()) {
+      }
+      if (!exchange(round + 1 < kRounds)) {
+        break;
+      }
     }
   }
 
@@ -61,20 +63,36 @@ class Search {
   [[nodiscard]] double rmse_N() const { return data_.rmse_N(model_N2_); }
   [[nodiscard]] const std::vector<Judged>& judged() const { return judged_; }
 
- private:
-  static constexpr int kIterations = 15;
-
   struct Candidate {
     ForceFit fit;
     std::vector<double> held_N2;
   };
+
+  /// From the nominal model on, one term more each: those that stay in the order in which they
+  /// came, or where none stays all that came.
+  [[nodiscard]] std::vector<Candidate> stairs() const {
+    std::vector<Candidate> stairs{{nominal_, nominal_N2_}};
+    for (const ForceTerm term : grown_) {
+      if (judged_.empty() || std::ranges::find(judged_, term, &Judged::term) != judged_.end()) {
+        Candidate next{data_.with(stairs.back().fit, term), {}};
+        next.held_N2 = data_.held_out_N2(next.fit);
+        stairs.push_back(std::move(next));
+      }
+    }
+    return stairs;
+  }
+
+ private:
+  static constexpr int kIterations = 15;
+  static constexpr int kRounds = 3;  ///< of terms that take the place of others
 
   [[nodiscard]] std::vector<ForceTerm> outside() const {
     std::vector<ForceTerm> terms;
     for (unsigned i = 0; i < kForceTermCount; ++i) {
       const auto term = static_cast<ForceTerm>(i);
       const bool wanted = std::ranges::find(without_, definition_of(term).id) == without_.end();
-      if (wanted && std::ranges::find(model_.terms, term) == model_.terms.end()) {
+      if (wanted && is_shown(term, data_.records()) &&
+          std::ranges::find(model_.terms, term) == model_.terms.end()) {
         terms.push_back(term);
       }
     }
@@ -111,6 +129,7 @@ class Search {
     }
     model_ = best->fit;
     model_N2_ = best->held_N2;
+    grown_.push_back(model_.terms.back());
     return true;
   }
 
@@ -140,21 +159,34 @@ class Search {
     return true;
   }
 
-  /// Terms that do as well in the place of one.
-  [[nodiscard]] std::vector<ForceTerm> stand_ins(std::size_t place) const {
+  /// Finds what could stand in the place of each term. Where that does better it takes the place,
+  /// as long as that is allowed, and all are judged anew.
+  bool exchange(bool allowed) {
+    for (std::size_t place = 0; place < judged_.size(); ++place) {
+      for (Candidate& one : in_place_of(place)) {
+        const PairedGain lost = paired_gain(one.held_N2, model_N2_);
+        if (allowed && lost.mean < -kWorthTrying && lost.z < -kSeen) {
+          grown_.push_back(one.fit.terms.back());
+          model_ = std::move(one.fit);
+          model_N2_ = std::move(one.held_N2);
+          return true;
+        }
+        if (lost.mean < kStandsIn || lost.z < kSeen) {
+          judged_[place].others.push_back(one.fit.terms.back());
+        }
+      }
+    }
+    return false;
+  }
+
+  /// The model with another term in the place of one, where it fits nearly as well or better.
+  [[nodiscard]] std::vector<Candidate> in_place_of(std::size_t place) const {
     std::vector<Candidate> all = with_each(judged_[place].without, outside());
     std::erase_if(all, [&](const Candidate& one) {
       return std::log(one.fit.square_N2 / model_.square_N2) / 2 > 2 * kStandsIn;
     });
     hold_out(all);
-    std::vector<ForceTerm> terms;
-    for (const Candidate& one : all) {
-      const PairedGain lost = paired_gain(one.held_N2, model_N2_);
-      if (lost.mean < kStandsIn || lost.z < kSeen) {
-        terms.push_back(one.fit.terms.back());
-      }
-    }
-    return terms;
+    return all;
   }
 
   const ForceData& data_;
@@ -165,6 +197,7 @@ class Search {
   ForceFit model_;
   std::vector<double> model_N2_;
   std::vector<Judged> judged_;
+  std::vector<ForceTerm> grown_;
 };
 
 /// Laplace: the standard errors of the gain as evidence, one parameter more for as many sessions.
@@ -357,6 +390,7 @@ class Report {
     findings.verdict = verdict();
     add_candidates(findings);
     add_effects(findings);
+    findings.steps = steps();
     findings.gain = gain();
     const double share = search_.rmse_N() / search_.nominal_rmse_N();
     findings.remainder = Remainder{.share = share * share,
@@ -383,10 +417,14 @@ class Report {
       constexpr double kChance = 0.01;
       return left_.p < kChance ? Verdict::unknown : Verdict::none;
     }
-    const bool all = std::ranges::all_of(judged, [&](const Judged& one) {
-      return one.others.empty() && probability_of(one.gain, data_.records().size()) >= kNamed;
-    });
-    return all ? Verdict::named : Verdict::ambiguous;
+    return std::ranges::any_of(judged, [&](const Judged& one) { return stands(one); })
+               ? Verdict::named
+               : Verdict::ambiguous;
+  }
+
+  /// By itself: nothing could be in its place.
+  [[nodiscard]] bool stands(const Judged& one) const {
+    return one.others.empty() && probability_of(one.gain, data_.records().size()) >= kNamed;
   }
 
   void add_candidates(Findings& findings) const {
@@ -394,6 +432,9 @@ class Report {
     double all = few() ? 0 : 1;
     std::vector<std::string> ids;
     for (const Judged& one : search_.judged()) {
+      if (findings.verdict == Verdict::named && !stands(one)) {
+        continue;
+      }
       ids.emplace_back(definition_of(one.term).id);
       all *= probability_of(one.gain, data_.records().size()) /
              static_cast<double>(1 + one.others.size());
@@ -411,27 +452,37 @@ class Report {
     }
   }
 
+  /// A term with its parameters, but for its probability.
+  [[nodiscard]] FoundEffect effect_of(ForceTerm term, const ForceFit& model) const {
+    const ForceTermDefinition& of = definition_of(term);
+    FoundEffect found{.id = std::string(of.id),
+                      .term = std::string(of.term),
+                      .equation = std::string(of.equation),
+                      .life_consequence = std::string(of.life_consequence),
+                      .probability = 0,
+                      .parameters = {}};
+    const std::vector<double> half = data_.half_widths(model);
+    std::size_t next = 2;
+    for (const ForceTerm before : model.terms) {
+      for (const ForceParameter& parameter : parameters_of(before, data_.scales())) {
+        const double value = model.parameters[next];
+        if (before == term) {
+          found.parameters.push_back({std::string(parameter.name), std::string(parameter.unit),
+                                      value, value - half[next], value + half[next]});
+        }
+        ++next;
+      }
+    }
+    return found;
+  }
+
   void add_effects(Findings& findings) const {
     if (findings.verdict != Verdict::named && findings.verdict != Verdict::ambiguous) {
       return;
     }
-    const ForceFit& model = search_.model();
-    const std::vector<double> half = data_.half_widths(model);
-    std::size_t next = 2;
     for (const Judged& one : search_.judged()) {
-      const ForceTermDefinition& of = definition_of(one.term);
-      FoundEffect found{.id = std::string(of.id),
-                        .term = std::string(of.term),
-                        .equation = std::string(of.equation),
-                        .life_consequence = std::string(of.life_consequence),
-                        .probability = probability_of(one.gain, data_.records().size()),
-                        .parameters = {}};
-      for (const ForceParameter& parameter : parameters_of(one.term, data_.scales())) {
-        const double value = model.parameters[next];
-        found.parameters.push_back({std::string(parameter.name), std::string(parameter.unit), value,
-                                    value - half[next], value + half[next]});
-        ++next;
-      }
+      FoundEffect found = effect_of(one.term, search_.model());
+      found.probability = probability_of(one.gain, data_.records().size());
       if (!one.others.empty()) {
         std::vector<std::string> same{found.id};
         for (const ForceTerm other : one.others) {
@@ -442,7 +493,9 @@ class Report {
       if (findings.verdict == Verdict::named) {
         add_extension(one.term, found.parameters, findings);
       }
-      findings.effects.push_back(std::move(found));
+      if (findings.verdict != Verdict::named || stands(one)) {
+        findings.effects.push_back(std::move(found));
+      }
     }
   }
 
@@ -463,15 +516,40 @@ class Report {
     }
   }
 
+  static double density(double rmse_N) {
+    return -std::log(rmse_N) - std::log(2 * std::numbers::pi) / 2 - 0.5;
+  }
+
+  [[nodiscard]] std::vector<Step> steps() const {
+    std::vector<Step> steps;
+    const std::vector<Search::Candidate> stairs = search_.stairs();
+    for (std::size_t i = 0; i < stairs.size(); ++i) {
+      const double rmse_N = data_.rmse_N(stairs[i].held_N2);
+      Step step{.effect = {},
+                .output_rmse_N = output_rmse_N(data_, stairs[i].fit),
+                .input_rmse_N = rmse_N,
+                .log_predictive_density = density(rmse_N),
+                .sessions = static_cast<int>(data_.records().size())};
+      if (i > 0) {
+        const std::vector<double>& before_N2 = stairs[i - 1].held_N2;
+        step.effect = effect_of(stairs[i].fit.terms.back(), stairs[i].fit);
+        step.effect.probability =
+            probability_of(paired_gain(before_N2, stairs[i].held_N2), data_.records().size());
+        for (std::size_t j = 0; j < before_N2.size(); ++j) {
+          step.sessions_better += stairs[i].held_N2[j] < before_N2[j] ? 1 : 0;
+        }
+      }
+      steps.push_back(std::move(step));
+    }
+    return steps;
+  }
+
   [[nodiscard]] HeldOutGain gain() const {
     if (search_.judged().empty() || few()) {
       return {};
     }
     const double before = search_.nominal_rmse_N();
     const double after = search_.rmse_N();
-    const auto density = [](double rmse_N) {
-      return -std::log(rmse_N) - std::log(2 * std::numbers::pi) / 2 - 0.5;
-    };
     return {.held_out_by = "session",
             .metrics = {{"rmse_N", output_rmse_N(data_, search_.nominal()),
                          output_rmse_N(data_, search_.model())},

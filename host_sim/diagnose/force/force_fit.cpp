@@ -13,6 +13,7 @@ namespace host_sim::diagnose {
 namespace {
 
 constexpr int kIterations = 15;
+constexpr int kFirstIterations = 4;  ///< of each start
 constexpr int kFoldIterations = 4;
 
 Eigen::Map<const Eigen::VectorXd> vector_of(const std::vector<double>& values) {
@@ -168,12 +169,12 @@ ForceFit ForceData::with(const ForceFit& from, ForceTerm more) const {
     for (const ForceParameter& parameter : added) {
       parameters.push_back(parameter.starts[std::min(start, parameter.starts.size() - 1)]);
     }
-    ForceFit found = fit(terms, std::move(parameters), kIterations);
+    ForceFit found = fit(terms, std::move(parameters), kFirstIterations);
     if (start == 0 || found.square_N2 < best.square_N2) {
       best = std::move(found);
     }
   }
-  return best;
+  return fit(terms, std::move(best.parameters), kIterations);
 }
 
 ForceFit ForceData::without(const ForceFit& from, std::size_t place) const {
@@ -242,8 +243,8 @@ bool ForceData::at_bound(const ForceFit& fit, std::size_t term) const {
   for (const ForceParameter& parameter : parameters_of(fit.terms[term], scales_)) {
     const double value = fit.parameters[next++];
     const double margin = 1e-3 * (parameter.maximum - parameter.minimum);
-    if (value > parameter.maximum - margin ||
-        (parameter.minimum < 0 && value < parameter.minimum + margin)) {
+    const bool lowest = parameter.minimum != 0;
+    if (value > parameter.maximum - margin || (lowest && value < parameter.minimum + margin)) {
       return true;
     }
   }

@@ -27,12 +27,14 @@ constexpr std::array<ForceTermDefinition, kForceTermCount> kDefinitions{{
      "damage gathers where the stroke meets more friction"},
     {"slack", "backlash", "no friction within b of a reversal",
      "the tendon runs free at reversals, and shocks follow"},
-    {"compliance", "sheath and tendon elasticity", "s = sgn(v - dT/dt / k)",
+    {"compliance", "sheath and tendon elasticity", "dT_in = k dx within what friction holds",
      "reversals of the friction come late, which changes small cycles"},
     {"filter_lag", "first-order lag of a sensor", "T_out + tau dT_out/dt",
      "peaks of fast cycles are read too low"},
     {"load_cell_zero", "zero of the output sensor", "T_out - b",
      "every tension is read too high or too low by the same force"},
+    {"friction_temperature", "temperature-dependent friction", "all friction (1 + k (T - 20 C))",
+     "a sheath that is warmer has another friction, and damage goes with it"},
 }};
 
 double quantile(std::vector<double>& values, double share) {
@@ -52,9 +54,10 @@ struct Values {
   double load_exponent = 0;
   std::array<double, 2 * kHarmonics> harmonics{};
   double slack_m = 0;
-  double compliance_m_N = 0;
+  double stiffness_N_m = 0;
   double lag_s = 0;
   double zero_N = 0;
+  double temperature_1_K = 0;
 
   Values(const ForceTerms& terms, std::span<const double> parameters) {
     auto next = parameters.begin();
@@ -84,13 +87,16 @@ struct Values {
           slack_m = *next++;
           break;
         case ForceTerm::compliance:
-          compliance_m_N = *next++;
+          stiffness_N_m = *next++;
           break;
         case ForceTerm::lag:
           lag_s = *next++;
           break;
         case ForceTerm::zero:
           zero_N = *next++;
+          break;
+        case ForceTerm::temperature:
+          temperature_1_K = *next++;
           break;
       }
     }
@@ -116,8 +122,7 @@ class Slip {
   double at(const ForceRecord& record, std::size_t i) {
     const double moved_m = record.position_m[i] - before_m_;
     before_m_ = record.position_m[i];
-    double slip = std::tanh(
-        (record.velocity_m_s[i] - values_.compliance_m_N * record.output_rate_N_s[i]) / edge_m_s_);
+    double slip = std::tanh(record.velocity_m_s[i] / edge_m_s_);
     if (values_.slack_m > 0) {
       taken_up_ = std::clamp(taken_up_ + 2 * moved_m / values_.slack_m, -1.0, 1.0);
       slip = std::abs(taken_up_) == 1 && taken_up_ * slip > 0 ? slip : 0;
@@ -170,6 +175,12 @@ const ForceTermDefinition& definition_of(ForceTerm term) {
   return kDefinitions[static_cast<std::size_t>(term)];
 }
 
+bool is_shown(ForceTerm term, std::span<const ForceRecord> records) {
+  return term != ForceTerm::temperature ||
+         std::ranges::none_of(
+             records, [](const ForceRecord& one) { return one.sheath_temperature_C.empty(); });
+}
+
 std::vector<ForceParameter> parameters_of(ForceTerm term, const ForceScales& scales) {
   const double force_N = scales.force_N;
   const double speed_m_s = scales.speed_m_s;
@@ -196,15 +207,17 @@ std::vector<ForceParameter> parameters_of(ForceTerm term, const ForceScales& sca
     case ForceTerm::slack:
       return {{"slack_m", "m", 0, 0.3 * stroke_m, {0.01 * stroke_m, 0.05 * stroke_m}}};
     case ForceTerm::compliance:
-      return {{"compliance_m_N",
-               "m/N",
-               0,
-               stroke_m / force_N,
-               {0.01 * stroke_m / force_N, 0.1 * stroke_m / force_N}}};
+      return {{"stiffness_N_m",
+               "N/m",
+               0.1 * force_N / stroke_m,
+               1e4 * force_N / stroke_m,
+               {3 * force_N / stroke_m, 30 * force_N / stroke_m, 300 * force_N / stroke_m}}};
     case ForceTerm::lag:
       return {{"lag_s", "s", -0.1, 0.1, {0.005, -0.005}}};
     case ForceTerm::zero:
       return {{"load_cell_zero_N", "N", -force_N, force_N, {0.01 * force_N}}};
+    case ForceTerm::temperature:
+      return {{"temperature_coefficient_1_K", "1/K", -0.05, 0.05, {0.001}}};
   }
   return {};
 }
@@ -220,6 +233,36 @@ std::vector<ForceParameter> parameters_of(const ForceTerms& terms, const ForceSc
   return all;
 }
 
+namespace {
+
+/// Input force before the gain at one sample, for a friction that is turned over by `slip`.
+double input_at(const ForceRecord& record, std::size_t i, const Values& values,
+                const ForceScales& scales, double slip) {
+  constexpr double kReference_C = 20;
+  const double output_N =
+      record.output_N[i] - values.zero_N + values.lag_s * record.output_rate_N_s[i];
+  const double size_N = std::abs(output_N);
+  const double speed_m_s = std::abs(record.velocity_m_s[i]);
+  double factor =
+      values.position_factor((record.position_m[i] - scales.position_m) / scales.stroke_m);
+  if (values.temperature_1_K != 0) {
+    factor *= 1 + values.temperature_1_K * (record.sheath_temperature_C[i] - kReference_C);
+  }
+  double log_ratio = (values.friction + values.viscous_friction_s_m * speed_m_s) * factor *
+                     record.bend_angle_rad[i] * slip;
+  if (values.load_exponent != 0) {
+    log_ratio *= std::pow(std::max(size_N / scales.force_N, kLeastLoad), -values.load_exponent);
+  }
+  // A force the other way round is that of the other tendon, whose motion is the other way too.
+  const double side = output_N < 0 ? -1 : 1;
+  const double sheath_N =
+      side * size_N * std::expm1(std::clamp(side * log_ratio, -kMostLogRatio, kMostLogRatio));
+  const double other_N = values.preload_N * factor + values.viscous_N_s_m * speed_m_s;
+  return output_N + sheath_N + other_N * slip;
+}
+
+}  // namespace
+
 void predict_input(const ForceRecord& record, const ForceTerms& terms, const ForceScales& scales,
                    std::span<const double> parameters, std::vector<double>& input_N) {
   const Values values(terms, parameters);
@@ -228,25 +271,19 @@ void predict_input(const ForceRecord& record, const ForceTerms& terms, const For
     return;
   }
   Slip slips(values, scales, record.position_m.front());
+  double held_N = 0;
   for (std::size_t i = 0; i < record.samples(); ++i) {
     const double slip = slips.at(record, i);
-    const double output_N =
-        record.output_N[i] - values.zero_N + values.lag_s * record.output_rate_N_s[i];
-    const double size_N = std::abs(output_N);
-    const double speed_m_s = std::abs(record.velocity_m_s[i]);
-    const double factor =
-        values.position_factor((record.position_m[i] - scales.position_m) / scales.stroke_m);
-    double log_ratio = (values.friction + values.viscous_friction_s_m * speed_m_s) * factor *
-                       record.bend_angle_rad[i] * slip;
-    if (values.load_exponent != 0) {
-      log_ratio *= std::pow(std::max(size_N / scales.force_N, kLeastLoad), -values.load_exponent);
+    if (values.stiffness_N_m > 0 && i > 0) {
+      // Between slips the input follows the spring; it never leaves what friction holds.
+      const auto [low_N, high_N] = std::minmax(
+          {input_at(record, i, values, scales, -1), input_at(record, i, values, scales, 1)});
+      held_N += values.stiffness_N_m * (record.position_m[i] - record.position_m[i - 1]);
+      held_N = std::clamp(held_N, low_N, high_N);
+    } else {
+      held_N = input_at(record, i, values, scales, slip);
     }
-    // A force the other way round is that of the other tendon, whose motion is the other way too.
-    const double side = output_N < 0 ? -1 : 1;
-    const double sheath_N =
-        side * size_N * std::expm1(std::clamp(side * log_ratio, -kMostLogRatio, kMostLogRatio));
-    const double other_N = (values.preload_N * factor + values.viscous_N_s_m * speed_m_s) * slip;
-    input_N[i] = values.gain * (output_N + sheath_N + other_N);
+    input_N[i] = values.gain * held_N;
   }
 }
 

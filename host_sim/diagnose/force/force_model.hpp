@@ -19,6 +19,7 @@ struct ForceRecord {
   std::vector<double> velocity_m_s;
   std::vector<double> position_m;
   std::vector<double> bend_angle_rad;
+  std::vector<double> sheath_temperature_C;  ///< empty where no session varies in it
   std::vector<bool> used;    ///< whether it counts; motion goes on where it does not
   bool rotor_known = false;  ///< the position is that of the rotor and not an integral
 
@@ -47,8 +48,9 @@ enum class ForceTerm : unsigned {
   compliance,
   lag,
   zero,
+  temperature,
 };
-inline constexpr std::size_t kForceTermCount = 9;
+inline constexpr std::size_t kForceTermCount = 10;
 using ForceTerms = std::vector<ForceTerm>;
 
 /// A parameter with bounds of physics, and what a fit tries to start with.
@@ -67,6 +69,8 @@ struct ForceTermDefinition {
   std::string_view life_consequence;
 };
 const ForceTermDefinition& definition_of(ForceTerm term);
+/// Whether the records hold what a term needs.
+bool is_shown(ForceTerm term, std::span<const ForceRecord> records);
 std::vector<ForceParameter> parameters_of(ForceTerm term, const ForceScales& scales);
 
 /// Gain and friction coefficient, then the parameters of each term in order.

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 #include "hal/files/input_error.hpp"
@@ -100,6 +101,24 @@ void leave_out(const Recording& recording, const std::vector<Fault>& faults, For
   }
 }
 
+/// What hardly varies shows nothing.
+void leave_out_even_temperature(std::vector<ForceRecord>& records) {
+  constexpr double kLeast_K = 3;
+  double least_C = HUGE_VAL;
+  double most_C = -HUGE_VAL;
+  for (const ForceRecord& record : records) {
+    for (const double value_C : record.sheath_temperature_C) {
+      least_C = std::min(least_C, value_C);
+      most_C = std::max(most_C, value_C);
+    }
+  }
+  if (most_C - least_C < kLeast_K) {
+    for (ForceRecord& record : records) {
+      record.sheath_temperature_C.clear();
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<ForceRecord> force_records(const std::vector<Recording>& recordings,
@@ -124,11 +143,15 @@ std::vector<ForceRecord> force_records(const std::vector<Recording>& recordings,
         nominal.drive && recording.has(kMotorAngle) && !constant(recording, faults, kMotorAngle);
     record.position_m = position_of(recording, record.rotor_known, nominal);
     record.bend_angle_rad = angle_of(recording, nominal);
+    if (recording.has(kSheathTemperature)) {
+      record.sheath_temperature_C = recording[kSheathTemperature];
+    }
     record.used.assign(record.samples(), true);
     leave_out(recording, faults, record);
     const std::size_t step = std::max<std::size_t>(1, record.samples() / kMostForceSamples);
     for (auto* values : {&record.time_s, &record.input_N, &record.output_N, &record.output_rate_N_s,
-                         &record.velocity_m_s, &record.position_m, &record.bend_angle_rad}) {
+                         &record.velocity_m_s, &record.position_m, &record.bend_angle_rad,
+                         &record.sheath_temperature_C}) {
       thin(*values, step);
     }
     thin(record.used, step);
@@ -136,6 +159,7 @@ std::vector<ForceRecord> force_records(const std::vector<Recording>& recordings,
       records.push_back(std::move(record));
     }
   }
+  leave_out_even_temperature(records);
   return records;
 }
 

@@ -38,6 +38,7 @@ std::optional<Extension> written_term(ForceTerm term, std::span<const double> va
     case ForceTerm::presliding:
     case ForceTerm::load:
     case ForceTerm::lag:
+    case ForceTerm::temperature:
     case ForceTerm::velocity: {
       Extension extension{id, {}};
       std::size_t next = 0;

@@ -16,7 +16,6 @@
 #include "host_sim/diagnose/tension/noise.hpp"
 #include "host_sim/diagnose/tension/pictures.hpp"
 #include "host_sim/diagnose/tension/prose.hpp"
-#include "host_sim/diagnose/tension/steps.hpp"
 #include "host_sim/statistics/distribution.hpp"
 
 namespace host_sim::diagnose {
@@ -97,9 +96,6 @@ class Diagnoser {
     if (findings.verdict == Verdict::named && evidence_.sessions.size() >= kLeastSessions) {
       findings.gain = measure_gain(evidence_, model, constants_);
       withdraw_unless_improved(findings);
-    }
-    if (findings.verdict == Verdict::unknown && !few() && options_.steps) {
-      findings.steps = steps_of(evidence_, wanted_, dispersion_, constants_);
     }
     report(0.9);
     add_refitted(model, diagnosis);
@@ -310,10 +306,12 @@ constexpr double kMostLeft = 0.25;
 void explain_in_newtons(TensionDiagnosis forces, double force_N, TensionDiagnosis& diagnosis) {
   Findings& findings = diagnosis.findings;
   findings.remainder = forces.findings.remainder;
+  findings.steps = std::move(forces.findings.steps);
   if (forces.findings.verdict != Verdict::named || !findings.remainder ||
       findings.remainder->share > kMostLeft ||
       findings.remainder->input_rmse_N / std::sqrt(findings.remainder->share) <
           kLargeError * force_N) {
+    findings.prose += how_far(findings.steps);
     return;
   }
   findings.verdict = forces.findings.verdict;

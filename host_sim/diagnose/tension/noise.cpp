@@ -152,28 +152,6 @@ double long_run_ratio(const std::vector<Eigen::VectorXd>& residuals, double auto
 
 }  // namespace
 
-SampleWeights weights_of_mean_one(
-    std::span<const Session> sessions,
-    const std::function<double(const recording::Covariates& covariates, std::size_t i)>& weight) {
-  SampleWeights weights;
-  double sum = 0;
-  double samples = 0;
-  for (const Session& session : sessions) {
-    std::vector<double>& here = weights.emplace_back();
-    for (std::size_t i = 0; i < session.covariates.samples(); ++i) {
-      here.push_back(weight(session.covariates, i));
-      sum += here.back();
-    }
-    samples += static_cast<double>(here.size());
-  }
-  for (std::vector<double>& here : weights) {
-    for (double& value : here) {
-      value *= samples / sum;
-    }
-  }
-  return weights;
-}
-
 SampleWeights sample_weights(std::span<const Session> sessions,
                              const std::vector<Eigen::VectorXd>& residuals) {
   std::vector<Spread> spreads;

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -12,11 +11,6 @@ namespace host_sim::diagnose {
 
 /// By session, a weight for each sample; none where all are 1.
 using SampleWeights = std::vector<std::vector<double>>;
-
-/// What `weight` says of each sample of each session, over the mean of all.
-SampleWeights weights_of_mean_one(
-    std::span<const Session> sessions,
-    const std::function<double(const recording::Covariates& covariates, std::size_t i)>& weight);
 
 /// The variance of a sample is a^2 (1 + c q): a of each session, q the noise of both channels where
 /// it is known, else 1/T_in^2 + 1/T_out^2, as a sensor's own noise is in newtons. Finds c and each

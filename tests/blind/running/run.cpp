@@ -23,7 +23,6 @@ void analyse(const std::filesystem::path& folder, const Analysis& analysis,
   host_sim::diagnose::DiagnoseOptions asked;
   asked.seed = record.truth.seed;
   asked.threads = 1;
-  asked.steps = false;
   asked.without = options.without;
   const Clock::time_point start = Clock::now();
   try {

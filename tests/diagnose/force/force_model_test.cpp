@@ -106,9 +106,25 @@ TEST(ForceModel, SensorsShiftAndDelayTheOutput) {
   ForceRecord rising = record({0, 0.1}, 1, 10);
   rising.output_rate_N_s.assign(2, 20);
   EXPECT_NEAR(predicted(rising, {ForceTerm::lag}, {1, 0, 0.01}), 10.2, 1e-9);
-  // The tendon gives way by 20 N/s over 10 N/m: 2 m/s, more than it is drawn.
-  EXPECT_NEAR(predicted(rising, {ForceTerm::compliance}, {1, 0.1, 0.1}), 10 * std::exp(-0.1 * pi),
+}
+
+/// T_out 10 N, friction 2 N: 12 N sliding one way, 8 N the other. From 12 N a spring of 30 N/m
+/// gives 3 N for 0.1 m back, and stays where friction holds no more.
+TEST(ForceModel, ASpringFollowsTheMotionWithinWhatFrictionHolds) {
+  const ForceRecord back = record({0, -0.05}, 1, 10);
+  EXPECT_NEAR(predicted(back, {ForceTerm::preload, ForceTerm::compliance}, {1, 0, 2, 30}), 10.5,
               1e-6);
+  EXPECT_NEAR(predicted(record({0, -0.3}, 1, 10), {ForceTerm::preload, ForceTerm::compliance},
+                        {1, 0, 2, 30}),
+              8, 1e-6);
+}
+
+/// 1 + 0.01 (35 - 20) of 2 N.
+TEST(ForceModel, FrictionGoesWithTemperature) {
+  ForceRecord warm = record({0, 0.1}, 1, 10);
+  warm.sheath_temperature_C.assign(2, 35);
+  EXPECT_NEAR(predicted(warm, {ForceTerm::preload, ForceTerm::temperature}, {1, 0, 2, 0.01}), 12.3,
+              1e-9);
 }
 
 TEST(ForceModel, ScalesAreOfAllRecords) {

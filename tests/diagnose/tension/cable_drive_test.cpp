@@ -48,9 +48,10 @@ const Step* step_of(const std::vector<Step>& steps, std::string_view id) {
   return found == steps.end() ? nullptr : &*found;
 }
 
-/// Found by least squares on all samples, in mNm of drive torque: 67 for a constant ratio, 34 with
-/// load-independent friction, 32.8 with Capstan friction too, 21.1 with dependence on position.
-TEST(DiagnoseCableDrive, TellsPreloadAndPositionApartFromCapstan) {
+/// Found by least squares, in mNm of drive torque: 67 for a constant ratio, 34 with load-independent
+/// friction, 32.8 with Capstan friction too, 21.1 with dependence on position; sessions held out,
+/// 37.3 for Capstan with load-independent friction, 12.4 once it is turned over along the way.
+TEST(DiagnoseCableDrive, TakesOffTheErrorOfCapstanStepByStep) {
   if (!std::filesystem::exists(kDrive)) {
     GTEST_SKIP() << "NOT CHECKED: there is no " << kDrive
                  << "; configure with -DTENDONLIFE_SHARED=<folder that holds data/>";
@@ -71,7 +72,7 @@ TEST(DiagnoseCableDrive, TellsPreloadAndPositionApartFromCapstan) {
   ASSERT_GE(findings.steps.size(), 3U);
   const Step& capstan = findings.steps.front();
   EXPECT_TRUE(capstan.effect.id.empty());
-  for (const char* const id : {"friction_position", "friction_preload"}) {
+  for (const char* const id : {"presliding", "friction_preload"}) {
     const Step* const step = step_of(findings.steps, id);
     ASSERT_NE(step, nullptr) << id;
     EXPECT_GT(step->effect.probability, 0.95) << id;
@@ -84,9 +85,8 @@ TEST(DiagnoseCableDrive, TellsPreloadAndPositionApartFromCapstan) {
   EXPECT_LT(left_mNm / ratio_mNm, 21.1 / 67);
   EXPECT_LT(left_mNm, 0.5 * kPulley_mm * capstan.input_rmse_N);
   EXPECT_LT(findings.steps.back().output_rmse_N, 0.5 * capstan.output_rmse_N);
-  // In newtons less is left than by signatures.
   ASSERT_TRUE(findings.remainder);
-  EXPECT_LT(kPulley_mm * findings.remainder->input_rmse_N, left_mNm);
+  EXPECT_NEAR(kPulley_mm * findings.remainder->input_rmse_N, left_mNm, 1);
   for (const Discrepancy& discrepancy : findings.discrepancies) {
     EXPECT_LT(discrepancy.p, 0.01) << discrepancy.covariate;
   }

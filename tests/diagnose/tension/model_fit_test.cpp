@@ -113,5 +113,24 @@ TEST(ModelFit, FindsTheScatterOfSessions) {
   EXPECT_NEAR(std::exp(log_friction), 0.01, 0.0035);
 }
 
+/// T_out = (T_in - F s) exp(-mu phi s), and the other way round, whatever the tension that is asked
+/// for was measured as.
+TEST(Predicted, IsOfTheOtherTensionAlone) {
+  std::vector<Session> sessions = sessions_of(small_design());
+  const Session& measured = sessions[3];
+  const Evidence evidence = evidence_of(sessions, 0.01);
+  const std::vector<Component> preload{component("friction_preload", {4})};
+  const GramLayout layout = layout_of(sessions, evidence.options.baseline, wanted_of(preload));
+  const ModelFit fit{.noise = {}, .coefficients = Eigen::Vector3d(0, 0, 1), .covariance = {}};
+  const Predicted predicted = predict(measured, layout, evidence.options.baseline, fit);
+  const recording::Covariates& c = measured.covariates;
+  for (std::size_t i = 0; i < c.samples(); ++i) {
+    const double gripped = std::exp(kMu * c.bend_angle_rad[i] * c.direction[i]);
+    const double preload_N = 4 * c.direction[i];
+    ASSERT_NEAR(predicted.output_N[i], (c.tension_in_N()[i] - preload_N) / gripped, 1e-2);
+    ASSERT_NEAR(predicted.input_N[i], c.output_tension_N[i] * gripped + preload_N, 1e-2);
+  }
+}
+
 }  // namespace
 }  // namespace host_sim::diagnose::testing
