@@ -48,9 +48,10 @@ const Step* step_of(const std::vector<Step>& steps, std::string_view id) {
   return found == steps.end() ? nullptr : &*found;
 }
 
-/// Found by least squares, in mNm of drive torque: 67 for a constant ratio, 34 with load-independent
-/// friction, 32.8 with Capstan friction too, 21.1 with dependence on position; sessions held out,
-/// 37.3 for Capstan with load-independent friction, 12.4 once it is turned over along the way.
+/// Found by least squares, in mNm of drive torque: 67 for a constant ratio, 34 with
+/// load-independent friction, 32.8 with Capstan friction too, 21.1 with dependence on position;
+/// sessions held out, 37.3 for Capstan with load-independent friction, 12.4 once it is turned over
+/// along the way.
 TEST(DiagnoseCableDrive, TakesOffTheErrorOfCapstanStepByStep) {
   if (!std::filesystem::exists(kDrive)) {
     GTEST_SKIP() << "NOT CHECKED: there is no " << kDrive
