@@ -121,11 +121,23 @@ std::string discrepancies() {
          "be large.";
 }
 
-std::string steps() {
-  return "As far as the catalogue goes: the nominal model, then one effect more in each row, each "
-         "the one that the recordings speak for most. The errors are of sessions that the fit "
-         "never saw, of each tension from the other. The probabilities are those that the effects "
-         "would have if the catalogue held all that there is, which it does not: nothing is named.";
+std::string steps(const diagnose::Findings& findings) {
+  const std::string text =
+      "As far as the catalogue goes: the nominal model, then one effect more in each row, each "
+      "the one that the recordings speak for most. The errors are of sessions that the fit "
+      "never saw, of each tension from the other. The probabilities are those that the effects "
+      "would have if the catalogue held all that there is, which it does not";
+  return text + (findings.effects.empty() ? ": nothing is named." : ".");
+}
+
+std::string steps_chart() {
+  return "How far down each effect of the catalogue brings the error on sessions that the fit "
+         "never "
+         "saw.";
+}
+
+std::string gain_chart() {
+  return "How far down the extension brings the error on data that the fit did not use.";
 }
 
 std::string gain(const diagnose::HeldOutGain& gain) {

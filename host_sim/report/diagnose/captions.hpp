@@ -18,7 +18,9 @@ namespace host_sim::diagnose_page::captions {
 [[nodiscard]] std::string ratio_after();
 [[nodiscard]] std::string ranking(const diagnose::Findings& findings);
 [[nodiscard]] std::string discrepancies();
-[[nodiscard]] std::string steps();
+[[nodiscard]] std::string steps(const diagnose::Findings& findings);
+[[nodiscard]] std::string steps_chart();
+[[nodiscard]] std::string gain_chart();
 [[nodiscard]] std::string gain(const diagnose::HeldOutGain& gain);
 
 }  // namespace host_sim::diagnose_page::captions

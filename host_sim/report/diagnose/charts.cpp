@@ -119,6 +119,8 @@ std::vector<Chart> charts(const diagnose::Diagnosis& diagnosis) {
     for (const std::size_t i : residual_order(*diagnosis.tension)) {
       all.push_back(residual_chart(*diagnosis.tension, i));
     }
+    all.push_back(gain_chart(diagnosis.tension->findings.gain));
+    all.push_back(steps_chart(diagnosis.tension->findings));
   }
   if (diagnosis.lives) {
     all.push_back(weibull_chart(*diagnosis.lives));

@@ -49,6 +49,12 @@ struct Stretch {
 /// What is left of ln(T_out / T_in) over one covariate, in one direction, with the null envelope.
 [[nodiscard]] Chart residual_chart(const diagnose::TensionDiagnosis& tension, std::size_t residual);
 
+/// Errors held out as a staircase, a tread for each of Findings::steps.
+[[nodiscard]] Chart steps_chart(const diagnose::Findings& findings);
+
+/// The same from the nominal to the extended model, of the errors of tensions among the metrics.
+[[nodiscard]] Chart gain_chart(const diagnose::HeldOutGain& gain);
+
 /// Weibull plot of the lives over the predicted ones; the lines are what the models say.
 [[nodiscard]] Chart weibull_chart(const diagnose::LifeDiagnosis& lives);
 

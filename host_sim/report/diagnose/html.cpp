@@ -118,13 +118,23 @@ void add_causes(Slots& slots, const Findings& findings) {
           : tables::equivalents(findings);
 }
 
+std::string drawn(const Chart& chart, const std::string& text) {
+  return chart.layers.empty() ? std::string() : elements::chart(chart, text, "");
+}
+
 std::string gain(const Findings& findings) {
-  if (!findings.steps.empty()) {
-    return paragraph("caption", captions::steps()) + tables::steps(findings.steps);
+  std::string html;
+  if (!findings.gain.metrics.empty()) {
+    html += paragraph("caption", captions::gain(findings.gain)) + tables::gain(findings.gain) +
+            drawn(gain_chart(findings.gain), captions::gain_chart());
   }
-  return findings.gain.metrics.empty()
+  if (!findings.steps.empty()) {
+    html += paragraph("caption", captions::steps(findings)) + tables::steps(findings.steps) +
+            drawn(steps_chart(findings), captions::steps_chart());
+  }
+  return html.empty()
              ? elements::empty("Nothing was extended, so that there is no gain to measure.")
-             : paragraph("caption", captions::gain(findings.gain)) + tables::gain(findings.gain);
+             : html;
 }
 
 void add_evidence(Slots& slots, const Findings& findings) {

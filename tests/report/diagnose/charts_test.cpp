@@ -147,6 +147,27 @@ TEST(ResidualOrder, PutsTheCovariateThatLeavesItsEnvelopeFarthestFirst) {
   EXPECT_EQ(residual_chart(tension, 0).x.label, "speed, m/s");
 }
 
+TEST(StepsChart, IsAStaircaseWithATreadForEachModel) {
+  const Chart chart = steps_chart(samples::explained_in_part().tension->findings);
+  EXPECT_THAT(chart.x.categories, ElementsAre("Nominal\nmodel", "slack", "friction\nposition"));
+  EXPECT_TRUE(chart.y.from_zero);
+  EXPECT_THAT(layer_of(chart, "Output tension from input tension").y, ElementsAre(8.4, 6.7, 5.9));
+  EXPECT_THAT(layer_of(chart, "Input tension from output tension").y, ElementsAre(5.8, 4.2, 3.9));
+  EXPECT_THAT(chart.layers[0].x, ElementsAre(-0.5, 0.5, 0.5, 1.5, 1.5, 2.5));
+  EXPECT_THAT(chart.layers[0].y, ElementsAre(8.4, 8.4, 6.7, 6.7, 5.9, 5.9));
+  EXPECT_TRUE(steps_chart({}).layers.empty());
+}
+
+TEST(GainChart, GoesDownFromTheNominalToTheExtendedModel) {
+  const Chart chart = gain_chart(
+      {"session",
+       {{"rmse_N", 1.2, 0.3}, {"log_predictive_density", 2, 3}, {"input_rmse_N", 1.5, 0.4}}});
+  EXPECT_THAT(layer_of(chart, "Output tension from input tension").y, ElementsAre(1.2, 0.3));
+  EXPECT_THAT(layer_of(chart, "Input tension from output tension").y, ElementsAre(1.5, 0.4));
+  EXPECT_EQ(chart.layers.size(), 4U);
+  EXPECT_TRUE(gain_chart({"level", {{"b10_coverage", 0.2, 0.1}}}).layers.empty());
+}
+
 TEST(WeibullChart, TheSlopeOfALineIsTheShape) {
   const diagnose::Diagnosis diagnosis = samples::lots_named();
   const Chart chart = weibull_chart(*diagnosis.lives);

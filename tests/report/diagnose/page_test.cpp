@@ -125,6 +125,19 @@ TEST(DiagnosisPage, SaysInWordsWhatIsMissing) {
   EXPECT_THAT(page_of(diagnose::Diagnosis()), HasSubstr("There was nothing to diagnose."));
 }
 
+TEST(DiagnosisPage, HasTheGainBesideTheStepsOfTheCatalogue) {
+  diagnose::Diagnosis diagnosis = samples::explained_in_part();
+  EXPECT_THAT(page_of(diagnosis), HasSubstr("which it does not: nothing is named."));
+  EXPECT_THAT(page_of(diagnosis), HasSubstr("<th scope=\"row\">+ friction_position</th>"));
+  const diagnose::Findings named = samples::wear_named().tension->findings;
+  diagnosis.tension->findings.effects = named.effects;
+  diagnosis.tension->findings.gain = named.gain;
+  const std::string page = page_of(diagnosis);
+  EXPECT_THAT(page, Not(HasSubstr("nothing is named")));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">+ friction_position</th>"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">log predictive density</th>"));
+}
+
 TEST(DiagnosisPage, NoTextLeavesItsPlace) {
   const std::string tame = page_of(samples::both_named());
   for (const samples::DiagnosisSample& sample : samples::all_diagnoses()) {

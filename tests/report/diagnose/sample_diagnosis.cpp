@@ -176,6 +176,24 @@ Diagnosis unexplained() {
   return diagnosis;
 }
 
+Diagnosis explained_in_part() {
+  Diagnosis diagnosis = unexplained();
+  Findings& findings = diagnosis.tension->findings;
+  const auto step = [](const char* id, double output_N, double input_N) {
+    diagnose::Step one;
+    one.effect.id = id;
+    one.effect.probability = 0.99;
+    one.output_rmse_N = output_N;
+    one.input_rmse_N = input_N;
+    one.sessions_better = 5;
+    one.sessions = 6;
+    return one;
+  };
+  findings.steps = {step("", 8.4, 5.8), step("slack", 6.7, 4.2),
+                    step("friction_position", 5.9, 3.9)};
+  return diagnosis;
+}
+
 Diagnosis lots_named() {
   Diagnosis diagnosis;
   diagnosis.lives = lots();
@@ -232,17 +250,19 @@ std::vector<DiagnosisSample> all_diagnoses() {
   broken.tension->findings.remainder = {kNone, kNone, kNone, "cycle", kNone};
   broken.tension->traces[0].before_N[3] = kNone;
   broken.tension->residuals[0].after[2] = kNone;
-  // Each of the four sessions has a trace and a loop, each residual a plot; lives have three.
-  return {{"typical", 12, "crossed test of the upper arm", wear_named()},
+  // Each of the four sessions has a trace and a loop, each residual a plot; a gain or steps of
+  // recordings have one, and lives three.
+  return {{"typical", 13, "crossed test of the upper arm", wear_named()},
           {"none", 12, "upper arm, new sheath", nothing_wrong()},
-          {"outside", 12, "upper arm, load cell with a zero", outside_of_catalogue()},
+          {"outside", 13, "upper arm, load cell with a zero", outside_of_catalogue()},
           {"ambiguous", 12, "field log at one pose", ambiguous_pair()},
           {"unknown", 12, "upper arm, second rig", unexplained()},
+          {"steps", 13, "upper arm, third rig", explained_in_part()},
           {"lives", 3, "three lots", lots_named()},
-          {"both", 15, "upper arm, complete", both_named()},
+          {"both", 16, "upper arm, complete", both_named()},
           {"hostile", 15, hostile_name(), hostile_diagnosis()},
           {"bare", 0, "bare", bare},
-          {"broken", 15, "not a number", broken},
+          {"broken", 16, "not a number", broken},
           {"empty", 0, "", {}}};
 }
 

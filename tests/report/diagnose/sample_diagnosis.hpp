@@ -31,6 +31,9 @@ struct DiagnosisSample {
 /// Structure that nothing explains.
 [[nodiscard]] diagnose::Diagnosis unexplained();
 
+/// Two effects of the catalogue explain a part of it.
+[[nodiscard]] diagnose::Diagnosis explained_in_part();
+
 /// Lives of three lots at four levels whose scatter between lots is named.
 [[nodiscard]] diagnose::Diagnosis lots_named();
 

@@ -101,9 +101,12 @@ class Plot {
   axis(side, extra) {
     const kind = this.kinds[side];
     const spec = this.spec[side];
+    const letters = Math.max(...spec.categories.flatMap((name) => name.split('\n'))
+      .map(({ length }) => length));
     const closest = (chart) => {
       const [length, room] = side === 'x'
-        ? [chart.width - 90, spec.kind === 'category' ? 38 : 52] : [chart.height - 80, 26];
+        ? [chart.width - 90, spec.kind === 'category' ? Math.max(38, 6.5 * letters) : 52]
+        : [chart.height - 80, 26];
       return room / Math.max(length, room);
     };
     return axis(spec.label, {
