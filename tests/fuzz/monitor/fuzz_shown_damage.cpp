@@ -42,6 +42,7 @@ struct Sent {
   std::uint32_t damage_ppb = 0;
   bool of_tendon = false;
   bool has_damage = false;
+  bool has_record = false;  ///< neither: the boot-up message, which proves nothing
 };
 
 /// As the firmware does: records go forward, a new wire is recorded at once, and no more is unsaved
@@ -149,7 +150,8 @@ class Controller {
       report_record_ = false;
       const std::uint32_t bound_ppb = std::max(worst_unsaved_ppb_, kMostUnsaved_ppb);
       sent.push_back({.frame = sender_.page(now_ns_ + 40 * kMs,
-                                            protocol::detail::Storage{sequence_, bound_ppb})});
+                                            protocol::detail::Storage{sequence_, bound_ppb}),
+                      .has_record = true});
     }
   }
 
@@ -173,6 +175,8 @@ class Truth {
         reported = {sent.wire, 0};
       }
       waiting_.push_back(sent);
+    }
+    if (!sent.has_record) {
       return;
     }
     const auto later = std::partition(waiting_.begin(), waiting_.end(),
