@@ -65,7 +65,7 @@ Scenario next_hiding(Scenario (*draft)(std::uint64_t seed), Scenario (*draw)(std
   }
 }
 
-/// What many campaigns have had, in the README's tables.
+/// What many campaigns of other seeds have had at least.
 struct OfMany {
   Proportion first;        ///< the truth is the first candidate
   Proportion named_right;  ///< of those with a name
