@@ -137,6 +137,14 @@ struct ResidualPicture {
   std::vector<double> centre, before, after, envelope_low, envelope_high;
 };
 
+/// What models leave of the input force in bins of the covariate that Remainder names, for one
+/// direction: the mean over sessions of their mean residuals, and their standard deviation.
+struct RemainderPicture {
+  std::string covariate, unit;
+  int direction = 1;  ///< 1 while pulling, -1 while letting go
+  std::vector<double> centre, before_N, before_sd_N, after_N, after_sd_N;
+};
+
 /// One specimen's life over the predicted one.
 struct LifePoint {
   std::string specimen, lot;
@@ -154,6 +162,7 @@ struct TensionDiagnosis {
   Findings findings;
   std::vector<TracePicture> traces;
   std::vector<ResidualPicture> residuals;
+  std::vector<RemainderPicture> remainders;
   /// Damage of a recording as the nominal model books it over that of the extended one, geometric
   /// mean of the recordings; 1 where nothing was extended.
   double damage_ratio = 1;

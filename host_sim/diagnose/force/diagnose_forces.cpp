@@ -210,6 +210,7 @@ double probability_of(const PairedGain& gain, std::size_t sessions) {
 /// What residuals may depend on.
 struct Against {
   const char* name;
+  const char* unit;
   std::vector<std::vector<double>> values;  ///< by record and sample
 };
 
@@ -233,7 +234,10 @@ std::vector<double> sizes_of(std::vector<double> values) {
 }
 
 std::vector<Against> all_against(const std::vector<ForceRecord>& records) {
-  std::vector<Against> all{{"output tension", {}}, {"position", {}}, {"speed", {}}, {"travel", {}}};
+  std::vector<Against> all{{"output tension", "N", {}},
+                           {"position", "m", {}},
+                           {"speed", "m/s", {}},
+                           {"travel", "m", {}}};
   for (const ForceRecord& record : records) {
     all[0].values.push_back(sizes_of(record.output_N));
     all[1].values.push_back(record.position_m);
@@ -304,6 +308,17 @@ class BinMeans {
     return bins > 0 ? sum / bins : 0;
   }
 
+  /// Of one bin, those that there are.
+  [[nodiscard]] std::vector<double> of_sessions(std::size_t bin) const {
+    std::vector<double> all;
+    for (const auto& session : means_N_) {
+      if (session[bin]) {
+        all.push_back(*session[bin]);
+      }
+    }
+    return all;
+  }
+
  private:
   std::vector<std::array<std::optional<double>, 2 * kBins>> means_N_;
 };
@@ -348,6 +363,65 @@ Left left_over(const ForceData& data, const ForceFit& model, std::uint64_t seed)
         bins, [&](const BinMeans& one) { return one.statistic(signs) >= largest; });
   }
   return {all[most].name, static_cast<double>(as_large) / (kDraws + 1)};
+}
+
+struct Spread {
+  double mean_N = 0;
+  double sd_N = 0;
+};
+
+/// @pre two values or more
+Spread spread_of(const std::vector<double>& values_N) {
+  const auto count = static_cast<double>(values_N.size());
+  const double mean_N = std::accumulate(values_N.begin(), values_N.end(), 0.0) / count;
+  double square_N2 = 0;
+  for (const double value_N : values_N) {
+    square_N2 += (value_N - mean_N) * (value_N - mean_N);
+  }
+  return {mean_N, std::sqrt(square_N2 / (count - 1))};
+}
+
+BinMeans bins_of(const ForceData& data, const ForceFit& by, const Against& against) {
+  std::vector<std::vector<double>> residuals_N;
+  for (std::size_t j = 0; j < data.records().size(); ++j) {
+    residuals_N.push_back(data.residuals_N(j, by.terms, by.parameters));
+  }
+  return {data.records(), against, residuals_N};
+}
+
+/// What both models leave against one covariate, in the bins that left_over() tests.
+std::vector<RemainderPicture> remainder_pictures(const ForceData& data, const ForceFit& nominal,
+                                                 const ForceFit& model,
+                                                 const std::string& covariate) {
+  const std::vector<Against> all = all_against(data.records());
+  const Against& against = *std::ranges::find(all, covariate, &Against::name);
+  const BinMeans before = bins_of(data, nominal, against);
+  const BinMeans after = bins_of(data, model, against);
+  std::vector<double> sorted;
+  for (const auto& values : against.values) {
+    sorted.insert(sorted.end(), values.begin(), values.end());
+  }
+  std::ranges::sort(sorted);
+  std::vector<RemainderPicture> pictures;
+  for (const std::size_t back : {0U, 1U}) {
+    RemainderPicture picture{against.name, against.unit, back == 0 ? 1 : -1, {}, {}, {}, {}, {}};
+    for (std::size_t bin = 0; bin < BinMeans::kBins; ++bin) {
+      const std::vector<double> before_N = before.of_sessions(2 * bin + back);
+      const std::vector<double> after_N = after.of_sessions(2 * bin + back);
+      if (before_N.size() < 2) {
+        continue;
+      }
+      picture.centre.push_back(sorted[(2 * bin + 1) * sorted.size() / (2 * BinMeans::kBins)]);
+      const Spread was = spread_of(before_N);
+      const Spread is = spread_of(after_N);
+      picture.before_N.push_back(was.mean_N);
+      picture.before_sd_N.push_back(was.sd_N);
+      picture.after_N.push_back(is.mean_N);
+      picture.after_sd_N.push_back(is.sd_N);
+    }
+    pictures.push_back(std::move(picture));
+  }
+  return pictures;
 }
 
 /// The error of the output force that one of the input force is, sample by sample.
@@ -405,6 +479,8 @@ class Report {
       diagnosis.damage_ratio = damage_ratio();
     }
     add_traces(diagnosis);
+    diagnosis.remainders =
+        remainder_pictures(data_, search_.nominal(), search_.model(), left_.covariate);
     return diagnosis;
   }
 

@@ -306,6 +306,7 @@ constexpr double kMostLeft = 0.25;
 void explain_in_newtons(TensionDiagnosis forces, double force_N, TensionDiagnosis& diagnosis) {
   Findings& findings = diagnosis.findings;
   findings.remainder = forces.findings.remainder;
+  diagnosis.remainders = std::move(forces.remainders);
   findings.steps = std::move(forces.findings.steps);
   if (forces.findings.verdict != Verdict::named || !findings.remainder ||
       findings.remainder->share > kMostLeft ||
@@ -323,6 +324,7 @@ void explain_in_newtons(TensionDiagnosis forces, double force_N, TensionDiagnosi
   findings.extensions = std::move(forces.findings.extensions);
   findings.prose = std::move(forces.findings.prose);
   diagnosis.traces = std::move(forces.traces);
+  diagnosis.residuals.clear();  // of ln T, by a model that is not the extended one
   diagnosis.damage_ratio = forces.damage_ratio;
   diagnosis.friction_coefficient = forces.friction_coefficient;
   diagnosis.log_gain = forces.log_gain;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "host_sim/report/diagnose/charts.hpp"
 #include "host_sim/report/page/number_text.hpp"
@@ -79,6 +80,28 @@ std::string residual(const diagnose::TensionDiagnosis& tension, std::size_t inde
     text += fmt::format(", {} after the extension", outside(residual, residual.after));
   }
   return text + ".";
+}
+
+std::string remainders() {
+  return "What the models leave of the input tension, in bins of the covariate that it shows most "
+         "against: means of the sessions, with bars of one standard deviation between sessions. "
+         "Means that are far from zero in the same direction in all sessions are structure that "
+         "the model lacks.";
+}
+
+std::string remainder(const diagnose::TensionDiagnosis& tension, std::size_t index) {
+  const diagnose::RemainderPicture& remainder = tension.remainders.at(index);
+  const auto largest = [](const std::vector<double>& means_N) {
+    double most_N = 0;
+    for (const double mean_N : means_N) {
+      most_N = std::max(most_N, std::abs(mean_N));
+    }
+    return quantity_text(most_N, "N");
+  };
+  return remainder.after_N == remainder.before_N
+             ? fmt::format("The largest mean is {}.", largest(remainder.before_N))
+             : fmt::format("The largest mean is {} with the nominal model, {} with the other.",
+                           largest(remainder.before_N), largest(remainder.after_N));
 }
 
 std::string weibull(const diagnose::LifeDiagnosis& lives) {

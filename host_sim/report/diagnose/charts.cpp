@@ -119,6 +119,9 @@ std::vector<Chart> charts(const diagnose::Diagnosis& diagnosis) {
     for (const std::size_t i : residual_order(*diagnosis.tension)) {
       all.push_back(residual_chart(*diagnosis.tension, i));
     }
+    for (std::size_t i = 0; i < diagnosis.tension->remainders.size(); ++i) {
+      all.push_back(remainder_chart(*diagnosis.tension, i));
+    }
     all.push_back(gain_chart(diagnosis.tension->findings.gain));
     all.push_back(steps_chart(diagnosis.tension->findings));
   }

@@ -49,6 +49,10 @@ struct Stretch {
 /// What is left of ln(T_out / T_in) over one covariate, in one direction, with the null envelope.
 [[nodiscard]] Chart residual_chart(const diagnose::TensionDiagnosis& tension, std::size_t residual);
 
+/// What both models leave of the input force against the covariate that it shows most against, in
+/// one direction, with the scatter of sessions.
+[[nodiscard]] Chart remainder_chart(const diagnose::TensionDiagnosis& tension, std::size_t index);
+
 /// Errors held out as a staircase, a tread for each of Findings::steps.
 [[nodiscard]] Chart steps_chart(const diagnose::Findings& findings);
 

@@ -43,9 +43,21 @@ std::string traces(const diagnose::TensionDiagnosis& tension) {
   return html + "</div>\n";
 }
 
+std::string remainders(const diagnose::TensionDiagnosis& tension) {
+  if (tension.remainders.empty()) {
+    return {};
+  }
+  std::string html = caption(captions::remainders()) + "<div class=\"pair\">\n";
+  for (std::size_t i = 0; i < tension.remainders.size(); ++i) {
+    html += in_pair(elements::chart(remainder_chart(tension, i), captions::remainder(tension, i),
+                                    "There is nothing to draw in this direction."));
+  }
+  return html + "</div>\n";
+}
+
 std::string residuals(const diagnose::TensionDiagnosis& tension) {
   if (tension.residuals.empty()) {
-    return elements::empty("There is no residual to draw.");
+    return tension.remainders.empty() ? elements::empty("There is no residual to draw.") : "";
   }
   std::string html = caption(captions::residuals(tension)) + "<div class=\"pair\">\n";
   for (const std::size_t i : residual_order(tension)) {
@@ -62,8 +74,9 @@ std::string filled(std::string_view page, const Slots& slots) {
 }
 
 std::string pictures(const diagnose::TensionDiagnosis& tension) {
-  return filled(diagnose_assets::recordings_html,
-                {{"traces", traces(tension)}, {"residuals", residuals(tension)}});
+  return filled(diagnose_assets::recordings_html, {{"traces", traces(tension)},
+                                                   {"remainders", remainders(tension)},
+                                                   {"residuals", residuals(tension)}});
 }
 
 std::string pictures(const diagnose::LifeDiagnosis& lives) {

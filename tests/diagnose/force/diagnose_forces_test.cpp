@@ -129,6 +129,32 @@ TEST(DiagnoseForces, NamesLoadIndependentAndViscousFrictionOfASignedForce) {
   EXPECT_DOUBLE_EQ(findings.remainder->input_rmse_N, metric(findings, "input_rmse_N", true));
 }
 
+TEST(DiagnoseForces, WhatRemainsIsDrawnByDirectionForBothModels) {
+  const TensionDiagnosis diagnosis =
+      diagnose_forces(measured({.preload_N = 12, .viscous_N_s_m = 150}, 3), nominal(), kWire, {});
+  ASSERT_EQ(diagnosis.remainders.size(), 2U);
+  const auto mean = [](const std::vector<double>& values) {
+    double sum = 0;
+    for (const double value : values) {
+      sum += value;
+    }
+    return sum / static_cast<double>(values.size());
+  };
+  for (const RemainderPicture& picture : diagnosis.remainders) {
+    EXPECT_EQ(picture.covariate, diagnosis.findings.remainder->covariate);
+    ASSERT_GE(picture.centre.size(), 4U);
+    EXPECT_TRUE(std::ranges::is_sorted(picture.centre));
+    for (std::size_t i = 0; i < picture.centre.size(); ++i) {
+      EXPECT_LT(std::abs(picture.after_N[i]), 0.5) << picture.centre[i];
+      EXPECT_GT(picture.after_sd_N[i], 0);
+    }
+  }
+  EXPECT_EQ(diagnosis.remainders[0].direction, 1);
+  EXPECT_EQ(diagnosis.remainders[1].direction, -1);
+  // Friction that the nominal model lacks is against the motion.
+  EXPECT_LT(mean(diagnosis.remainders[0].before_N) * mean(diagnosis.remainders[1].before_N), -9);
+}
+
 TEST(DiagnoseForces, WhatIsOutsideTheCatalogueIsNoneOfItsCauses) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
     const Findings findings = found(measured({.cogging_N = 6}, seed));

@@ -147,6 +147,25 @@ TEST(ResidualOrder, PutsTheCovariateThatLeavesItsEnvelopeFarthestFirst) {
   EXPECT_EQ(residual_chart(tension, 0).x.label, "speed, m/s");
 }
 
+TEST(RemainderChart, HasMeansAndTheScatterOfSessionsOfBothModels) {
+  diagnose::TensionDiagnosis tension;
+  tension.remainders = {{"output tension", "N", -1, {0, 10}, {5, -3}, {1, 2}, {0.5, 0.2}, {0, 1}}};
+  Chart chart = remainder_chart(tension, 0);
+  EXPECT_EQ(chart.name, "What remains over output tension, while letting go");
+  EXPECT_EQ(chart.x.label, "output tension, N");
+  EXPECT_THAT(layer_of(chart, "Nominal model").y, ElementsAre(5, -3));
+  const Layer bars = layer_of(chart, "Nominal model, \u00b1 1 standard deviation of sessions");
+  EXPECT_THAT(bars.y, ElementsAre(4, -5));
+  EXPECT_THAT(bars.high, ElementsAre(6, -1));
+  EXPECT_THAT(layer_of(chart, "As far as the catalogue goes").y, ElementsAre(0.5, 0.2));
+  tension.findings.extensions = {{"slack", {}}};
+  EXPECT_TRUE(has_layer(remainder_chart(tension, 0), "Extended model"));
+  tension.remainders[0].after_N = tension.remainders[0].before_N;
+  EXPECT_FALSE(has_layer(remainder_chart(tension, 0), "Extended model"));
+  tension.remainders[0].direction = 1;
+  EXPECT_EQ(remainder_chart(tension, 0).name, "What remains over output tension, while pulling");
+}
+
 TEST(StepsChart, IsAStaircaseWithATreadForEachModel) {
   const Chart chart = steps_chart(samples::explained_in_part().tension->findings);
   EXPECT_THAT(chart.x.categories, ElementsAre("Nominal\nmodel", "slack", "friction\nposition"));
