@@ -145,6 +145,13 @@ struct RemainderPicture {
   std::vector<double> centre, before_N, before_sd_N, after_N, after_sd_N;
 };
 
+/// What the nominal model gives where it is fitted to one session alone.
+struct SessionRefit {
+  std::string session;
+  double friction_coefficient = 0;
+  double log_gain = 0;
+};
+
 /// One specimen's life over the predicted one.
 struct LifePoint {
   std::string specimen, lot;
@@ -163,6 +170,7 @@ struct TensionDiagnosis {
   std::vector<TracePicture> traces;
   std::vector<ResidualPicture> residuals;
   std::vector<RemainderPicture> remainders;
+  std::vector<SessionRefit> session_refits;
   /// Damage of a recording as the nominal model books it over that of the extended one, geometric
   /// mean of the recordings; 1 where nothing was extended.
   double damage_ratio = 1;

@@ -110,6 +110,7 @@ class Diagnoser {
           evidence_.sessions.size());
     }
     diagnosis.traces = trace_pictures(evidence_, model);
+    diagnosis.session_refits = session_refits(evidence_);
     diagnosis.residuals = residual_pictures(evidence_, probes_, model);
     report(1);
     return diagnosis;
@@ -324,6 +325,7 @@ void explain_in_newtons(TensionDiagnosis forces, double force_N, TensionDiagnosi
   findings.extensions = std::move(forces.findings.extensions);
   findings.prose = std::move(forces.findings.prose);
   diagnosis.traces = std::move(forces.traces);
+  diagnosis.session_refits.clear();
   diagnosis.residuals.clear();  // of ln T, by a model that is not the extended one
   diagnosis.damage_ratio = forces.damage_ratio;
   diagnosis.friction_coefficient = forces.friction_coefficient;

@@ -131,6 +131,20 @@ std::vector<TracePicture> trace_pictures(const Evidence& evidence,
   return traces;
 }
 
+std::vector<SessionRefit> session_refits(const Evidence& evidence) {
+  const Fitted nominal = fitted(evidence, {});
+  std::vector<SessionRefit> refits;
+  for (std::size_t i = 0; i < evidence.sessions.size(); ++i) {
+    const ModelFit alone = fit_model(nominal.grams, terms_of(nominal.grams.layout),
+                                     std::span(&i, 1), evidence.sample_sd);
+    refits.push_back({evidence.sessions[i].name,
+                      evidence.options.baseline.friction_coefficient +
+                          alone.coefficients(Index{GramLayout::kFriction}),
+                      alone.coefficients(Index{GramLayout::kIntercept})});
+  }
+  return refits;
+}
+
 std::vector<ResidualPicture> residual_pictures(const Evidence& evidence,
                                                const std::vector<Probe>& probes,
                                                std::span<const Component> model) {

@@ -12,6 +12,9 @@ namespace host_sim::diagnose {
 std::vector<TracePicture> trace_pictures(const Evidence& evidence,
                                          std::span<const Component> model);
 
+/// Gain and friction of each session alone.
+std::vector<SessionRefit> session_refits(const Evidence& evidence);
+
 /// The residual of both models by each probe. The envelope is 1.96 standard deviations of the mean
 /// of a bin: noise of samples that follow each other with the autocorrelation, and the scatter of
 /// the sessions that reach the bin.

@@ -104,6 +104,11 @@ std::string remainder(const diagnose::TensionDiagnosis& tension, std::size_t ind
                            largest(remainder.before_N), largest(remainder.after_N));
 }
 
+std::string sessions() {
+  return "What the nominal model gives where it is fitted to one session alone. Sessions that "
+         "differ by more than they scatter, or that drift, are evidence against one model for all.";
+}
+
 std::string weibull(const diagnose::LifeDiagnosis& lives) {
   std::string text = fmt::format(
       "Each failure at its life over what the model predicts and at its median rank. A model that "

@@ -15,6 +15,7 @@ namespace host_sim::diagnose_page::captions {
 [[nodiscard]] std::string residual(const diagnose::TensionDiagnosis& tension, std::size_t index);
 [[nodiscard]] std::string remainders();
 [[nodiscard]] std::string remainder(const diagnose::TensionDiagnosis& tension, std::size_t index);
+[[nodiscard]] std::string sessions();
 [[nodiscard]] std::string weibull(const diagnose::LifeDiagnosis& lives);
 [[nodiscard]] std::string ratio_before();
 [[nodiscard]] std::string ratio_after();

@@ -122,6 +122,8 @@ std::vector<Chart> charts(const diagnose::Diagnosis& diagnosis) {
     for (std::size_t i = 0; i < diagnosis.tension->remainders.size(); ++i) {
       all.push_back(remainder_chart(*diagnosis.tension, i));
     }
+    all.push_back(session_chart(*diagnosis.tension, SessionParameter::friction));
+    all.push_back(session_chart(*diagnosis.tension, SessionParameter::gain));
     all.push_back(gain_chart(diagnosis.tension->findings.gain));
     all.push_back(steps_chart(diagnosis.tension->findings));
   }

@@ -53,6 +53,12 @@ struct Stretch {
 /// one direction, with the scatter of sessions.
 [[nodiscard]] Chart remainder_chart(const diagnose::TensionDiagnosis& tension, std::size_t index);
 
+enum class SessionParameter { friction, gain };
+
+/// What the nominal model gives for each session alone: a point each, by name.
+[[nodiscard]] Chart session_chart(const diagnose::TensionDiagnosis& tension,
+                                  SessionParameter parameter);
+
 /// Errors held out as a staircase, a tread for each of Findings::steps.
 [[nodiscard]] Chart steps_chart(const diagnose::Findings& findings);
 

@@ -43,6 +43,17 @@ std::string traces(const diagnose::TensionDiagnosis& tension) {
   return html + "</div>\n";
 }
 
+std::string sessions(const diagnose::TensionDiagnosis& tension) {
+  if (tension.session_refits.empty()) {
+    return {};
+  }
+  std::string html = caption(captions::sessions()) + "<div class=\"pair\">\n";
+  for (const SessionParameter parameter : {SessionParameter::friction, SessionParameter::gain}) {
+    html += in_pair(elements::chart(session_chart(tension, parameter), "", ""));
+  }
+  return html + "</div>\n";
+}
+
 std::string remainders(const diagnose::TensionDiagnosis& tension) {
   if (tension.remainders.empty()) {
     return {};
@@ -75,6 +86,7 @@ std::string filled(std::string_view page, const Slots& slots) {
 
 std::string pictures(const diagnose::TensionDiagnosis& tension) {
   return filled(diagnose_assets::recordings_html, {{"traces", traces(tension)},
+                                                   {"sessions", sessions(tension)},
                                                    {"remainders", remainders(tension)},
                                                    {"residuals", residuals(tension)}});
 }

@@ -166,6 +166,19 @@ TEST(RemainderChart, HasMeansAndTheScatterOfSessionsOfBothModels) {
   EXPECT_EQ(remainder_chart(tension, 0).name, "What remains over output tension, while pulling");
 }
 
+TEST(SessionChart, HasAPointForEachSessionByItsName) {
+  diagnose::TensionDiagnosis tension;
+  EXPECT_TRUE(session_chart(tension, SessionParameter::gain).layers.empty());
+  tension.session_refits = {{"a", 0.1, 0.02}, {"b", 0.3, -0.01}};
+  const Chart friction = session_chart(tension, SessionParameter::friction);
+  ASSERT_EQ(friction.layers.size(), 1U);
+  EXPECT_EQ(friction.layers[0].kind, Layer::Kind::points);
+  EXPECT_THAT(friction.x.categories, ElementsAre("a", "b"));
+  EXPECT_THAT(friction.layers[0].x, ElementsAre(0, 1));
+  EXPECT_THAT(friction.layers[0].y, ElementsAre(0.1, 0.3));
+  EXPECT_THAT(session_chart(tension, SessionParameter::gain).layers[0].y, ElementsAre(0.02, -0.01));
+}
+
 TEST(StepsChart, IsAStaircaseWithATreadForEachModel) {
   const Chart chart = steps_chart(samples::explained_in_part().tension->findings);
   EXPECT_THAT(chart.x.categories, ElementsAre("Nominal\nmodel", "slack", "friction\nposition"));

@@ -192,6 +192,7 @@ Diagnosis explained_in_part() {
   diagnosis.tension->remainders = {
       {"speed", "m/s", 1, {0.1, 0.2}, {4, 6}, {1, 1}, {1, -1}, {1, 1}},
       {"speed", "m/s", -1, {0.1, 0.2}, {-4, -6}, {1, 1}, {-1, 1}, {1, 1}}};
+  diagnosis.tension->session_refits = {{"s1", 0.12, 0.01}, {"s2", 0.15, -0.02}};
   findings.steps = {step("", 8.4, 5.8), step("slack", 6.7, 4.2),
                     step("friction_position", 5.9, 3.9)};
   return diagnosis;
@@ -260,7 +261,7 @@ std::vector<DiagnosisSample> all_diagnoses() {
           {"outside", 13, "upper arm, load cell with a zero", outside_of_catalogue()},
           {"ambiguous", 12, "field log at one pose", ambiguous_pair()},
           {"unknown", 12, "upper arm, second rig", unexplained()},
-          {"steps", 15, "upper arm, third rig", explained_in_part()},
+          {"steps", 17, "upper arm, third rig", explained_in_part()},
           {"lives", 3, "three lots", lots_named()},
           {"both", 16, "upper arm, complete", both_named()},
           {"hostile", 15, hostile_name(), hostile_diagnosis()},
