@@ -161,7 +161,7 @@ constexpr Parameter kParameters[] = {
     {.name = "presliding_length_m",
      .unit = "m",
      .minimum = 5e-5,
-     .maximum = 1e-3,
+     .maximum = 1e-2,
      .typical = 3.5e-4,
      .model_error = 0.005},
 };
@@ -202,7 +202,7 @@ TensionDefinition definition() {
           .separations = kSeparations,
           .needs = kNeeds,
           .at_reversals = true,
-          .shapes = {{5e-5}, {1e-4}, {2e-4}, {3.5e-4}, {6e-4}, {1e-3}},
+          .shapes = {{5e-5}, {1e-4}, {2e-4}, {3.5e-4}, {6e-4}, {1e-3}, {2e-3}, {4e-3}, {8e-3}},
           .columns = columns};
 }
 
