@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "hal/files/input_error.hpp"
@@ -12,6 +13,7 @@
 #include "host_sim/diagnose/tension/decision.hpp"
 #include "host_sim/diagnose/tension/estimates.hpp"
 #include "host_sim/diagnose/tension/held_out.hpp"
+#include "host_sim/diagnose/tension/imitation.hpp"
 #include "host_sim/diagnose/tension/model_fit.hpp"
 #include "host_sim/diagnose/tension/noise.hpp"
 #include "host_sim/diagnose/tension/pictures.hpp"
@@ -79,6 +81,7 @@ class Diagnoser {
     const ResidualTest after =
         best.parts.empty() ? before : test_residual(evidence_, probes_, best.parts, options_.seed);
     weighed_ = weigh(ranking, best, after);
+    leave_out_imitations(ranking);
     report(0.6);
     TensionDiagnosis diagnosis;
     Findings& findings = diagnosis.findings;
@@ -146,6 +149,38 @@ class Diagnoser {
     return doubtful && decided == Verdict::named ? Verdict::ambiguous : decided;
   }
 
+  /// What noise could imitate is taken out of the candidates, whose probability those without it
+  /// get.
+  void leave_out_imitations(const Ranking& ranking) {
+    constexpr double kWorthTheTrouble = 0.01;
+    std::vector<Candidate> left;
+    for (Candidate& candidate : weighed_.candidates) {
+      const Hypothesis* const hypothesis = hypothesis_of(ranking, candidate.id);
+      if (hypothesis != nullptr && candidate.probability >= kWorthTheTrouble) {
+        candidate.id =
+            Hypothesis{.parts = beyond_noise(evidence_, hypothesis->parts), .log_evidence = 0}.id();
+      }
+      const auto same = std::ranges::find(left, candidate.id, &Candidate::id);
+      if (same == left.end()) {
+        left.push_back(candidate);
+      } else {
+        same->probability += candidate.probability;
+      }
+    }
+    std::ranges::stable_sort(left, std::greater{}, &Candidate::probability);
+    weighed_.candidates = std::move(left);
+  }
+
+  static const Hypothesis* hypothesis_of(const Ranking& ranking, std::string_view id) {
+    for (const auto* list : {&ranking.singles, &ranking.pairs}) {
+      const auto found = std::ranges::find(*list, id, &Hypothesis::id);
+      if (found != list->end()) {
+        return &*found;
+      }
+    }
+    return nullptr;
+  }
+
   /// Why a pair is not named for all its probability.
   static void add_doubts(std::span<const Component> model, Findings& findings) {
     if (findings.verdict != Verdict::ambiguous || !(entangled(model) || confounded(model))) {
@@ -165,11 +200,8 @@ class Diagnoser {
       return {};
     }
     for (const Candidate& candidate : weighed_.candidates) {
-      for (const auto* list : {&ranking.singles, &ranking.pairs}) {
-        const auto found = std::ranges::find(*list, candidate.id, &Hypothesis::id);
-        if (found != list->end()) {
-          return found->parts;
-        }
+      if (const Hypothesis* const found = hypothesis_of(ranking, candidate.id)) {
+        return found->parts;
       }
     }
     return {};
