@@ -584,6 +584,7 @@ class Report {
       return;
     }
     std::vector<double> values;
+    values.reserve(parameters.size());
     for (const Estimate& parameter : parameters) {
       values.push_back(parameter.value);
     }

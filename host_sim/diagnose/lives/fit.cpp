@@ -42,6 +42,7 @@ Eigen::VectorXd start_of(const ModelView& view, std::vector<Eigen::VectorXd> sta
     starts.push_back(with_nominal(starts[i], view.prior()));
   }
   std::vector<double> values;
+  values.reserve(starts.size());
   for (const Eigen::VectorXd& start : starts) {
     values.push_back(view.log_posterior(start));
   }
