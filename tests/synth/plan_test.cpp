@@ -103,6 +103,10 @@ const Bad kBad[]{
     {kLevel + "[[lives.program]]\nlevels = [1, 1]\ncycles = [9, 9]\nspecimens = 1\n",
      "2 levels with 2 numbers of cycles"},
     {kLevel + "[[lives.program]]\nlevels = [1, 1]\ncycles = 9\n", "no key specimens"},
+    {kLevel + "[[lives.program]]\nlevels = [1, 1]\ncycles = 9.5\nspecimens = 1\n",
+     "cycles holds 9.5; accepted: whole numbers, 1..1000000000000000"},
+    {kLevel + "suspend_at_cycles = 100.5\n",
+     "suspend_at_cycles is 100.5; accepted: a whole number, 1..1000000000000000"},
     {kLevel + "role = \"test\"\n", "role is 'test'"},
     {kLevel + "specimens = 1\n", "plan:"},
 };

@@ -220,17 +220,20 @@ TEST(SynthNoise, ReadingsComeInSteps) {
 }
 
 TEST(SynthNoise, TimeJittersAndDriftsButNeverRunsBack) {
-  const Channels channels = noisy({.clock_jitter_s = 0.0016, .clock_drift_ppm = 500});
-  const auto& time_s = channels[kTime];
-  double sum = 0;
-  for (std::size_t i = 0; i < kMany; ++i) {
-    const double jitter_s = time_s[i] - static_cast<double>(i) / 200 * 1.0005;
-    sum += jitter_s * jitter_s;
-    ASSERT_LE(std::abs(jitter_s), 0.45 / 200 + 1e-9);
-    ASSERT_TRUE(i == 0 || time_s[i] > time_s[i - 1]);
+  for (const double drift_ppm : {500, -100'000}) {
+    const Channels channels = noisy({.clock_jitter_s = 0.0016, .clock_drift_ppm = drift_ppm});
+    const auto& time_s = channels[kTime];
+    const double step_s = (1 + drift_ppm * 1e-6) / 200;
+    double sum = 0;
+    for (std::size_t i = 0; i < kMany; ++i) {
+      const double jitter_s = time_s[i] - static_cast<double>(i) * step_s;
+      sum += jitter_s * jitter_s;
+      ASSERT_LE(std::abs(jitter_s), 0.45 * step_s + 1e-9);
+      ASSERT_TRUE(i == 0 || time_s[i] > time_s[i - 1]);
+    }
+    // Clipped at 1.41 or 1.27 sd, which leaves 0.738 or 0.670 of the variance.
+    EXPECT_NEAR(std::sqrt(sum / kMany), 0.0016 * std::sqrt(drift_ppm > 0 ? 0.738 : 0.670), 0.00003);
   }
-  // Clipped at 1.41 sd, which leaves 0.738 of the variance.
-  EXPECT_NEAR(std::sqrt(sum / kMany), 0.0016 * std::sqrt(0.738), 0.00003);
 }
 
 TEST(SynthJitter, HasTheStandardDeviationAskedForAtEachEndOnItsOwn) {

@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstdint>
+#include <cmath>
 #include <numbers>
 
 #include "host_sim/reference/equations.hpp"
@@ -48,7 +48,9 @@ LifeLevel level_in(const TomlTable& table) {
   level.load.frequency_Hz = number_or(table, kFrequency, 1);
   level.load.wire_to_bend_ratio = number_or(table, kRatio, 0);
   level.specimens = whole_or(table, kLevelSpecimens, 0);
-  level.suspend_at_cycles = number_or(table, kSuspend, level.suspend_at_cycles);
+  if (table.has(kSuspend.name)) {
+    level.suspend_at_cycles = static_cast<double>(whole_or(table, kSuspend, 0));
+  }
   level.validation = choice_of(table, "role", kRoles) == 1;
   return level;
 }
@@ -65,8 +67,11 @@ LifeProgram program_in(const TomlTable& table, std::size_t levels) {
     program.levels.push_back(static_cast<std::size_t>(place) - 1);
   }
   program.cycles = numbers(table, kCycles);
-  for (double& cycles : program.cycles) {
-    cycles = static_cast<double>(static_cast<std::uint64_t>(cycles));
+  for (const double cycles : program.cycles) {
+    if (cycles != std::floor(cycles)) {
+      table.fail(table.place_of("cycles"), fmt::format("cycles holds {}", cycles),
+                 fmt::format("whole numbers, {}", range_text(kCycles.range)));
+    }
   }
   if (program.levels.size() < 2 || program.cycles.size() + 1 != program.levels.size()) {
     table.fail(table.place_of("cycles"),

@@ -72,10 +72,11 @@ void disturb_clock(const Noise& noise, Random random, std::vector<double>& time_
   if (time_s.size() < 2) {
     return;
   }
-  const double most_s = kMostJitter * (time_s[1] - time_s[0]);
+  const double rate = 1 + noise.clock_drift_ppm * 1e-6;
+  const double most_s = kMostJitter * rate * (time_s[1] - time_s[0]);
   for (double& t : time_s) {
     const double jitter_s = noise.clock_jitter_s > 0 ? noise.clock_jitter_s * normal(random) : 0.0;
-    t = t * (1 + noise.clock_drift_ppm * 1e-6) + std::clamp(jitter_s, -most_s, most_s);
+    t = t * rate + std::clamp(jitter_s, -most_s, most_s);
   }
 }
 
