@@ -4,16 +4,12 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
-#include <vector>
 
-#include "hal/files/interruption.hpp"
-#include "host_sim/synth/tension/reader.hpp"
+#include "host_sim/synth/tension/recorder.hpp"
 
 namespace host_sim::synth {
 
 using enum hal::files::ProfileColumnId;
-using hal::files::stop_if_interrupted;
 
 namespace {
 
@@ -153,9 +149,6 @@ double Contact::step(TensionParts parts, double mu, Covariates& covariates) {
 
 namespace {
 
-constexpr double kDegPerRad = 180 / std::numbers::pi;
-constexpr std::size_t kSamplesBetweenChecks = 4096;
-
 /// The motor current that gives a tension at the spool.
 double current_A(const Model::Drive& drive, TensionParts parts, const Covariates& covariates,
                  double tension_N) {
@@ -182,14 +175,17 @@ class Session {
         scatter_(scatter),
         parts_(parts),
         channels_(channels),
-        output_(instants.output_s, rig.sample_rate_Hz, channels[kOutputTensionColumn]),
-        input_(instants.input_s, rig.sample_rate_Hz, channels[kInputTensionColumn]),
-        current_(instants.input_s, rig.sample_rate_Hz, channels[kMotorCurrentColumn]) {
+        recorder_(rig, instants, channels) {
     covariates_.sheath_C = rig.thermal.room_C;
     covariates_.winding_C = setting.winding_start_C;
     move_to(0, rig.motion, setting, covariates_);
   }
 
+  void run() {
+    recorder_.run([&](double time_s) { go_to(time_s); }, [&] { sample(); });
+  }
+
+ private:
   /// Goes on to a time and reads all sensors.
   void go_to(double time_s) {
     move_to(time_s, rig_.motion, setting_, covariates_);
@@ -198,30 +194,24 @@ class Session {
       part->advance(covariates_);
     }
     tension_N_ = contact_.step(parts_, rig_.friction_coefficient + scatter_.friction, covariates_);
-    output_.pass(time_s, read(Sensor::output_tension, covariates_.output_tension_N) *
-                             std::exp(scatter_.log_gain));
-    input_.pass(time_s, read(Sensor::input_tension, tension_N_));
+    recorder_.output.pass(time_s, read(Sensor::output_tension, covariates_.output_tension_N) *
+                                      std::exp(scatter_.log_gain));
+    recorder_.input.pass(time_s, read(Sensor::input_tension, tension_N_));
     if (rig_.drive) {
       true_current_A_ = current_A(*rig_.drive, parts_, covariates_, tension_N_);
-      current_.pass(time_s, read(Sensor::motor_current, true_current_A_));
+      recorder_.current.pass(time_s, read(Sensor::motor_current, true_current_A_));
     }
   }
 
   /// What is read in time, beside the ends of the sheath.
   void sample() {
-    channels_[kTime].push_back(covariates_.time_s);
-    channels_[kTendonVelocity].push_back(covariates_.velocity_m_s);
-    channels_[kBendAngle].push_back(covariates_.bend_angle_rad * kDegPerRad);
+    recorder_.sample(covariates_);
     channels_[kSheathTemperature].push_back(covariates_.sheath_C);
     if (rig_.drive) {
-      const Model::Drive& drive = *rig_.drive;
-      channels_[kMotorAngle].push_back(covariates_.position_m * drive.gear_ratio /
-                                       drive.spool_radius_m());
       channels_[kWindingTemperature].push_back(covariates_.winding_C);
     }
   }
 
- private:
   void warm_up() {
     const Thermal& thermal = rig_.thermal;
     const double friction_W =
@@ -247,7 +237,7 @@ class Session {
   const SessionScatter& scatter_;
   TensionParts parts_;
   Channels& channels_;
-  Reader output_, input_, current_;
+  Recorder recorder_;
   Covariates covariates_;
   Contact contact_;
   double tension_N_ = 0;
@@ -271,24 +261,8 @@ std::size_t samples_of(const Rig& rig) {
 
 Channels simulate(const Rig& rig, const Setting& setting, const SessionScatter& scatter,
                   TensionParts parts, const Instants& instants) {
-  const std::size_t samples = samples_of(rig);
-  const auto steps = static_cast<std::size_t>(std::ceil(kLeastRate_Hz / rig.sample_rate_Hz));
   Channels channels;
-  Session session(rig, setting, scatter, parts, instants, channels);
-  session.go_to(0);
-  for (std::size_t i = 0; i < samples; ++i) {
-    if (i % kSamplesBetweenChecks == 0) {
-      stop_if_interrupted();
-    }
-    session.sample();
-    for (std::size_t step = 1; step <= steps; ++step) {
-      const double share = static_cast<double>(step) / static_cast<double>(steps);
-      session.go_to((static_cast<double>(i) + share) / rig.sample_rate_Hz);
-    }
-  }
-  for (const auto id : {kOutputTensionColumn, kInputTensionColumn, kMotorCurrentColumn}) {
-    channels[id].resize(std::min(channels[id].size(), samples));
-  }
+  Session(rig, setting, scatter, parts, instants, channels).run();
   record(parts, rig, channels);
   return channels;
 }

@@ -4,14 +4,10 @@
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 
-#include "hal/files/interruption.hpp"
-#include "host_sim/synth/tension/reader.hpp"
+#include "host_sim/synth/tension/recorder.hpp"
 
 namespace host_sim::synth {
-
-using enum hal::files::ProfileColumnId;
 
 namespace {
 
@@ -150,49 +146,39 @@ class TwoSidedSession {
         setting_(setting),
         gain_(std::exp(scatter.log_gain)),
         effects_(effects),
-        channels_(channels),
         contact_(rig.friction_coefficient + scatter.friction, effects),
         output_sensor_(effects.output_lag_s),
         input_sensor_(effects.input_lag_s),
-        output_(instants.output_s, rig.sample_rate_Hz, channels[kOutputTensionColumn]),
-        input_(instants.input_s, rig.sample_rate_Hz, channels[kInputTensionColumn]),
-        current_(instants.input_s, rig.sample_rate_Hz, channels[kMotorCurrentColumn]) {}
+        recorder_(rig, instants, channels) {}
 
+  void run() {
+    recorder_.run([&](double time_s) { go_to(time_s); }, [&] { recorder_.sample(covariates_); });
+  }
+
+ private:
   void go_to(double time_s) {
     move_to(time_s, rig_.motion, setting_, covariates_);
     const double step_s = covariates_.step_s;
     const double at_drive_N = input_sensor_.read(contact_.step(covariates_), step_s);
     const double at_load_N = output_sensor_.read(covariates_.output_tension_N, step_s);
-    output_.pass(time_s, gain_ * (at_load_N + effects_.output_zero_N));
-    input_.pass(time_s, at_drive_N);
+    recorder_.output.pass(time_s, gain_ * (at_load_N + effects_.output_zero_N));
+    recorder_.input.pass(time_s, at_drive_N);
     if (rig_.drive) {
       const Model::Drive& drive = *rig_.drive;
       const double torque_Nm =
           at_drive_N * drive.spool_radius_m() / (drive.gear_ratio * drive.gear_efficiency);
-      current_.pass(time_s, torque_Nm / drive.torque_constant_Nm_per_A + drive.current_offset_A);
+      recorder_.current.pass(time_s,
+                             torque_Nm / drive.torque_constant_Nm_per_A + drive.current_offset_A);
     }
   }
 
-  void sample() {
-    channels_[kTime].push_back(covariates_.time_s);
-    channels_[kTendonVelocity].push_back(covariates_.velocity_m_s);
-    channels_[kBendAngle].push_back(covariates_.bend_angle_rad * 180 / std::numbers::pi);
-    if (rig_.drive) {
-      const Model::Drive& drive = *rig_.drive;
-      channels_[kMotorAngle].push_back(covariates_.position_m * drive.gear_ratio /
-                                       drive.spool_radius_m());
-    }
-  }
-
- private:
   const Rig& rig_;
   const Setting& setting_;
   double gain_;
   const TwoSidedEffects& effects_;
-  Channels& channels_;
   TwoSidedContact contact_;
   LaggingSensor output_sensor_, input_sensor_;
-  Reader output_, input_, current_;
+  Recorder recorder_;
   Covariates covariates_;
 };
 
@@ -200,22 +186,8 @@ class TwoSidedSession {
 
 Channels simulate_two_sided(const Rig& rig, const Setting& setting, const SessionScatter& scatter,
                             const TwoSidedEffects& effects, const Instants& instants) {
-  const std::size_t samples = samples_of(rig);
-  const auto steps = static_cast<std::size_t>(std::ceil(kLeastRate_Hz / rig.sample_rate_Hz));
   Channels channels;
-  TwoSidedSession session(rig, setting, scatter, effects, instants, channels);
-  session.go_to(0);
-  for (std::size_t i = 0; i < samples; ++i) {
-    hal::files::stop_if_interrupted();
-    session.sample();
-    for (std::size_t step = 1; step <= steps; ++step) {
-      const double share = static_cast<double>(step) / static_cast<double>(steps);
-      session.go_to((static_cast<double>(i) + share) / rig.sample_rate_Hz);
-    }
-  }
-  for (const auto id : {kOutputTensionColumn, kInputTensionColumn, kMotorCurrentColumn}) {
-    channels[id].resize(std::min(channels[id].size(), samples));
-  }
+  TwoSidedSession(rig, setting, scatter, effects, instants, channels).run();
   return channels;
 }
 
