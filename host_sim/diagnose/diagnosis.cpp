@@ -98,6 +98,7 @@ Findings merged(const Diagnosis& diagnosis) {
   all.verdict = diagnosis.verdict();
   if (diagnosis.tension) {
     all.remainder = diagnosis.tension->findings.remainder;
+    all.correction = diagnosis.tension->findings.correction;
   }
   for (const DataFindings& part : findings_by_data(diagnosis)) {
     const Findings& one = *part.findings;

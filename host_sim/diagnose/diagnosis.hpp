@@ -95,6 +95,14 @@ struct Remainder {
   double p = 1;           ///< that chance alone shows as much against it
 };
 
+/// What an extension adds besides causes, as a table over one covariate by direction. It has none.
+struct Correction {
+  std::string covariate;
+  std::size_t knots = 0;
+  double before_N = 0;  ///< root mean square error of T_in on sessions that the fit never saw
+  double after_N = 0;
+};
+
 /// What is found in the recordings of a campaign, or in its lives.
 struct Findings {
   Verdict verdict = Verdict::none;
@@ -109,9 +117,11 @@ struct Findings {
   /// effect, each the one of most evidence. Else empty.
   std::vector<Step> steps;
   std::optional<Remainder> remainder;  ///< of recordings
+  std::optional<Correction>
+      correction;  ///< of recordings, in the extensions as [extension.empirical]
   std::vector<Discrepancy> discrepancies;
   std::vector<Estimate> refitted;     ///< parameters that are not effects
-  std::vector<Extension> extensions;  ///< to be written into the model; empty unless named
+  std::vector<Extension> extensions;  ///< to be written: named causes and the correction
   std::string prose;                  ///< the verdict in a few sentences
 };
 
@@ -167,6 +177,7 @@ struct LifePicture {
 
 struct TensionDiagnosis {
   Findings findings;
+  bool in_newtons = false;  ///< by the forward model, not by signatures of ln T
   std::vector<TracePicture> traces;
   std::vector<ResidualPicture> residuals;
   std::vector<RemainderPicture> remainders;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "host_sim/campaign/campaign.hpp"
@@ -18,19 +19,24 @@ std::vector<ForceRecord> force_records(const std::vector<recording::Recording>& 
                                        const NominalModel& nominal);
 inline constexpr std::size_t kMostForceSamples = 600;
 
-/// What has to hold for an effect to be named, on sessions that the fit never saw.
-inline constexpr double kMaterialGain = 0.14;  ///< of ln rmse: without it the error is 15 % larger
-inline constexpr double kCertainGain = 4;      ///< standard errors, of sessions
-inline constexpr std::size_t kMostForceTerms = 5;
+/// What the nominal model has to leave, and the extended one to explain, for causes to be named.
+struct ForceTrust {
+  double least_error = 0;  ///< of the nominal model over the output force, root mean squares
+  double most_left = 1;    ///< of the squared error
+};
 
 /// Causes in a forward model in newtons: effects of the catalogue are added as long as they gain on
 /// sessions that the fit never saw, those are taken out again without which it does as well, and
 /// what the model leaves stands beside them.
 ///
-/// Verdict: named where each effect is material and certain and none of the catalogue could stand
-/// in its place; ambiguous where one could; else unknown where something is left, or none.
+/// Verdict: named where an effect is material and certain and none of the catalogue could stand in
+/// its place; ambiguous where one could; else unknown where something is left, or none. What is
+/// left and repeats in sessions that the fit never saw gets a correction, which has no cause.
 TensionDiagnosis diagnose_forces(const std::vector<ForceRecord>& records,
                                  const NominalModel& nominal, const reference::Constants& constants,
-                                 const DiagnoseOptions& options);
+                                 const ForceTrust& trust, const DiagnoseOptions& options);
+
+/// "A correction ... takes the error ... from ... to ..." behind other sentences.
+std::string correction_prose(const Correction& correction);
 
 }  // namespace host_sim::diagnose

@@ -59,10 +59,6 @@ void ForceData::settle_turn_over() {
   scales_ = best;
 }
 
-bool ForceData::takes_part(std::size_t record, int fold) const {
-  return fold < 0 || static_cast<int>(record % kFolds) != fold;
-}
-
 std::vector<double> ForceData::residuals_N(std::size_t record, const ForceTerms& terms,
                                            std::span<const double> parameters) const {
   const ForceRecord& of = records_[record];
@@ -78,7 +74,7 @@ double ForceData::square_of(const ForceTerms& terms, std::span<const double> par
                             int fold) const {
   double square_N2 = 0;
   for (std::size_t j = 0; j < records_.size(); ++j) {
-    if (takes_part(j, fold)) {
+    if (!is_held_out(j, fold)) {
       square_N2 += vector_of(residuals_N(j, terms, parameters)).squaredNorm();
     }
   }
@@ -93,7 +89,7 @@ ForceData::Normal ForceData::normal_of(const ForceTerms& terms, std::span<const 
                 .gradient = Eigen::VectorXd::Zero(count),
                 .of_records = {}};
   for (std::size_t j = 0; j < records_.size(); ++j) {
-    if (!takes_part(j, fold)) {
+    if (is_held_out(j, fold)) {
       continue;
     }
     const std::vector<double> at = residuals_N(j, terms, parameters);
@@ -194,16 +190,21 @@ ForceFit ForceData::without(const ForceFit& from, std::size_t place) const {
   return fit(terms, std::move(parameters), kIterations);
 }
 
+std::vector<ForceFit> ForceData::fold_fits(const ForceFit& whole) const {
+  std::vector<ForceFit> seen;
+  for (int fold = 0; fold < kFolds && fold < static_cast<int>(records_.size()); ++fold) {
+    seen.push_back(fit(whole.terms, whole.parameters, kFoldIterations, fold));
+  }
+  return seen;
+}
+
 std::vector<double> ForceData::held_out_N2(const ForceFit& whole) const {
   std::vector<double> means(records_.size());
-  for (int fold = 0; fold < kFolds && fold < static_cast<int>(records_.size()); ++fold) {
-    const ForceFit seen = fit(whole.terms, whole.parameters, kFoldIterations, fold);
-    for (std::size_t j = 0; j < records_.size(); ++j) {
-      if (!takes_part(j, fold)) {
-        means[j] = vector_of(residuals_N(j, seen.terms, seen.parameters)).squaredNorm() /
-                   std::max(counts_[j], 1.0);
-      }
-    }
+  const std::vector<ForceFit> seen = fold_fits(whole);
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    const ForceFit& by = seen[j % kFolds];
+    means[j] = vector_of(residuals_N(j, by.terms, by.parameters)).squaredNorm() /
+               std::max(counts_[j], 1.0);
   }
   return means;
 }

@@ -37,6 +37,9 @@ class ForceData {
   /// Without one of its terms.
   [[nodiscard]] ForceFit without(const ForceFit& fit, std::size_t place) const;
 
+  /// Fitted again without the records of each fold in turn.
+  [[nodiscard]] std::vector<ForceFit> fold_fits(const ForceFit& fit) const;
+
   /// Mean squared residual of each record, by fits that never saw it.
   [[nodiscard]] std::vector<double> held_out_N2(const ForceFit& fit) const;
 
@@ -51,6 +54,10 @@ class ForceData {
 
   static constexpr int kFolds = 5;
 
+  [[nodiscard]] static bool is_held_out(std::size_t record, int fold) {
+    return static_cast<int>(record % kFolds) == fold;
+  }
+
  private:
   void settle_turn_over();
   struct Normal;
@@ -58,7 +65,6 @@ class ForceData {
                                  int fold) const;
   [[nodiscard]] double square_of(const ForceTerms& terms, std::span<const double> parameters,
                                  int fold) const;
-  [[nodiscard]] bool takes_part(std::size_t record, int fold) const;
 
   std::vector<ForceRecord> records_;
   ForceScales scales_;

@@ -176,6 +176,12 @@ std::string remainder_prose(const Remainder& remainder) {
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
+std::string correction_summary(const Correction& correction) {
+  return fmt::format("{} knots over {} by direction, input {:.3g} N -> {:.3g} N; no cause",
+                     correction.knots, correction.covariate, correction.before_N,
+                     correction.after_N);
+}
+
 std::string experiments_for(const std::vector<std::string>& ids) {
   std::vector<std::string> texts;
   for (std::size_t i = 0; i < ids.size(); ++i) {

@@ -47,6 +47,9 @@ std::string covariate_prose(std::string_view covariate);
 /// what is not known.
 std::string remainder_prose(const Remainder& remainder);
 
+/// "12 knots over travel by direction, input 2.4 N -> 1.9 N; no cause".
+std::string correction_summary(const Correction& correction);
+
 /// What distinguishes the effects of a set, pair by pair, as the catalogue has it from either side;
 /// "; " between them. Empty where it has nothing.
 std::string experiments_for(const std::vector<std::string>& ids);

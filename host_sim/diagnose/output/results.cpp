@@ -83,6 +83,17 @@ ordered_json remainder_json(const std::optional<Remainder>& remainder) {
           {"p", json_number(remainder->p)}};
 }
 
+ordered_json correction_json(const std::optional<Correction>& correction) {
+  if (!correction) {
+    return nullptr;
+  }
+  return {{"covariate", correction->covariate},
+          {"knots", correction->knots},
+          {"input_rmse_N",
+           {{"before", json_number(correction->before_N)},
+            {"after", json_number(correction->after_N)}}}};
+}
+
 ordered_json extensions_json(const std::vector<Extension>& extensions) {
   ordered_json json = ordered_json::object();
   for (const Extension& extension : extensions) {
@@ -122,6 +133,7 @@ ordered_json tension_json(const std::optional<TensionDiagnosis>& tension) {
   }
   ordered_json json = findings_json(tension->findings);
   json["remainder"] = remainder_json(tension->findings.remainder);
+  json["correction"] = correction_json(tension->findings.correction);
   json["damage_ratio"] = json_number(tension->damage_ratio);
   json["friction_coefficient"] = json_number(tension->friction_coefficient);
   json["log_gain"] = json_number(tension->log_gain);
@@ -149,6 +161,7 @@ std::string diagnosis_json(const Diagnosis& diagnosis, const ResultsContext& con
   const Findings all = merged(diagnosis);
   json.update(findings_json(all));
   json["remainder"] = remainder_json(all.remainder);
+  json["correction"] = correction_json(all.correction);
   json["extended_model"] = text_or_null(context.extended_model);
   json["tension"] = tension_json(diagnosis.tension);
   json["lives"] = lives_json(diagnosis.lives);

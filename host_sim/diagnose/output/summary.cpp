@@ -97,6 +97,12 @@ void write_remainder(std::ostream& out, const Findings& findings) {
   }
 }
 
+void write_correction(std::ostream& out, const Findings& findings) {
+  if (findings.correction) {
+    fmt::print(out, "  correction: {}\n", printable(correction_summary(*findings.correction)));
+  }
+}
+
 void write_invisible(std::ostream& out, const Findings& findings) {
   for (const Invisible& one : findings.invisible) {
     fmt::print(out, "  not detectable here: {}: {}\n", printable(one.id), printable(one.why));
@@ -129,6 +135,7 @@ void write_part(std::ostream& out, const DataFindings& part, const std::string& 
   write_gain(out, findings.gain);
   write_steps(out, findings.steps);
   write_remainder(out, findings);
+  write_correction(out, findings);
   fmt::print(out, "  cost in life: {}\n", cost);
   write_same(out, findings);
   write_invisible(out, findings);

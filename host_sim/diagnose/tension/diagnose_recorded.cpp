@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 #include "hal/files/input_error.hpp"
@@ -328,55 +329,58 @@ TensionDiagnosis nothing_to_see(const RecordedSessions& recorded) {
   return diagnosis;
 }
 
-/// Error of the nominal model over the output force, root mean squares. Below it ln T measures an
-/// error to a hundredth, and what signatures of ln T do not explain is outside of the catalogue.
-constexpr double kLargeError = 0.15;
-/// Of the squared error. What leaves more explains too little not to imitate what is outside.
-constexpr double kMostLeft = 0.25;
+/// Below this error ln T measures to a hundredth, and what signatures of ln T do not explain is
+/// outside of the catalogue. What leaves more than this explains too little not to imitate what is
+/// outside.
+constexpr ForceTrust kBesideSignatures{.least_error = 0.15, .most_left = 0.25};
 
-/// Where signatures of ln T do not explain a large error, effects in newtons may.
-/// @param force_N root mean square of the output force
-void explain_in_newtons(TensionDiagnosis forces, double force_N, TensionDiagnosis& diagnosis) {
-  Findings& findings = diagnosis.findings;
-  findings.remainder = forces.findings.remainder;
-  diagnosis.remainders = std::move(forces.remainders);
-  findings.steps = std::move(forces.findings.steps);
-  if (forces.findings.verdict != Verdict::named || !findings.remainder ||
-      findings.remainder->share > kMostLeft ||
-      findings.remainder->input_rmse_N / std::sqrt(findings.remainder->share) <
-          kLargeError * force_N) {
-    findings.prose += how_far(findings.steps);
-    return;
+/// Where signatures of ln T do not explain an error, effects in newtons may; else they say how far
+/// it goes.
+TensionDiagnosis in_newtons_after(TensionDiagnosis signatures, TensionDiagnosis forces) {
+  Findings& found = forces.findings;
+  found.discrepancies = std::move(signatures.findings.discrepancies);
+  found.invisible = std::move(signatures.findings.invisible);
+  if (found.verdict == Verdict::named) {
+    std::ranges::move(signatures.findings.equivalent_sets,
+                      std::back_inserter(found.equivalent_sets));
+    found.next_experiment = std::move(signatures.findings.next_experiment);
+    return forces;
   }
-  findings.verdict = forces.findings.verdict;
-  findings.effects = std::move(forces.findings.effects);
-  findings.candidates = std::move(forces.findings.candidates);
-  findings.credible_set = std::move(forces.findings.credible_set);
-  findings.gain = std::move(forces.findings.gain);
-  findings.refitted = std::move(forces.findings.refitted);
-  findings.extensions = std::move(forces.findings.extensions);
-  findings.prose = std::move(forces.findings.prose);
-  diagnosis.traces = std::move(forces.traces);
-  diagnosis.session_refits.clear();
-  diagnosis.residuals.clear();  // of ln T, by a model that is not the extended one
-  diagnosis.damage_ratio = forces.damage_ratio;
-  diagnosis.friction_coefficient = forces.friction_coefficient;
-  diagnosis.log_gain = forces.log_gain;
+  TensionDiagnosis& diagnosis = signatures;
+  Findings& findings = diagnosis.findings;
+  findings.remainder = std::move(found.remainder);
+  findings.steps = std::move(found.steps);
+  findings.prose += how_far(findings.steps);
+  diagnosis.remainders = std::move(forces.remainders);
+  if (found.correction) {
+    findings.correction = std::move(found.correction);
+    findings.prose += correction_prose(*findings.correction);
+    findings.extensions = std::move(found.extensions);
+    findings.gain = std::move(found.gain);
+    findings.refitted = std::move(found.refitted);
+    diagnosis.traces = std::move(forces.traces);
+    diagnosis.residuals.clear();  // of ln T, by a model without the correction
+    diagnosis.damage_ratio = forces.damage_ratio;
+    diagnosis.friction_coefficient = forces.friction_coefficient;
+    diagnosis.log_gain = forces.log_gain;
+  }
+  return signatures;
 }
 
 }  // namespace
 
 TensionDiagnosis diagnose_recorded(const Campaign& campaign, const RecordedSessions& recorded,
                                    const DiagnoseOptions& options) {
-  const auto in_newtons = [&](const std::vector<ForceRecord>& records) {
-    return diagnose_forces(records, campaign.nominal, constants_of(campaign.nominal), options);
+  const auto in_newtons = [&](const std::vector<ForceRecord>& records, const ForceTrust& trust) {
+    return diagnose_forces(records, campaign.nominal, constants_of(campaign.nominal), trust,
+                           options);
   };
   const auto records = [&] {
     return force_records(recorded.recordings, recorded.faults, campaign.nominal);
   };
   if (campaign.two_sided) {
     const std::vector<ForceRecord> all = records();
-    return all.empty() ? nothing_to_see(recorded) : in_newtons(all);
+    return all.empty() ? nothing_to_see(recorded) : in_newtons(all, {});
   }
   if (recorded.sessions.empty()) {
     return nothing_to_see(recorded);
@@ -387,11 +391,9 @@ TensionDiagnosis diagnose_recorded(const Campaign& campaign, const RecordedSessi
                      "[model.sheath] with friction_coefficient and bend_angle_deg");
   }
   TensionDiagnosis diagnosis = Diagnoser(campaign, recorded, options).run();
-  if (diagnosis.findings.verdict == Verdict::unknown) {
-    const std::vector<ForceRecord> all = records();
-    explain_in_newtons(in_newtons(all), scales_of(all).force_N, diagnosis);
-  }
-  return diagnosis;
+  return diagnosis.findings.verdict == Verdict::unknown
+             ? in_newtons_after(std::move(diagnosis), in_newtons(records(), kBesideSignatures))
+             : diagnosis;
 }
 
 TensionDiagnosis diagnose_tension(const Campaign& campaign, const DiagnoseOptions& options) {

@@ -125,6 +125,17 @@ std::string remainder(const diagnose::Diagnosis& diagnosis) {
   return tile("What remains", percent_text(left.share), note);
 }
 
+std::string correction(const diagnose::Diagnosis& diagnosis) {
+  if (!diagnosis.tension || !diagnosis.tension->findings.correction) {
+    return {};
+  }
+  const diagnose::Correction& added = *diagnosis.tension->findings.correction;
+  return tile("Correction", quantity_text(added.after_N, "N", 2),
+              fmt::format("input tension, {} before it: a table over {}, which is no cause",
+                          quantity_text(added.before_N, "N", 2),
+                          diagnose::covariate_prose(added.covariate)));
+}
+
 std::string life(const diagnose::Diagnosis& diagnosis) {
   std::string html;
   if (diagnosis.tension && !diagnosis.tension->findings.extensions.empty()) {
@@ -152,6 +163,7 @@ std::string verdict(const diagnose::Diagnosis& diagnosis) {
 
 std::string origin(const diagnose::Diagnosis& diagnosis) {
   std::vector<std::string> from;
+  const bool in_newtons = diagnosis.tension && diagnosis.tension->in_newtons;
   if (diagnosis.tension) {
     from.emplace_back("recordings of tension");
   }
@@ -161,15 +173,16 @@ std::string origin(const diagnose::Diagnosis& diagnosis) {
                                   : "the lives of " + counted_text(points.size(), "specimen"));
   }
   return from.empty() ? "The campaign holds neither recordings nor lives."
-                      : "Found in " + listed(from, "and") +
-                            ". Probabilities are calibrated on simulated campaigns; "
-                            "intervals are of 95\u00a0%.";
+                      : "Found in " + listed(from, "and") + ". Probabilities are " +
+                            (in_newtons ? "those of gains on sessions held out"
+                                        : "calibrated on simulated campaigns") +
+                            "; intervals are of 95\u00a0%.";
 }
 
 std::string tiles(const diagnose::Diagnosis& diagnosis) {
   std::string html = tile("Verdict", std::string(name_of(diagnosis.verdict())),
                           "none, named, ambiguous or unknown") +
-                     remainder(diagnosis);
+                     remainder(diagnosis) + correction(diagnosis);
   const std::vector<DataFindings> parts = diagnose::findings_by_data(diagnosis);
   for (const DataFindings& part : parts) {
     html += effects(part) + gains(part, parts.size() > 1);

@@ -7,8 +7,6 @@
 #include <cmath>
 #include <filesystem>
 #include <memory>
-#include <numbers>
-#include <random>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -16,58 +14,17 @@
 #include "hal/files/input_file.hpp"
 #include "host_sim/campaign/campaign.hpp"
 #include "host_sim/recording/import.hpp"
+#include "tests/diagnose/force/joint.hpp"
 #include "tests/io/support.hpp"
 
 namespace host_sim::diagnose {
 namespace {
 
-using std::numbers::pi;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 using testing::UnorderedElementsAre;
-
-/// A joint that is driven both ways, by its own equations.
-struct Joint {
-  double preload_N = 0;
-  double viscous_N_s_m = 0;
-  double cogging_N = 0;  ///< not in the catalogue of the forward model
-  double noise_N = 0.5;  ///< of either end
-  double gain_scatter = 0.01;
-  bool velocity_reversed = false;
-};
-
-std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int sessions = 12) {
-  std::mt19937 engine(seed);
-  std::normal_distribution<double> normal;
-  std::vector<ForceRecord> records;
-  for (int j = 0; j < sessions; ++j) {
-    ForceRecord record;
-    record.session = "s" + std::to_string(j);
-    const double gain = 1 + joint.gain_scatter * normal(engine);
-    const double omega = 2 * pi * (0.3 + 0.1 * j);
-    for (int i = 0; i < 500; ++i) {
-      const double t = 0.01 * i;
-      const double x = 0.05 * std::sin(omega * t);
-      const double v = 0.05 * omega * std::cos(omega * t);
-      const double load_N = 40 * std::sin(2 * pi * 0.7 * t + j);
-      const double friction_N = std::tanh(v / 1e-3) * (0.02 * std::abs(load_N) + joint.preload_N) +
-                                joint.viscous_N_s_m * v;
-      record.time_s.push_back(t);
-      record.position_m.push_back(x);
-      record.velocity_m_s.push_back(joint.velocity_reversed ? -v : v);
-      record.output_N.push_back(load_N + joint.noise_N * normal(engine));
-      record.output_rate_N_s.push_back(40 * 2 * pi * 0.7 * std::cos(2 * pi * 0.7 * t + j));
-      record.input_N.push_back(gain * (load_N + friction_N + joint.cogging_N * std::sin(900 * x)) +
-                               joint.noise_N * normal(engine));
-      record.bend_angle_rad.push_back(pi);
-      record.used.push_back(true);
-    }
-    records.push_back(std::move(record));
-  }
-  return records;
-}
 
 constexpr reference::Constants kWire{177.4, 0.2, 1.53e5, 1.38, 5.94};
 
@@ -78,7 +35,7 @@ NominalModel nominal() {
 }
 
 Findings found(const std::vector<ForceRecord>& records) {
-  return diagnose_forces(records, nominal(), kWire, {}).findings;
+  return diagnose_forces(records, nominal(), kWire, {}, {}).findings;
 }
 
 std::vector<std::string> ids_of(const Findings& findings) {
@@ -130,8 +87,8 @@ TEST(DiagnoseForces, NamesLoadIndependentAndViscousFrictionOfASignedForce) {
 }
 
 TEST(DiagnoseForces, WhatRemainsIsDrawnByDirectionForBothModels) {
-  const TensionDiagnosis diagnosis =
-      diagnose_forces(measured({.preload_N = 12, .viscous_N_s_m = 150}, 3), nominal(), kWire, {});
+  const TensionDiagnosis diagnosis = diagnose_forces(
+      measured({.preload_N = 12, .viscous_N_s_m = 150}, 3), nominal(), kWire, {}, {});
   ASSERT_EQ(diagnosis.remainders.size(), 2U);
   const auto mean = [](const std::vector<double>& values) {
     double sum = 0;
@@ -171,6 +128,48 @@ TEST(DiagnoseForces, ACauseIsNamedAlthoughMoreIsWrong) {
   EXPECT_LT(findings.remainder->p, 0.01);
 }
 
+/// The force beside the cause is 6 N x/0.05 m, whichever way the motion goes.
+TEST(DiagnoseForces, WhatRepeatsBesideACauseIsACorrectionAndNoCause) {
+  const Findings findings = found(measured({.preload_N = 12, .spring_N = 6}, 8));
+  EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
+  ASSERT_TRUE(findings.correction) << findings.prose;
+  EXPECT_EQ(findings.correction->covariate, "position");
+  // Uniform in time the position of a sine has a mean square of a half: 6 N / sqrt(2), and the
+  // noise of both ends.
+  EXPECT_NEAR(findings.correction->before_N, std::hypot(6 / std::sqrt(2), 0.7), 0.6);
+  EXPECT_LT(findings.correction->after_N, 1.1);
+  EXPECT_DOUBLE_EQ(metric(findings, "input_rmse_N", true), findings.correction->after_N);
+  EXPECT_EQ(findings.extensions.back().id, "empirical");
+  EXPECT_THAT(ids_of(findings), Not(Contains("empirical")));
+  EXPECT_THAT(findings.candidates.front().id, Not(HasSubstr("empirical")));
+  EXPECT_THAT(findings.prose, HasSubstr("which is no cause"));
+}
+
+TEST(DiagnoseForces, WhatHasNoCauseAndRepeatsIsCorrectedAndStaysUnknown) {
+  const TensionDiagnosis diagnosis = diagnose_forces(measured({.preload_N = 12, .spring_N = 6}, 8),
+                                                     nominal(), kWire, {.least_error = 9}, {});
+  const Findings& findings = diagnosis.findings;
+  EXPECT_EQ(findings.verdict, Verdict::unknown) << findings.prose;
+  EXPECT_THAT(ids_of(findings), IsEmpty());
+  ASSERT_TRUE(findings.correction) << findings.prose;
+  ASSERT_EQ(findings.extensions.size(), 1U);
+  EXPECT_EQ(findings.extensions[0].id, "empirical");
+  // Friction in proportion to the load stands in for a part of what does not depend on it.
+  EXPECT_LT(findings.correction->after_N, 0.75 * findings.correction->before_N);
+  EXPECT_DOUBLE_EQ(metric(findings, "input_rmse_N", false), findings.correction->before_N);
+}
+
+TEST(DiagnoseForces, WhatExplainsTooLittleIsNotNamed) {
+  const auto verdict = [](double most_left) {
+    return diagnose_forces(measured({.preload_N = 12, .spring_N = 6}, 8), nominal(), kWire,
+                           {.most_left = most_left}, {})
+        .findings.verdict;
+  };
+  // The spring, 6 N / sqrt(2), is left of an error of less than hypot(12 N, 6 N / sqrt(2)).
+  EXPECT_EQ(verdict(0.7), Verdict::named);
+  EXPECT_EQ(verdict(0.1), Verdict::unknown);
+}
+
 TEST(DiagnoseForces, AFewSessionsNameNothing) {
   const Findings findings = found(measured({.preload_N = 12}, 5, 3));
   EXPECT_THAT(ids_of(findings), IsEmpty());
@@ -197,7 +196,8 @@ TEST(DiagnoseForces, WhatIsTakenOutOfTheCatalogueIsNotNamed) {
   DiagnoseOptions options;
   options.without = {"friction_preload"};
   EXPECT_THAT(
-      ids_of(diagnose_forces(measured({.preload_N = 12}, 6), nominal(), kWire, options).findings),
+      ids_of(
+          diagnose_forces(measured({.preload_N = 12}, 6), nominal(), kWire, {}, options).findings),
       Not(Contains("friction_preload")));
 }
 
@@ -206,7 +206,7 @@ TEST(DiagnoseForces, TheNumberOfThreadsDoesNotMatter) {
   const auto by = [&](unsigned threads) {
     DiagnoseOptions options;
     options.threads = threads;
-    return diagnose_forces(records, nominal(), kWire, options).findings;
+    return diagnose_forces(records, nominal(), kWire, {}, options).findings;
   };
   EXPECT_EQ(estimate(by(1), "preload_N").value, estimate(by(3), "preload_N").value);
   EXPECT_EQ(by(1).prose, by(3).prose);

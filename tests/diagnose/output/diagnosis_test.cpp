@@ -67,6 +67,9 @@ TEST(Parts, MergedHoldAllOfBoth) {
 TEST(Parts, TheRemainderIsThatOfTheRecordings) {
   Diagnosis diagnosis = host_sim_test::both_parts();
   EXPECT_FALSE(merged(diagnosis).remainder.has_value());
+  EXPECT_FALSE(merged(diagnosis).correction.has_value());
+  diagnosis.tension->findings.correction = Correction{"travel", 8, 2.4, 1.25};
+  EXPECT_EQ(merged(diagnosis).correction->after_N, 1.25);
   diagnosis.tension->findings.remainder = host_sim_test::left_over_position();
   ASSERT_TRUE(merged(diagnosis).remainder.has_value());
   EXPECT_EQ(merged(diagnosis).remainder->covariate, "position");

@@ -81,6 +81,11 @@ TEST(Remainder, IsOneSentenceOfWhatIsKnown) {
   EXPECT_EQ(remainder_prose(left), "100 % of the squared error");
 }
 
+TEST(CorrectionProse, SaysWhatItIsOverAndThatItIsNoCause) {
+  EXPECT_EQ(correction_summary({"travel", 8, 2.4, 1.25}),
+            "8 knots over travel by direction, input 2.4 N -> 1.25 N; no cause");
+}
+
 TEST(ExperimentsFor, AreThoseOfTheCatalogueFromEitherSide) {
   // EFFECTS.md: wear and temperature are distinguished by cold restarts at several n.
   const std::string experiment = "start from cold at several cycle numbers";

@@ -68,8 +68,12 @@ TEST(DiagnoseCableDrive, TakesOffTheErrorOfCapstanStepByStep) {
   for (const Extension& extension : findings.extensions) {
     written.push_back(extension.id);
   }
-  EXPECT_THAT(written,
-              ::testing::UnorderedElementsAre("friction_preload", "load_cell_zero", "presliding"));
+  EXPECT_THAT(written, ::testing::UnorderedElementsAre("friction_preload", "load_cell_zero",
+                                                       "presliding", "empirical"));
+  // Least squares with dependence on position besides has 11.9 mNm.
+  ASSERT_TRUE(findings.correction);
+  EXPECT_EQ(findings.correction->covariate, "position");
+  EXPECT_LT(kPulley_mm * findings.correction->after_N, 11.9);
   ASSERT_GE(findings.steps.size(), 3U);
   const Step& capstan = findings.steps.front();
   EXPECT_TRUE(capstan.effect.id.empty());

@@ -1,0 +1,162 @@
+#include "host_sim/diagnose/force/force_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "host_sim/statistics/parallel.hpp"
+
+namespace host_sim::diagnose {
+namespace {
+
+constexpr double kStandsIn = 0.05;  ///< of ln rmse, for another in the place of an effect
+constexpr int kNominalIterations = 15;
+constexpr int kRounds = 3;  ///< of terms that take the place of others
+
+}  // namespace
+
+ForceSearch::ForceSearch(const ForceData& data, double friction, std::vector<std::string> without,
+                         unsigned threads)
+    : data_(data),
+      without_(std::move(without)),
+      threads_(threads),
+      nominal_{data.fit({}, {1, friction}, kNominalIterations), {}} {
+  nominal_.held_N2 = data.held_out_N2(nominal_.fit);
+  model_ = nominal_;
+}
+
+void ForceSearch::run() {
+  while (model_.fit.terms.size() < kMostForceTerms && grow()) {
+  }
+  for (int round = 0; round < kRounds; ++round) {
+    while (prune()) {
+    }
+    if (!exchange(round + 1 < kRounds)) {
+      break;
+    }
+  }
+}
+
+std::vector<ForceSearch::Candidate> ForceSearch::stairs() const {
+  std::vector<Candidate> stairs{nominal_};
+  bool all_so_far = true;
+  for (const Added& added : added_) {
+    const ForceTerms& before = stairs.back().fit.terms;
+    const bool stays =
+        judged_.empty() || std::ranges::find(judged_, added.term, &Judged::term) != judged_.end();
+    if (!stays || std::ranges::find(before, added.term) != before.end()) {
+      all_so_far = false;
+      continue;
+    }
+    if (all_so_far && added.grown) {
+      stairs.push_back(*added.grown);
+    } else {
+      all_so_far = false;
+      Candidate next{data_.with(stairs.back().fit, added.term), {}};
+      next.held_N2 = data_.held_out_N2(next.fit);
+      stairs.push_back(std::move(next));
+    }
+  }
+  return stairs;
+}
+
+std::vector<ForceTerm> ForceSearch::outside() const {
+  std::vector<ForceTerm> terms;
+  for (unsigned i = 0; i < kForceTermCount; ++i) {
+    const auto term = static_cast<ForceTerm>(i);
+    const bool wanted = std::ranges::find(without_, definition_of(term).id) == without_.end();
+    if (wanted && is_shown(term, data_.records()) &&
+        std::ranges::find(model_.fit.terms, term) == model_.fit.terms.end()) {
+      terms.push_back(term);
+    }
+  }
+  return terms;
+}
+
+/// The model with each of these more, the least squares first.
+std::vector<ForceSearch::Candidate> ForceSearch::with_each(
+    const ForceFit& from, const std::vector<ForceTerm>& terms) const {
+  std::vector<Candidate> all(terms.size());
+  statistics::parallel_for(
+      terms.size(), [&](std::size_t i) { all[i].fit = data_.with(from, terms[i]); }, threads_);
+  std::ranges::sort(all, {}, [](const Candidate& one) { return one.fit.square_N2; });
+  return all;
+}
+
+void ForceSearch::hold_out(std::vector<Candidate>& all) const {
+  statistics::parallel_for(
+      all.size(), [&](std::size_t i) { all[i].held_N2 = data_.held_out_N2(all[i].fit); }, threads_);
+}
+
+/// Adds the term of the least error on sessions that the fit never saw, if it is worth it.
+bool ForceSearch::grow() {
+  constexpr std::size_t kTried = 3;
+  std::vector<Candidate> all = with_each(model_.fit, outside());
+  all.resize(std::min(all.size(), kTried));
+  hold_out(all);
+  const auto best = std::ranges::min_element(
+      all, {}, [&](const Candidate& one) { return data_.rmse_N(one.held_N2); });
+  if (best == all.end() || paired_gain(model_.held_N2, best->held_N2).z < kSeen ||
+      std::log(rmse_N() / data_.rmse_N(best->held_N2)) < kWorthTrying) {
+    return false;
+  }
+  model_ = std::move(*best);
+  added_.push_back({model_.fit.terms.back(), model_});
+  return true;
+}
+
+/// Judges each term, and takes out the one that matters least if it does not stay.
+bool ForceSearch::prune() {
+  judged_.assign(model_.fit.terms.size(), {});
+  std::vector<Candidate> all(model_.fit.terms.size());
+  statistics::parallel_for(
+      all.size(), [&](std::size_t i) { all[i].fit = data_.without(model_.fit, i); }, threads_);
+  hold_out(all);
+  std::optional<std::size_t> least;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    judged_[i] = {.term = model_.fit.terms[i],
+                  .gain = paired_gain(all[i].held_N2, model_.held_N2),
+                  .without = all[i].fit,
+                  .others = {}};
+    if (!(judged_[i].stays() && !data_.at_bound(model_.fit, i)) &&
+        (!least || judged_[i].gain.mean < judged_[*least].gain.mean)) {
+      least = i;
+    }
+  }
+  if (!least) {
+    return false;
+  }
+  model_ = std::move(all[*least]);
+  return true;
+}
+
+/// Finds what could stand in the place of each term. Where that does better it takes the place,
+/// as long as that is allowed, and all are judged anew.
+bool ForceSearch::exchange(bool allowed) {
+  for (std::size_t place = 0; place < judged_.size(); ++place) {
+    for (Candidate& one : in_place_of(place)) {
+      const PairedGain lost = paired_gain(one.held_N2, model_.held_N2);
+      if (allowed && lost.mean < -kWorthTrying && lost.z < -kSeen) {
+        added_.push_back({one.fit.terms.back(), std::nullopt});
+        model_ = std::move(one);
+        return true;
+      }
+      if (lost.mean < kStandsIn || lost.z < kSeen) {
+        judged_[place].others.push_back(one.fit.terms.back());
+      }
+    }
+  }
+  return false;
+}
+
+/// The model with another term in the place of one, where it fits nearly as well or better.
+std::vector<ForceSearch::Candidate> ForceSearch::in_place_of(std::size_t place) const {
+  std::vector<Candidate> all = with_each(judged_[place].without, outside());
+  std::erase_if(all, [&](const Candidate& one) {
+    return std::log(one.fit.square_N2 / model_.fit.square_N2) / 2 > 2 * kStandsIn;
+  });
+  hold_out(all);
+  return all;
+}
+
+}  // namespace host_sim::diagnose

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host_sim/diagnose/force/force_fit.hpp"
+
+namespace host_sim::diagnose {
+
+/// What has to hold for an effect to be named, on sessions that the fit never saw.
+inline constexpr double kMaterialGain = 0.14;  ///< of ln rmse: without it the error is 15 % larger
+inline constexpr double kCertainGain = 4;      ///< standard errors, of sessions
+inline constexpr std::size_t kMostForceTerms = 5;
+
+/// What it takes for a search to go on, of ln rmse on such sessions, and in standard errors.
+inline constexpr double kWorthTrying = 0.02;
+inline constexpr double kSeen = 3;
+
+/// A term in the model, by what the model does without it.
+struct Judged {
+  ForceTerm term{};
+  PairedGain gain;
+  ForceFit without;
+  std::vector<ForceTerm> others;  ///< that could stand in its place
+
+  [[nodiscard]] bool stays() const { return gain.mean >= kMaterialGain && gain.z >= kCertainGain; }
+};
+
+/// Grows a model of the input force by effects of the catalogue as long as they gain on sessions
+/// that the fit never saw, and takes those out again without which it does as well.
+class ForceSearch {
+ public:
+  struct Candidate {
+    ForceFit fit;
+    std::vector<double> held_N2;  ///< mean squared residuals on sessions that the fit never saw
+  };
+
+  /// @param friction coefficient that the nominal model starts with
+  /// @param without ids of effects that are left out
+  ForceSearch(const ForceData& data, double friction, std::vector<std::string> without,
+              unsigned threads);
+
+  void run();
+
+  [[nodiscard]] const Candidate& nominal() const { return nominal_; }
+  [[nodiscard]] const Candidate& model() const { return model_; }
+  [[nodiscard]] double nominal_rmse_N() const { return data_.rmse_N(nominal_.held_N2); }
+  [[nodiscard]] double rmse_N() const { return data_.rmse_N(model_.held_N2); }
+  [[nodiscard]] const std::vector<Judged>& judged() const { return judged_; }
+
+  /// From the nominal model on, one term more each: those that stay in the order in which they
+  /// came, or where none stays all that came.
+  [[nodiscard]] std::vector<Candidate> stairs() const;
+
+ private:
+  struct Added {
+    ForceTerm term{};
+    std::optional<Candidate> grown;  ///< from the one added before; none: it took a place
+  };
+
+  [[nodiscard]] std::vector<ForceTerm> outside() const;
+  [[nodiscard]] std::vector<Candidate> with_each(const ForceFit& from,
+                                                 const std::vector<ForceTerm>& terms) const;
+  void hold_out(std::vector<Candidate>& all) const;
+  bool grow();
+  bool prune();
+  bool exchange(bool allowed);
+  [[nodiscard]] std::vector<Candidate> in_place_of(std::size_t place) const;
+
+  const ForceData& data_;
+  std::vector<std::string> without_;
+  unsigned threads_;
+  Candidate nominal_;
+  Candidate model_;
+  std::vector<Judged> judged_;
+  std::vector<Added> added_;
+};
+
+}  // namespace host_sim::diagnose

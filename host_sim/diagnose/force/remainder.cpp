@@ -1,0 +1,239 @@
+#include "host_sim/diagnose/force/remainder.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "host_sim/statistics/random.hpp"
+
+namespace host_sim::diagnose {
+namespace {
+
+std::vector<double> travel_of(const ForceRecord& record) {
+  std::vector<double> travel_m(record.samples());
+  double since_m = record.samples() == 0 ? 0 : record.position_m.front();
+  for (std::size_t i = 1; i < record.samples(); ++i) {
+    if (record.velocity_m_s[i] * record.velocity_m_s[i - 1] <= 0) {
+      since_m = record.position_m[i];
+    }
+    travel_m[i] = std::abs(record.position_m[i] - since_m);
+  }
+  return travel_m;
+}
+
+std::vector<double> sizes_of(std::vector<double> values) {
+  for (double& value : values) {
+    value = std::abs(value);
+  }
+  return values;
+}
+
+}  // namespace
+
+std::vector<ForceCovariate> force_covariates(const std::vector<ForceRecord>& records) {
+  std::vector<ForceCovariate> all{{"output tension", "N", {}},
+                                  {"position", "m", {}},
+                                  {"speed", "m/s", {}},
+                                  {"travel", "m", {}}};
+  for (const ForceRecord& record : records) {
+    all[0].values.push_back(sizes_of(record.output_N));
+    all[1].values.push_back(record.position_m);
+    all[2].values.push_back(sizes_of(record.velocity_m_s));
+    all[3].values.push_back(travel_of(record));
+  }
+  return all;
+}
+
+std::vector<std::vector<double>> residuals_of(const ForceData& data, const ForceFit& model) {
+  std::vector<std::vector<double>> residuals_N;
+  for (std::size_t j = 0; j < data.records().size(); ++j) {
+    residuals_N.push_back(data.residuals_N(j, model.terms, model.parameters));
+  }
+  return residuals_N;
+}
+
+namespace {
+
+constexpr std::size_t kBins = 8;
+
+/// Bins of a covariate that hold as many samples each, and which one each sample lies in: an even
+/// number where the motion goes one way, the next one where it goes back.
+struct Bins {
+  std::vector<double> centres;
+  std::vector<std::vector<std::size_t>> places;  ///< by record and sample
+
+  Bins(const std::vector<ForceRecord>& records, const ForceCovariate& covariate) {
+    std::vector<double> sorted;
+    for (const auto& values : covariate.values) {
+      sorted.insert(sorted.end(), values.begin(), values.end());
+    }
+    std::ranges::sort(sorted);
+    for (std::size_t bin = 0; bin < kBins; ++bin) {
+      centres.push_back(sorted[(2 * bin + 1) * sorted.size() / (2 * kBins)]);
+    }
+    for (std::size_t j = 0; j < records.size(); ++j) {
+      std::vector<std::size_t>& of_record = places.emplace_back();
+      for (std::size_t i = 0; i < records[j].samples(); ++i) {
+        const auto below =
+            std::ranges::lower_bound(sorted, covariate.values[j][i]) - sorted.begin();
+        const std::size_t bin =
+            std::min(static_cast<std::size_t>(below) * kBins / sorted.size(), kBins - 1);
+        of_record.push_back(2 * bin + (records[j].velocity_m_s[i] < 0 ? 1 : 0));
+      }
+    }
+  }
+};
+
+/// Mean residual of each session in each bin; absent where a session has few samples there.
+class BinMeans {
+ public:
+  BinMeans(const std::vector<ForceRecord>& records, const Bins& bins,
+           const std::vector<std::vector<double>>& residuals_N)
+      : means_N_(records.size()) {
+    for (std::size_t j = 0; j < records.size(); ++j) {
+      std::array<double, 2 * kBins> sums{};
+      std::array<std::size_t, 2 * kBins> counts{};
+      for (std::size_t i = 0; i < records[j].samples(); ++i) {
+        if (records[j].used[i]) {
+          sums[bins.places[j][i]] += residuals_N[j][i];
+          ++counts[bins.places[j][i]];
+        }
+      }
+      for (std::size_t bin = 0; bin < 2 * kBins; ++bin) {
+        constexpr std::size_t kFew = 3;
+        means_N_[j][bin] = counts[bin] < kFew
+                               ? std::nullopt
+                               : std::optional(sums[bin] / static_cast<double>(counts[bin]));
+      }
+    }
+  }
+
+  /// How far the means are from zero against their scatter between sessions, all bins together.
+  [[nodiscard]] double statistic(const std::vector<double>& signs) const {
+    double sum = 0;
+    double bins = 0;
+    for (std::size_t bin = 0; bin < 2 * kBins; ++bin) {
+      double count = 0;
+      double mean = 0;
+      double square = 0;
+      for (std::size_t j = 0; j < means_N_.size(); ++j) {
+        if (means_N_[j][bin]) {
+          const double value = signs[j] * *means_N_[j][bin];
+          ++count;
+          mean += value;
+          square += value * value;
+        }
+      }
+      constexpr double kFew = 4;
+      if (count >= kFew && square > 0) {
+        sum += mean * mean / square;
+        ++bins;
+      }
+    }
+    return bins > 0 ? sum / bins : 0;
+  }
+
+  /// Of one bin, those that there are.
+  [[nodiscard]] std::vector<double> of_sessions(std::size_t bin) const {
+    std::vector<double> all;
+    for (const auto& session : means_N_) {
+      if (session[bin]) {
+        all.push_back(*session[bin]);
+      }
+    }
+    return all;
+  }
+
+ private:
+  std::vector<std::array<std::optional<double>, 2 * kBins>> means_N_;
+};
+
+struct Spread {
+  double mean_N = 0;
+  double sd_N = 0;
+};
+
+/// @pre two values or more
+Spread spread_of(const std::vector<double>& values_N) {
+  const auto count = static_cast<double>(values_N.size());
+  const double mean_N = std::accumulate(values_N.begin(), values_N.end(), 0.0) / count;
+  double square_N2 = 0;
+  for (const double value_N : values_N) {
+    square_N2 += (value_N - mean_N) * (value_N - mean_N);
+  }
+  return {mean_N, std::sqrt(square_N2 / (count - 1))};
+}
+
+/// What both models leave, as the test sees it.
+std::vector<RemainderPicture> pictures_of(const ForceCovariate& covariate, const Bins& bins,
+                                          const BinMeans& before, const BinMeans& after) {
+  std::vector<RemainderPicture> pictures;
+  for (const std::size_t back : {0U, 1U}) {
+    RemainderPicture picture{std::string(covariate.name),
+                             std::string(covariate.unit),
+                             back == 0 ? 1 : -1,
+                             {},
+                             {},
+                             {},
+                             {},
+                             {}};
+    for (std::size_t bin = 0; bin < kBins; ++bin) {
+      const std::vector<double> before_N = before.of_sessions(2 * bin + back);
+      const std::vector<double> after_N = after.of_sessions(2 * bin + back);
+      if (before_N.size() < 2) {
+        continue;
+      }
+      picture.centre.push_back(bins.centres[bin]);
+      const Spread was = spread_of(before_N);
+      const Spread is = spread_of(after_N);
+      picture.before_N.push_back(was.mean_N);
+      picture.before_sd_N.push_back(was.sd_N);
+      picture.after_N.push_back(is.mean_N);
+      picture.after_sd_N.push_back(is.sd_N);
+    }
+    pictures.push_back(std::move(picture));
+  }
+  return pictures;
+}
+
+}  // namespace
+
+ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, const ForceFit& model,
+                            const std::vector<ForceCovariate>& covariates, std::uint64_t seed) {
+  constexpr int kDraws = 999;
+  const std::vector<std::vector<double>> residuals_N = residuals_of(data, model);
+  std::vector<Bins> bins;
+  std::vector<BinMeans> means;
+  for (const ForceCovariate& covariate : covariates) {
+    bins.emplace_back(data.records(), covariate);
+    means.emplace_back(data.records(), bins.back(), residuals_N);
+  }
+  std::vector<double> signs(data.records().size(), 1);
+  std::size_t most = 0;
+  double largest = 0;
+  for (std::size_t i = 0; i < means.size(); ++i) {
+    const double statistic = means[i].statistic(signs);
+    if (statistic > largest) {
+      largest = statistic;
+      most = i;
+    }
+  }
+  int as_large = 1;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    constexpr std::uint64_t kStream = 41;
+    statistics::Random random(seed, kStream, static_cast<std::uint64_t>(draw));
+    for (double& sign : signs) {
+      sign = random.uniform() < 0.5 ? -1 : 1;
+    }
+    as_large += std::ranges::any_of(
+        means, [&](const BinMeans& one) { return one.statistic(signs) >= largest; });
+  }
+  const BinMeans before(data.records(), bins[most], residuals_of(data, nominal));
+  return {covariates[most].name, static_cast<double>(as_large) / (kDraws + 1),
+          pictures_of(covariates[most], bins[most], before, means[most])};
+}
+
+}  // namespace host_sim::diagnose

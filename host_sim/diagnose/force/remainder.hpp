@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "host_sim/diagnose/diagnosis.hpp"
+#include "host_sim/diagnose/force/force_fit.hpp"
+
+namespace host_sim::diagnose {
+
+/// What residuals may depend on, by direction.
+struct ForceCovariate {
+  std::string_view name;
+  std::string_view unit;
+  std::vector<std::vector<double>> values;  ///< by record and sample
+};
+
+/// Size of the output force, position, speed and travel since the motion turned, in the order of
+/// kEmpiricalCovariates.
+std::vector<ForceCovariate> force_covariates(const std::vector<ForceRecord>& records);
+
+/// Residuals in N of a model on each record.
+std::vector<std::vector<double>> residuals_of(const ForceData& data, const ForceFit& model);
+
+/// What a model leaves that is the same in all sessions.
+struct ForceRemainder {
+  std::string_view covariate;              ///< that it depends on most
+  double p = 1;                            ///< that chance alone shows as much
+  std::vector<RemainderPicture> pictures;  ///< against that covariate, before and after
+};
+
+/// By signs of sessions that are turned over at random, and the largest statistic of all
+/// covariates.
+ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, const ForceFit& model,
+                            const std::vector<ForceCovariate>& covariates, std::uint64_t seed);
+
+}  // namespace host_sim::diagnose

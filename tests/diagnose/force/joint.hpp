@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host_sim/diagnose/force/force_model.hpp"
+
+namespace host_sim::diagnose {
+
+/// A joint that is driven both ways, by its own equations.
+struct Joint {
+  double preload_N = 0;
+  double viscous_N_s_m = 0;
+  double cogging_N = 0;  ///< not in the catalogue of the forward model
+  double noise_N = 0.5;  ///< of either end
+  double gain_scatter = 0.01;
+  bool velocity_reversed = false;
+  double spring_N = 0;       ///< at the end of the stroke, whichever way it goes
+  double shaped_N = 0;       ///< at the end of the stroke, with the motion and, back, against it
+  bool shape_turns = false;  ///< from session to session
+  bool rotor_known = true;
+};
+
+inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int sessions = 12) {
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> normal;
+  std::vector<ForceRecord> records;
+  for (int j = 0; j < sessions; ++j) {
+    ForceRecord record;
+    record.session = "s" + std::to_string(j);
+    record.rotor_known = joint.rotor_known;
+    const double gain = 1 + joint.gain_scatter * normal(engine);
+    const double omega = 2 * std::numbers::pi * (0.3 + 0.1 * j);
+    for (int i = 0; i < 500; ++i) {
+      const double t = 0.01 * i;
+      const double x = 0.05 * std::sin(omega * t);
+      const double v = 0.05 * omega * std::cos(omega * t);
+      const double load_N = 40 * std::sin(2 * std::numbers::pi * 0.7 * t + j);
+      const double friction_N = std::tanh(v / 1e-3) * (0.02 * std::abs(load_N) + joint.preload_N) +
+                                joint.viscous_N_s_m * v;
+      const double spring_N = joint.spring_N * x / 0.05;
+      const double shaped_N =
+          joint.shaped_N * x / 0.05 * (v < 0 ? -1 : 1) * (joint.shape_turns && j % 2 == 1 ? -1 : 1);
+      record.time_s.push_back(t);
+      record.position_m.push_back(x);
+      record.velocity_m_s.push_back(joint.velocity_reversed ? -v : v);
+      record.output_N.push_back(load_N + joint.noise_N * normal(engine));
+      record.output_rate_N_s.push_back(40 * 2 * std::numbers::pi * 0.7 *
+                                       std::cos(2 * std::numbers::pi * 0.7 * t + j));
+      record.input_N.push_back(
+          gain * (load_N + friction_N + joint.cogging_N * std::sin(900 * x) + spring_N + shaped_N) +
+          joint.noise_N * normal(engine));
+      record.bend_angle_rad.push_back(std::numbers::pi);
+      record.used.push_back(true);
+    }
+    records.push_back(std::move(record));
+  }
+  return records;
+}
+
+}  // namespace host_sim::diagnose
