@@ -121,7 +121,7 @@ class Listener {
       return std::nullopt;
     }
     const auto command = protocol::decode<protocol::Command>(frame);
-    if (!protocol::e2e::is_usable(status) || !command) {
+    if (!protocol::e2e::is_usable(status) || !command || selects_no_page(*command)) {
       refused_ += refused_ != std::numeric_limits<std::uint32_t>::max() ? 1u : 0u;
       return std::nullopt;
     }
@@ -132,6 +132,11 @@ class Listener {
   [[nodiscard]] std::uint32_t refused() const { return refused_; }
 
  private:
+  static bool selects_no_page(const protocol::Command& command) {
+    return command.code == protocol::CommandCode::select_page &&
+           command.argument >= protocol::detail::kPages;
+  }
+
   protocol::e2e::Checker checker_;
   std::uint32_t refused_ = 0;
 };

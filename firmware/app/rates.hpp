@@ -53,8 +53,8 @@ class Rates {
                ? below(DamageRate::kUnknownRate, times(damage_per_min(), 60).parts_per_billion())
                : DamageRate::kUnknownRate;
   }
-  /// Tenths of an hour until `end` at this rate; the highest value where there is no rate, or
-  /// longer than the field holds.
+  /// Tenths of an hour until `end` at this rate; RemainingLife::kUnknown until the rate is known;
+  /// stops below.
   [[nodiscard]] std::uint16_t remaining_dh(const lifemodel::Damage& used,
                                            lifemodel::LifePoint end) const {
     constexpr std::uint16_t kUnknown = protocol::detail::RemainingLife::kUnknown;
@@ -64,7 +64,7 @@ class Rates {
     constexpr std::uint32_t kMinutes = 6;
     const std::uint32_t left =
         lifemodel::remaining_repeats(used, times(damage_per_min(), kMinutes), end);
-    return static_cast<std::uint16_t>(left < kUnknown ? left : kUnknown);
+    return below(kUnknown, left);
   }
 
  private:

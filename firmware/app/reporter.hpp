@@ -68,6 +68,7 @@ class Reporter {
   }
 
   /// Hands the message of a page to `send`, which returns whether it has left, and returns that.
+  /// A page that there is not does not leave.
   template <class Send>
   bool with_page(std::uint8_t page, Send&& send) {
     using namespace protocol::detail;
@@ -89,9 +90,10 @@ class Reporter {
         return send_storage(send);
       case Timing::kPage:
         return send(node_state_.timing);
-      default:
+      case Bus::kPage:
         return send(bus());
     }
+    return false;
   }
 
  private:
@@ -112,12 +114,13 @@ class Reporter {
     return left;
   }
 
-  /// The bins with a cycle in turn; where there is none, the first.
+  /// The bins that have something to report in turn; where none has, the first.
   template <class Send>
   bool send_bin(Send& send) {
     constexpr std::uint32_t kAll = kTendons * RainflowBins::kBins;
     std::uint32_t position = bin_;
-    for (std::uint32_t seen = 0; seen < kAll && cycles(position) == 0; ++seen) {
+    for (std::uint32_t seen = 0;
+         seen < kAll && !bins(position).reported(position % RainflowBins::kBins); ++seen) {
       position = position + 1 < kAll ? position + 1 : 0;
     }
     const std::uint32_t bin = position % RainflowBins::kBins;
@@ -125,14 +128,15 @@ class Reporter {
         .tendon = static_cast<std::uint8_t>(position / RainflowBins::kBins),
         .range_class = static_cast<std::uint8_t>(bin / RainflowBins::kClasses),
         .mean_class = static_cast<std::uint8_t>(bin % RainflowBins::kClasses),
-        .cycles = cycles(position)});
+        .half_cycles = bins(position).half_cycles(bin),
+        .cycles = bins(position).cycles(bin)});
     if (left) {
       bin_ = position + 1 < kAll ? position + 1 : 0;
     }
     return left;
   }
-  [[nodiscard]] std::uint32_t cycles(std::uint32_t position) const {
-    return bins_[position / RainflowBins::kBins].cycles(position % RainflowBins::kBins);
+  [[nodiscard]] const RainflowBins& bins(std::uint32_t position) const {
+    return bins_[position / RainflowBins::kBins];
   }
 
   /// Of the tendon that has the least left.

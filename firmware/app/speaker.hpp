@@ -41,8 +41,9 @@ class Speaker {
     next_emergency_ = now;
   }
 
+  /// @pre page < protocol::detail::kPages
   void select_page(std::uint8_t page) {
-    page_ = page % protocol::detail::kPages;
+    page_ = page;
     selected_ = true;
   }
   void burst(std::uint8_t pages) { burst_ = pages; }

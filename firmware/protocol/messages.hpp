@@ -90,15 +90,16 @@ struct RainflowBin {
   std::uint8_t tendon = 0;       ///< 0 .. 31
   std::uint8_t range_class = 0;  ///< 0 .. 7, eighths of the ultimate tension; 7 is open above
   std::uint8_t mean_class = 0;   ///< 0 .. 7, eighths of the ultimate tension; 0 is open below
-  std::uint32_t cycles = 0;      ///< since the start
+  std::uint8_t half_cycles = 0;  ///< open now, besides; stops at 31
+  std::uint32_t cycles = 0;      ///< closed since the start; stops at 2^32 - 1
 
   friend constexpr bool operator==(const RainflowBin&, const RainflowBin&) = default;
 };
 struct RemainingLife {
   static constexpr std::uint8_t kPage = 5;
-  static constexpr std::uint16_t kUnknown =
-      0xffff;                       ///< no rate yet, or longer than the field holds
-  std::uint16_t b10_dh = kUnknown;  ///< tenths of an hour at the present damage rate
+  static constexpr std::uint16_t kUnknown = 0xffff;  ///< no minute was seen yet
+  /// Tenths of an hour at the present damage rate; stops at 0xfffe, also where there is no damage.
+  std::uint16_t b10_dh = kUnknown;
   std::uint16_t b50_dh = kUnknown;
   std::uint16_t b90_dh = kUnknown;
 

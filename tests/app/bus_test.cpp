@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
+#include <type_traits>
 #include <vector>
 
 #include "hal/error.hpp"
@@ -259,23 +261,39 @@ TEST(Bus, WhatIsNotACommandIsRefusedAndCounted) {
   rig.idle(10);
   EXPECT_EQ(rig.app->node_state().refused, 0);
 
-  // Replayed, damaged, unknown, short: one each.
+  // Replayed, damaged, unknown, short, of a page that there is not: one each.
   hal::CanFrame damaged = commander.frame(CommandCode::select_page, 3);
   damaged.data[2] ^= std::byte{0x10};
   hal::CanFrame brief = good;
   brief.length = 3;
-  for (const hal::CanFrame& bad :
-       {good, damaged, commander.frame(static_cast<CommandCode>(9), 0), brief}) {
+  for (const hal::CanFrame& bad : {good, damaged, commander.frame(static_cast<CommandCode>(9), 0),
+                                   brief, commander.frame(CommandCode::select_page, 9)}) {
     ASSERT_EQ(rig.tester.send(bad), hal::Error::none);
     rig.idle(10);
   }
-  EXPECT_EQ(rig.app->node_state().refused, 4);
+  EXPECT_EQ(rig.app->node_state().refused, 5);
 
   // Of another node: none of our business.
   ASSERT_EQ(rig.tester.send(Commander(kNode + 1).frame(CommandCode::identify, 1)),
             hal::Error::none);
   rig.idle(10);
-  EXPECT_EQ(rig.app->node_state().refused, 4);
+  EXPECT_EQ(rig.app->node_state().refused, 5);
+}
+
+TEST(Bus, APageThatThereIsNotIsNeverAnswered) {
+  const LifeBook<1> book;
+  const std::array<RainflowBins, 1> bins{};
+  const NodeState state;
+  Reporter<1> reporter(book, bins, state);
+  for (int page = 0; page < 256; ++page) {
+    int sent = -1;
+    const bool left = reporter.with_page(static_cast<std::uint8_t>(page), [&](const auto& message) {
+      sent = std::decay_t<decltype(message)>::kPage;
+      return true;
+    });
+    EXPECT_EQ(left, page < 9) << page;
+    EXPECT_EQ(sent, page < 9 ? page : -1);
+  }
 }
 
 TEST(Bus, ABabblingNeighbourIsSurvived) {

@@ -48,8 +48,10 @@ TEST(Rates, TellWhatTheLastMinuteDid) {
   for (std::uint32_t s = 301; s <= 360; ++s) {
     rates.take(hal::seconds(s), lives(300, 20), 900);
   }
+  // Without damage longer than the field holds, which is known, and said.
   EXPECT_EQ(rates.cycles_per_min(), 0);
-  EXPECT_EQ(rates.remaining_dh({}, {1u << 28}), 0xffff);
+  EXPECT_EQ(rates.remaining_dh({}, {1u << 28}), 0xfffe);
+  EXPECT_EQ(rates.remaining_dh(lives(1, 0), {1u << 28}), 0);
 }
 
 TEST(Rates, StopAtTheirHighestValue) {

@@ -80,8 +80,9 @@ TEST(Codec, PagesOfLifeDetail) {
       detail::TendonDamage{.tendon = 3, .damage_ppb = 0x01020304, .state = LifeState::inspect}, 5,
       frame(0x285, {0x00, 0x30, 0x03, 0x04, 0x03, 0x02, 0x01, 0x02}));
   expect_both_ways(
-      detail::RainflowBin{.tendon = 9, .range_class = 5, .mean_class = 6, .cycles = 0x01020304}, 5,
-      frame(0x285, {0x00, 0x40, 0xa9, 0x06, 0x04, 0x03, 0x02, 0x01}));
+      detail::RainflowBin{
+          .tendon = 9, .range_class = 5, .mean_class = 6, .half_cycles = 21, .cycles = 0x01020304},
+      5, frame(0x285, {0x00, 0x40, 0xa9, 0xae, 0x04, 0x03, 0x02, 0x01}));
   expect_both_ways(detail::RemainingLife{.b10_dh = 0x0102, .b50_dh = 0x0304}, 5,
                    frame(0x285, {0x00, 0x50, 0x02, 0x01, 0x04, 0x03, 0xff, 0xff}));
   expect_both_ways(detail::Storage{.sequence = 0x010203, .worst_unsaved_ppb = 0x040506}, 5,
@@ -106,9 +107,11 @@ TEST(Codec, ValuesThatAreTooWideStop) {
   const auto storage = decode<detail::Storage>(
       encode(1, detail::Storage{.sequence = 0xffffffff, .worst_unsaved_ppb = 0x1000000}));
   EXPECT_EQ(*storage, (detail::Storage{.sequence = 0xffffff, .worst_unsaved_ppb = 0xffffff}));
-  const auto bin = decode<detail::RainflowBin>(
-      encode(1, detail::RainflowBin{.tendon = 99, .range_class = 8, .mean_class = 200}));
-  EXPECT_EQ(*bin, (detail::RainflowBin{.tendon = 31, .range_class = 7, .mean_class = 7}));
+  const auto bin = decode<detail::RainflowBin>(encode(
+      1,
+      detail::RainflowBin{.tendon = 99, .range_class = 8, .mean_class = 200, .half_cycles = 32}));
+  EXPECT_EQ(*bin, (detail::RainflowBin{
+                      .tendon = 31, .range_class = 7, .mean_class = 7, .half_cycles = 31}));
 }
 
 TEST(Codec, OtherFramesAreTold) {

@@ -164,6 +164,7 @@ inline Expected expected(const detail::RainflowBin& m) {
           {{"BinTendon", m.tendon},
            {"BinRange", m.range_class},
            {"BinMean", m.mean_class},
+           {"BinHalfCycles", m.half_cycles},
            {"BinCycles", m.cycles}}};
 }
 inline Expected expected(const detail::RemainingLife& m) {

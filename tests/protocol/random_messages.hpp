@@ -72,6 +72,7 @@ inline void fill(Random& random, detail::RainflowBin& m) {
   m = {.tendon = u8(random, 5),
        .range_class = u8(random, 3),
        .mean_class = u8(random, 3),
+       .half_cycles = u8(random, 5),
        .cycles = number(random, 32)};
 }
 inline void fill(Random& random, detail::RemainingLife& m) {

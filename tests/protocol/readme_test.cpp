@@ -39,7 +39,7 @@ TEST(FrameTable, SaysWhereThingsLie) {
   for (const char* line :
        {"| 0x700 + n | Heartbeat | every 1 s, and boot_up once at the start | b0 NmtState |\n",
         "| | page 4 RainflowBin | one bin of the range and mean matrix | b2.0-4 BinTendon, b2.5-7 "
-        "BinRange, b3.0-2 BinMean, b4-7 BinCycles |\n",
+        "BinRange, b3.0-2 BinMean, b3.3-7 BinHalfCycles, b4-7 BinCycles |\n",
         "| 0x080 + n | Emergency | on every transition, at most 10 a second | b0-1 EmergencyCode, "
         "b2 "
         "ErrorRegister, b3 Crc, b4.0-3 Counter, b5-7 EmergencyDamage x 1e-6 |\n",

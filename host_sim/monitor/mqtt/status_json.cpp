@@ -1,7 +1,10 @@
 #include "host_sim/monitor/mqtt/status_json.hpp"
 
+#include <fmt/format.h>
+
+#include <cstdint>
 #include <nlohmann/json.hpp>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "host_sim/monitor/fleet/node_view.hpp"
@@ -45,7 +48,7 @@ std::string status_json(const NodeView& node) {
   if (node.two_controllers) {
     json["life_state"] = name_of(node.life_state());
   }
-  std::vector<std::string_view> at_least;
+  std::vector<std::string> at_least;
   if (is_at_least(kDamageSignal, node.highest_damage_ppb)) {
     at_least = {"damage_ppb", "damage_percent"};
   }
@@ -60,9 +63,15 @@ std::string status_json(const NodeView& node) {
   }
   if (node.remaining && !node.remaining->stale) {
     const RemainingLife& remaining = node.remaining->value;
-    json["remaining_h"] = {{"b10", hours_of(remaining.b10_dh)},
-                           {"b50", hours_of(remaining.b50_dh)},
-                           {"b90", hours_of(remaining.b90_dh)}};
+    const auto put = [&](const char* name, std::uint16_t RemainingLife::*member) {
+      json["remaining_h"][name] = hours_of(remaining.*member);
+      if (is_at_least(protocol::schema::signal_of(member), remaining.*member)) {
+        at_least.push_back(fmt::format("remaining_h.{}", name));
+      }
+    };
+    put("b10", &RemainingLife::b10_dh);
+    put("b50", &RemainingLife::b50_dh);
+    put("b90", &RemainingLife::b90_dh);
   }
   if (!at_least.empty()) {
     json["at_least"] = at_least;

@@ -88,17 +88,18 @@ Cell damage_cell(const NodeView& node) {
 }
 
 std::string hours_of(std::uint16_t tenths) {
-  return fmt::format("{}.{}", tenths / 10, tenths % 10);
+  if (tenths == RemainingLife::kUnknown) {
+    return "unknown";
+  }
+  const bool or_more =
+      is_at_least(protocol::schema::signal_of(&RemainingLife::b10_dh), std::uint32_t{tenths});
+  return fmt::format("{}{}.{}", or_more ? ">=" : "", tenths / 10, tenths % 10);
 }
 
 std::string band_of(const RemainingLife& life) {
-  if (life.b10_dh == RemainingLife::kUnknown) {
-    return "unknown";
-  }
-  if (life.b90_dh == RemainingLife::kUnknown) {
-    return hours_of(life.b10_dh) + " - more than " + hours_of(RemainingLife::kUnknown - 1) + " h";
-  }
-  return hours_of(life.b10_dh) + " - " + hours_of(life.b90_dh) + " h";
+  return life.b10_dh == RemainingLife::kUnknown
+             ? "unknown"
+             : hours_of(life.b10_dh) + " - " + hours_of(life.b90_dh) + " h";
 }
 
 Cell remaining_cell(const NodeView& node) {

@@ -149,5 +149,7 @@ export function compareNode(shown, number, decoded, problems) {
   }
   const first = Object.keys(node.bins).filter((key) => key.startsWith(`${shown.bins[0]} `));
   problems.same(`${at}: classes of the heat map`, shown.cells, first.length);
+  const open = first.reduce((sum, key) => sum + node.bins[key].BinHalfCycles, 0);
+  problems.number(`${at}: open half cycles`, shown.binsOpen, open);
   problems.same(`${at}: line charts`, shown.canvases, 2);
 }

@@ -25,7 +25,7 @@ function keep(node, result, time_us) {
   } else if (page === 'TendonDamage') {
     node.tendons[signals.Tendon] = message;
   } else if (page === 'RainflowBin') {
-    node.bins[`${signals.BinTendon} ${signals.BinRange} ${signals.BinMean}`] = signals.BinCycles;
+    node.bins[`${signals.BinTendon} ${signals.BinRange} ${signals.BinMean}`] = signals;
   }
 }
 

@@ -93,10 +93,18 @@ test('events that are known are not added twice', () => {
 });
 
 test('bins are packed once for each change', () => {
-  const bins = { 156: { BinTendon: 2, BinRange: 3, BinMean: 4, BinCycles: 77 } };
+  const bins = {
+    156: { BinTendon: 2, BinRange: 3, BinMean: 4, BinHalfCycles: 2, BinCycles: 77 },
+    157: { BinTendon: 2, BinRange: 3, BinMean: 5, BinHalfCycles: 31, BinCycles: 0 },
+  };
   const view = { now_us: 1, nodes: { 5: { bins } } };
   const one = kept(view).nodes[5].bins;
-  assert.equal(one[2][8 * 3 + 4], 77);
+  assert.equal(one[2].cycles[8 * 3 + 4], 77);
+  assert.equal(one[2].halfCycles, 33);
+  assert.deepEqual(one[2].at_least, []);
+  const full = { 157: { ...bins[157], at_least: ['BinHalfCycles'] } };
+  const other = kept({ now_us: 1, nodes: { 5: { bins: full } } }).nodes[5].bins;
+  assert.deepEqual(other[2].at_least, ['halfCycles']);
   assert.equal(kept({ ...view, now_us: 2 }).nodes[5].bins, one);
 });
 
@@ -122,7 +130,7 @@ test('what is not known is no number, and the end of a range no exact one', asyn
   const { readFileSync } = await import('node:fs');
   const { runInThisContext } = await import('node:vm');
   runInThisContext(readFileSync(`${assets}/../../../report/page/assets/format.js`, 'utf8'));
-  const { percentField, rateText, wholeField } = await import(`${assets}/prose.js`);
+  const { percentField, rateText, remainingText, wholeField } = await import(`${assets}/prose.js`);
   const history = new NodeHistory({ node: 5, curve: [[1e6, 0.25, 0.5], [2e6, 4.294967295]], events: [] });
   const before = history.at(1e6);
   assert.equal(percentField(before.rate, 'UnsavedDamage'), 'not known');
@@ -132,4 +140,8 @@ test('what is not known is no number, and the end of a range no exact one', asyn
   assert.equal(rateText(before.rate), '50 % per h');
   assert.equal(percentField(history.at(2e6), 'highest_damage', 7), '≥ 429.4967 %');
   assert.equal(wholeField({ Refused: 65535, at_least: ['Refused'] }, 'Refused'), '≥ 65\u202f535');
+  const unknown = { RemainingB10: 'unknown', RemainingB90: 'unknown' };
+  assert.equal(remainingText(unknown), 'unknown');
+  const ending = { RemainingB10: 1.5, RemainingB90: 6553.4, at_least: ['RemainingB90'] };
+  assert.equal(remainingText(ending), '1.5 to ≥ 6553.4 h');
 });

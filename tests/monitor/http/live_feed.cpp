@@ -168,7 +168,8 @@ void MadeNode::send_page(std::int64_t time_ns, const Take& take) {
     }
     case detail::RainflowBin::kPage:
       return page(detail::RainflowBin{u8(turn % kTendons), u8(turn / kTendons % 8),
-                                      u8(turn / 3 % 8), 10 * (turn + 1) * (1 + turn % 7)});
+                                      u8(turn / 3 % 8), u8(turn % 4),
+                                      10 * (turn + 1) * (1 + turn % 7)});
     case detail::RemainingLife::kPage:
       return page(detail::RemainingLife{left_dh(kReplace), left_dh(kWorn), left_dh(kLast)});
     case detail::Storage::kPage:

@@ -27,7 +27,7 @@ inline FleetView made_view() {
   node.identity = {detail::Identity{1, 0x12, 0xdeadbeef}, 8 * kS, false};
   node.remaining = {detail::RemainingLife{15, 65534, 0xffff}, 8 * kS, false};
   node.tendons[2] = {detail::TendonDamage{2, 1, protocol::LifeState::normal}, 8 * kS, false};
-  node.bins[64 * 2 + 8 * 3 + 4] = {detail::RainflowBin{2, 3, 4, 77}, 8 * kS, false};
+  node.bins[64 * 2 + 8 * 3 + 4] = {detail::RainflowBin{2, 3, 4, 31, 77}, 8 * kS, false};
   StreamView stream;
   stream.frame = "LifeStatus";
   stream.good = 90;

@@ -46,6 +46,7 @@ export function shownNode() {
     streams: rowsOf('streams'),
     events: [...document.querySelectorAll('#events li')].map((line) => line.textContent),
     cells: document.querySelectorAll('#bins .cell').length,
+    binsOpen: document.querySelector('#bins-open').innerText,
     canvases: document.querySelectorAll('#node canvas').length,
     bins: [...document.querySelectorAll('#bins-tendon option')].map((option) => option.value),
   };

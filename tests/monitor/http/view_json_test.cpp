@@ -25,7 +25,10 @@ TEST(ViewJson, TellsMessagesInTheWordsOfTheFramePlan) {
   EXPECT_EQ(node["remaining"]["RemainingB50"], 6553.4);
   EXPECT_EQ(node["remaining"]["RemainingB90"], "unknown");
   EXPECT_EQ(node["tendons"]["2"]["TendonDamage"], 1e-9);
+  EXPECT_EQ(node["remaining"]["at_least"], json::parse(R"(["RemainingB50"])"));
   EXPECT_EQ(node["bins"]["156"]["BinCycles"], 77);
+  EXPECT_EQ(node["bins"]["156"]["BinHalfCycles"], 31);
+  EXPECT_EQ(node["bins"]["156"]["at_least"], json::parse(R"(["BinHalfCycles"])"));
   EXPECT_EQ(node["highest_damage"], 0.123456789);
   EXPECT_EQ(node["integrity_failures"], 3);
 }

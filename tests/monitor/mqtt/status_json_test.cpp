@@ -45,8 +45,10 @@ TEST(StatusJson, NamesWhatIsAtTheEndOfItsRange) {
   NodeView node = reported_node();
   node.highest_damage_ppb = 0xffff'ffff;
   node.rate->value.ppb_per_h = 0xffff'fffe;
+  node.remaining->value.b90_dh = 0xfffe;
   EXPECT_EQ(nlohmann::json::parse(status_json(node)).at("at_least"),
-            nlohmann::json::parse(R"(["damage_ppb", "damage_percent", "damage_percent_per_h"])"));
+            nlohmann::json::parse(R"(["damage_ppb", "damage_percent", "damage_percent_per_h",
+                                      "remaining_h.b90"])"));
 }
 
 TEST(StatusJson, TwoControllersAreTheGravestState) {

@@ -137,8 +137,16 @@ TEST(Table, TellsRemainingLifeThatIsNotKnown) {
   NodeView node = node_of(protocol::LifeState::normal, 0);
   node.remaining->value = {};
   EXPECT_NE(row_of(node).find("unknown"), std::string::npos);
-  node.remaining->value = {.b10_dh = 10, .b50_dh = 65'000, .b90_dh = 0xffff};
-  EXPECT_NE(row_of(node).find("1.0 - more than 6553.4 h"), std::string::npos);
+  node.remaining->value = {.b10_dh = 10, .b50_dh = 65'000, .b90_dh = 65'533};
+  EXPECT_NE(row_of(node).find("1.0 - 6553.3 h"), std::string::npos);
+}
+
+TEST(Table, RemainingLifeAtTheEndOfItsFieldIsThatOrMore) {
+  NodeView node = node_of(protocol::LifeState::normal, 0);
+  node.remaining->value = {.b10_dh = 10, .b50_dh = 0xfffe, .b90_dh = 0xfffe};
+  EXPECT_NE(row_of(node).find("1.0 - >=6553.4 h"), std::string::npos);
+  node.remaining->value.b10_dh = 0xfffe;
+  EXPECT_NE(row_of(node).find(">=6553.4 - >=6553.4 h"), std::string::npos);
 }
 
 TEST(Table, ANodeWithoutAStatusHasNoDamage) {

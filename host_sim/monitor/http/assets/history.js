@@ -11,7 +11,10 @@ const MOST_DAMAGE = 4.294967295; // it stops there
 const CLASSES = 8;
 const packedBins = new WeakMap();
 
-/** The cycles of each tendon by range and mean, 64 numbers a tendon; the same for the same bins. */
+/**
+ * Of each tendon the closed cycles by range and mean, 64 numbers, and the open half cycles of all bins;
+ * the same for the same bins.
+ */
 function packed(bins) {
   if (!packedBins.has(bins)) {
     const tendons = {};
@@ -20,9 +23,20 @@ function packed(bins) {
       BinRange: range,
       BinMean: mean,
       BinCycles: cycles,
+      BinHalfCycles: halfCycles,
+      at_least: atLeast,
     } of Object.values(bins)) {
-      tendons[tendon] ??= new Uint32Array(CLASSES * CLASSES);
-      tendons[tendon][CLASSES * range + mean] = cycles;
+      tendons[tendon] ??= {
+        cycles: new Uint32Array(CLASSES * CLASSES),
+        halfCycles: 0,
+        at_least: [],
+      };
+      const packedBin = tendons[tendon];
+      packedBin.cycles[CLASSES * range + mean] = cycles;
+      packedBin.halfCycles += halfCycles;
+      if (atLeast?.includes('BinHalfCycles')) {
+        packedBin.at_least = ['halfCycles'];
+      }
     }
     packedBins.set(bins, tendons);
   }

@@ -8,6 +8,7 @@ import {
   cycleRateText,
   emergencyText,
   flagText,
+  hoursField,
   momentText,
   percentField,
   plain,
@@ -50,7 +51,7 @@ class NodeTiles {
           ? `B50 ${
               remaining.RemainingB50 === 'unknown'
                 ? 'unknown'
-                : `${numberText(remaining.RemainingB50, 5)} h`
+                : `${hoursField(remaining, 'RemainingB50')} h`
             }`
           : '',
       ],

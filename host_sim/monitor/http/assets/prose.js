@@ -44,17 +44,21 @@ export function cycleRateText(cycles) {
     : `${wholeField(cycles, 'CycleRate')} per min`;
 }
 
-function hours(value) {
-  return value === 'unknown' ? 'unknown' : numberText(value, 5);
+/** Until the controller has seen a minute there is no remaining life. */
+export function hoursField(remaining, name) {
+  const value = remaining[name];
+  return value === 'unknown' ? value : orMore(remaining, name, numberText(value, 5));
 }
 
-/** The band of the remaining life; beyond the range of its field it is unknown. */
+/** The band of the remaining life. */
 export function remainingText(remaining) {
   if (!remaining) {
     return UNKNOWN;
   }
   const { RemainingB10: low, RemainingB90: high } = remaining;
-  return low === 'unknown' && high === 'unknown' ? 'unknown' : `${hours(low)} to ${hours(high)} h`;
+  return low === 'unknown' && high === 'unknown'
+    ? 'unknown'
+    : `${hoursField(remaining, 'RemainingB10')} to ${hoursField(remaining, 'RemainingB90')} h`;
 }
 
 export function plain(name) {

@@ -1,5 +1,5 @@
 import { byId, Keyed, make, makeSvg, setAttribute, setText, Value } from './dom.js';
-import { percentField, percentText, UNKNOWN } from './prose.js';
+import { percentField, percentText, UNKNOWN, wholeField } from './prose.js';
 
 /**
  * The damage at which the life states begin: the controller reports when B10 and B50 are reached at
@@ -11,7 +11,8 @@ export function thresholdsOf({ status, rate, remaining, highest_damage: damage }
   }
   const { RemainingB10: b10, RemainingB50: b50 } = remaining;
   const isKnown = (left) => typeof left === 'number' && left > 0;
-  if (!isKnown(b10) || !isKnown(b50) || !(rate.DamageRate > 0)) {
+  const isBound = [rate, remaining].some((message) => message.at_least?.length > 0);
+  if (!isKnown(b10) || !isKnown(b50) || !(rate.DamageRate > 0) || isBound) {
     return null;
   }
   const replace = damage + b10 * rate.DamageRate;
@@ -111,7 +112,7 @@ const CLASS_PERCENT = 12.5;
 
 function matrixOf(node, tendon) {
   const count = Array.from(
-    node.bins[tendon] || { length: CLASSES * CLASSES },
+    node.bins[tendon]?.cycles || { length: CLASSES * CLASSES },
     (cycles) => cycles || 0,
   );
   return {
@@ -123,6 +124,10 @@ function matrixOf(node, tendon) {
     unit: '%',
     count,
   };
+}
+
+function openText(bins) {
+  return bins ? `Open half cycles besides: ${wholeField(bins, 'halfCycles')}.` : '';
 }
 
 /** Cycles of a tendon by their range and mean, as far as the controller has sent them. */
@@ -150,6 +155,7 @@ export class Bins {
     this.offer(node);
     this.onChange = () => this.show({ node });
     const matrix = matrixOf(node, this.select.value);
+    setText(byId('bins-open'), openText(node.bins[this.select.value]));
     const key = matrix.count.join();
     if (!this.map) {
       this.map = new HeatMap(byId('bins'), matrix);
