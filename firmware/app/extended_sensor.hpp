@@ -9,25 +9,41 @@
 #include "hal/devices.hpp"
 #include "lifemodel/extension/corrector.hpp"
 #include "lifemodel/extension/extended_block.hpp"
+#include "lifemodel/extension/life.hpp"
 
 namespace app {
+
+template <std::size_t kTendons>
+using ExtendedModels = std::array<lifemodel::ExtendedParameters, kTendons>;
 
 /// What the sensors of all tendons are to evaluate: the parameters in use, and the extension of
 /// `configured` where they are those that it came with. Parameters that were loaded under authority
 /// are those of another model and have no extension.
 template <std::size_t kTendons>
-std::array<lifemodel::ExtendedParameters, kTendons> extended_models(
-    const ParameterSet<kTendons>& in_use, const lifemodel::ExtendedParameters& configured) {
-  std::array<lifemodel::ExtendedParameters, kTendons> models{};
+ExtendedModels<kTendons> extended_models(const ParameterSet<kTendons>& in_use,
+                                         const ExtendedModels<kTendons>& configured) {
+  ExtendedModels<kTendons> models{};
   for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
     if (in_use[tendon]) {
       models[tendon].nominal = *in_use[tendon];
-      if (in_use[tendon]->model_digest == configured.nominal.model_digest) {
-        models[tendon].extension = configured.extension;
+      if (in_use[tendon]->model_digest == configured[tendon].nominal.model_digest) {
+        models[tendon].extension = configured[tendon].extension;
       }
     }
   }
   return models;
+}
+
+/// The laws by which the cycles of all tendons are booked.
+template <std::size_t kTendons>
+std::array<lifemodel::extension::LifeParameters, kTendons> life_models(
+    const ExtendedModels<kTendons>& models) {
+  std::array<lifemodel::extension::LifeParameters, kTendons> lives{};
+  for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+    lives[tendon] =
+        lifemodel::extension::life_parameters(models[tendon].nominal, models[tendon].extension);
+  }
+  return lives;
 }
 
 /// A sensor of input tension for the application, made of one that gives the samples of
@@ -36,7 +52,7 @@ template <class SensorT, std::size_t kTendons>
 class ExtendedSensor {
  public:
   using Sample = lifemodel::Tension;
-  using Models = std::array<lifemodel::ExtendedParameters, kTendons>;
+  using Models = ExtendedModels<kTendons>;
 
   /// Both outlive this object.
   ExtendedSensor(SensorT& sensor, const Models& models)

@@ -152,11 +152,11 @@ IioScale::IioScale(const fs::path& device, const IioChannelSpec& spec) {
     throw DeviceError(device.string(), spec.channel + "_offset is " + *offset, "a number");
   }
   offset_ = *steps;
-  ampere_per_step_ = *step * spec.ampere_per_unit;
+  per_step_ = *step * spec.per_unit;
 }
 
 Result<lifemodel::MotorCurrent> IioScale::current(std::int64_t raw) const {
-  const double current_A = (static_cast<double>(raw) + offset_) * ampere_per_step_;
+  const double current_A = value(raw);
   if (!(std::fabs(current_A) <= lifemodel::pack::to_double(lifemodel::MotorCurrent::highest()))) {
     return Error::failed;
   }
@@ -190,21 +190,12 @@ Descriptor open_raw(const fs::path& device, const std::string& channel) {
 
 }  // namespace
 
-IioSysfs::IioSysfs(const std::string& device, std::span<const IioChannelSpec> channels,
-                   const fs::path& sysfs) {
-  const fs::path folder = find_iio_device(sysfs, device);
-  for (const IioChannelSpec& spec : channels) {
-    channels_.push_back({open_raw(folder, spec.channel), IioScale(folder, spec)});
-  }
-}
+IioValue::IioValue(const fs::path& device, const IioChannelSpec& spec)
+    : raw_(open_raw(device, spec.channel)), scale_(device, spec) {}
 
-Result<IioSysfs::Sample> IioSysfs::isr_read(std::size_t tendon) {
-  if (tendon >= channels_.size()) {
-    return Error::out_of_range;
-  }
-  const Channel& channel = channels_[tendon];
+Result<std::int64_t> IioValue::isr_raw() const {
   std::array<char, 32> text{};
-  const ssize_t size = ::pread(channel.raw.get(), text.data(), text.size(), 0);
+  const ssize_t size = ::pread(raw_.get(), text.data(), text.size(), 0);
   if (size <= 0) {
     return errno == EAGAIN ? Error::missing : Error::failed;
   }
@@ -214,7 +205,23 @@ Result<IioSysfs::Sample> IioSysfs::isr_read(std::size_t tendon) {
   if (error != std::errc() || (at != end && *at != '\n')) {
     return Error::failed;
   }
-  return channel.scale.current(raw);
+  return raw;
+}
+
+IioSysfs::IioSysfs(const std::string& device, std::span<const IioChannelSpec> channels,
+                   const fs::path& sysfs) {
+  const fs::path folder = find_iio_device(sysfs, device);
+  for (const IioChannelSpec& spec : channels) {
+    channels_.emplace_back(folder, spec);
+  }
+}
+
+Result<IioSysfs::Sample> IioSysfs::isr_read(std::size_t tendon) {
+  if (tendon >= channels_.size()) {
+    return Error::out_of_range;
+  }
+  const auto raw = channels_[tendon].isr_raw();
+  return raw ? channels_[tendon].scale().current(*raw) : Result<Sample>(raw.error());
 }
 
 namespace {

@@ -35,13 +35,15 @@ std::optional<IioType> parse_iio_type(std::string_view text);
 /// The value of a scan element. @pre element.size() == type.storage_bytes
 std::int64_t iio_value(const IioType& type, std::span<const std::byte> element);
 
-/// A channel that measures motor current.
+/// A channel, and what its unit is worth.
 struct IioChannelSpec {
-  std::string channel;            ///< e.g. `in_current0`, or `in_voltage1` behind a shunt amplifier
-  double ampere_per_unit = 1e-3;  ///< the unit of IIO is 1 mA, and 1 mV for voltages
+  std::string channel;  ///< e.g. `in_current0`, or `in_voltage1` behind a shunt amplifier
+  /// A for a channel of motor current; the unit of IIO is 1 mA, 1 mV for voltages, 0.001 degrees
+  /// Celsius, 1 rad.
+  double per_unit = 1e-3;
 };
 
-/// Turns raw values of a channel into current: (raw + offset) * scale * ampere_per_unit
+/// Turns raw values of a channel into what it measures: (raw + offset) * scale * per_unit
 /// (sysfs-bus-iio, in_current_raw).
 class IioScale {
  public:
@@ -49,12 +51,16 @@ class IioScale {
   /// offset may be absent. Throws DeviceError.
   IioScale(const std::filesystem::path& device, const IioChannelSpec& spec);
 
+  /// In the unit that the specification counts in.
+  [[nodiscard]] double value(std::int64_t raw) const {
+    return (static_cast<double>(raw) + offset_) * per_step_;
+  }
   /// failed where the current is outside what MotorCurrent holds.
   [[nodiscard]] Result<lifemodel::MotorCurrent> current(std::int64_t raw) const;
 
  private:
   double offset_ = 0;
-  double ampere_per_step_ = 0;
+  double per_step_ = 0;
 };
 
 /// The folder of a device in sysfs, by `iio:device0` or by its name attribute. Throws DeviceError
@@ -64,6 +70,21 @@ std::filesystem::path find_iio_device(const std::filesystem::path& sysfs,
 
 /// The text of an attribute without its line end; nothing where it cannot be read.
 std::optional<std::string> read_attribute(const std::filesystem::path& path);
+
+/// The `_raw` attribute of a channel. Each read starts a conversion and takes as long as it does.
+class IioValue {
+ public:
+  /// Throws DeviceError where the channel is missing.
+  IioValue(const std::filesystem::path& device, const IioChannelSpec& spec);
+
+  /// missing: no value yet.
+  [[nodiscard]] Result<std::int64_t> isr_raw() const;
+  [[nodiscard]] const IioScale& scale() const { return scale_; }
+
+ private:
+  Descriptor raw_;
+  IioScale scale_;
+};
 
 /// Motor current from the `_raw` attributes of an IIO device, one channel a tendon. Each read
 /// starts a conversion and takes as long as it does: use it for slow loops, and IioBuffer for fast
@@ -83,11 +104,7 @@ class IioSysfs {
   Result<Sample> isr_read(std::size_t tendon);
 
  private:
-  struct Channel {
-    Descriptor raw;
-    IioScale scale;
-  };
-  std::vector<Channel> channels_;
+  std::vector<IioValue> channels_;
 };
 static_assert(CurrentSensor<IioSysfs>);
 

@@ -1,11 +1,8 @@
 #include "host_sim/replay/profile_input.hpp"
 
-#include <algorithm>
-#include <cmath>
-#include <numbers>
-
 #include "host_sim/replay/constants.hpp"
 #include "lifemodel/pack/pack.hpp"
+#include "lifemodel/pack/samples.hpp"
 
 namespace host_sim {
 
@@ -18,25 +15,8 @@ namespace {
 using lifemodel::Direction;
 using lifemodel::Tension;
 using lifemodel::pack::from_double;
+using lifemodel::pack::saturating;
 using lifemodel::pack::to_double;
-
-template <class Q>
-Q saturating(double value, lifemodel::Flags& flags) {
-  if (!(std::fabs(value) <= lifemodel::pack::to_double(Q::highest()))) {
-    flags.raise(lifemodel::Flag::saturated);
-  }
-  return from_double<Q>(value);
-}
-
-lifemodel::extension::RotorAngle rotor_angle(double angle_rad, lifemodel::Flags& flags) {
-  using lifemodel::extension::RotorAngle;
-  constexpr double kMost = 0x1p62;
-  const double raw = std::ldexp(angle_rad / (2 * std::numbers::pi), RotorAngle::kFractionBits);
-  if (std::fabs(raw) > kMost) {
-    flags.raise(lifemodel::Flag::saturated);
-  }
-  return {std::llround(std::clamp(raw, -kMost, kMost))};
-}
 
 }  // namespace
 
@@ -108,13 +88,9 @@ void ProfileInput::take_output(const ProfileRow& row) {
 
 void ProfileInput::take_surroundings(const ProfileRow& row) {
   lifemodel::extension::Covariates& target = extended_->covariates;
-  target.velocity =
-      saturating<lifemodel::extension::Velocity>(row.tendon_velocity_m_s, sample_flags_);
-  target.rotor = rotor_angle(row.motor_angle_rad, sample_flags_);
-  target.sheath =
-      saturating<lifemodel::extension::Temperature>(row.sheath_temperature_C, sample_flags_);
-  target.winding =
-      saturating<lifemodel::extension::Temperature>(row.winding_temperature_C, sample_flags_);
+  target = lifemodel::pack::covariates({row.tendon_velocity_m_s, row.motor_angle_rad,
+                                        row.sheath_temperature_C, row.winding_temperature_C},
+                                       sample_flags_);
 
   Covariates& exact = extended_->exact_covariates;
   // The direction is the sample's: what rounds to no velocity keeps it.

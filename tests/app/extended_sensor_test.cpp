@@ -77,7 +77,9 @@ TEST(ExtendedModels, ParametersThatWereLoadedHaveNoExtension) {
   lifemodel::Parameters loaded = configured.nominal;
   loaded.model_digest = 2;
   const ParameterSet<3> in_use{configured.nominal, loaded, std::nullopt};
-  const auto models = extended_models<3>(in_use, configured);
+  ExtendedModels<3> all;
+  all.fill(configured);
+  const auto models = extended_models<3>(in_use, all);
   EXPECT_TRUE(models[0].extension.has(Effect::current_offset));
   EXPECT_EQ(models[1].extension.effects, 0u);
   EXPECT_EQ(models[1].nominal.model_digest, 2u);

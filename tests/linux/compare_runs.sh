@@ -21,6 +21,8 @@ b=("${@:3}" "$2")
 python3 "$bench/make_profile.py" motor_current_A 1 20000 > "$files/current0.csv"
 python3 "$bench/make_profile.py" motor_current_A 2 20000 > "$files/current1.csv"
 python3 "$bench/make_profile.py" input_tension_N 3 20000 > "$files/tension.csv"
+python3 "$bench/make_profile.py" drive 4 20000 > "$files/drive.csv"
+python3 "$bench/make_profile.py" pair 5 20000 > "$files/pair.csv"
 upper_arm="$here/../../host_sim/examples/upper_arm.csv"
 
 # run NAME RATE_HZ TENDON...
@@ -53,5 +55,7 @@ run() {
 run current 1000 "$bench/current.block:$files/current0.csv"
 run two_currents 1000 "$bench/current.block:$files/current0.csv" \
   "$bench/current.block:$files/current1.csv"
+run extended_drive 1000 "$bench/drive.block:$files/drive.csv"
+run extended_pair 1000 "$bench/pair.block:$files/pair.csv"
 run tension 1000 "$bench/tension.block:$files/tension.csv"
 run output_tension 200 "$bench/upper_arm.block:$upper_arm"

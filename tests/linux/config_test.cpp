@@ -58,6 +58,66 @@ std::string complaint_with(std::string_view part, std::string_view other) {
   return complaint_of([&] { parse_config(text, "c.toml"); });
 }
 
+/// The second tendon with these lines behind it.
+std::string with_covariates(std::string_view lines) {
+  return with("ampere_per_unit = -0.02\n",
+              std::string("ampere_per_unit = -0.02\n") + std::string(lines));
+}
+
+TEST(Config, NamesWhatAnExtendedModelNeeds) {
+  const Config config = parse_config(
+      with_covariates(
+          "tendon_velocity_m_s = { device = \"encoder\", channel = \"in_anglvel0\", "
+          "per_unit = 0.0125 }\n"
+          "motor_angle_rad = { device = \"encoder\", channel = \"in_angl0\" }\n"
+          "sheath_temperature_C = { can_id = 0x1A0, start_bit = 8, bits = 16, signed = "
+          "true, factor = 0.1, zero = -40, timeout_ms = 500 }\n"
+          "winding_temperature_C = { device = \"iio:device2\", channel = \"in_temp1\" }\n"),
+      "c.toml");
+  for (const auto& none : config.tendons[0].covariates) {
+    EXPECT_FALSE(none.has_value());
+  }
+  const auto& covariates = config.tendons[1].covariates;
+  const auto& velocity = std::get<IioQuantity>(*covariates[0]);
+  EXPECT_EQ(velocity.device, "encoder");
+  EXPECT_EQ(velocity.channel, "in_anglvel0");
+  EXPECT_EQ(velocity.per_unit, 0.0125);
+  EXPECT_EQ(std::get<IioQuantity>(*covariates[1]).per_unit, 1);
+  const auto& sheath = std::get<BusQuantity>(*covariates[2]);
+  EXPECT_EQ(sheath.id, 0x1a0u);
+  EXPECT_FALSE(sheath.extended);
+  EXPECT_EQ(sheath.start_bit, 8u);
+  EXPECT_EQ(sheath.bits, 16u);
+  EXPECT_TRUE(sheath.is_signed);
+  EXPECT_EQ(sheath.factor, 0.1);
+  EXPECT_EQ(sheath.zero, -40);
+  EXPECT_EQ(sheath.timeout_ms, 500u);
+  EXPECT_EQ(std::get<IioQuantity>(*covariates[3]).per_unit, 1e-3);
+}
+
+TEST(Config, RefusesWhatIsNoQuantity) {
+  const auto complaint = [](std::string_view lines) {
+    const std::string text = with_covariates(lines);
+    return complaint_of([&] { parse_config(text, "c.toml"); });
+  };
+  EXPECT_NE(complaint("tendon_velocity_m_s = { device = \"e\", channel = \"in_anglvel0\" }\n")
+                .find("per_unit"),
+            std::string::npos);
+  EXPECT_NE(complaint("motor_angle_rad = { channel = \"in_angl0\" }\n").find("device"),
+            std::string::npos);
+  EXPECT_NE(
+      complaint("motor_angle_rad = { can_id = 0x800, start_bit = 0, bits = 8, timeout_ms = 9 }\n")
+          .find("accepted: can_id 0..2047"),
+      std::string::npos);
+  EXPECT_NE(
+      complaint("motor_angle_rad = { can_id = 1, start_bit = 60, bits = 8, timeout_ms = 9 }\n")
+          .find("bits is 8; accepted: bits 1..4"),
+      std::string::npos);
+  EXPECT_NE(
+      complaint("motor_angle_rad = { can_id = 1, start_bit = 0, bits = 8 }\n").find("timeout_ms"),
+      std::string::npos);
+}
+
 TEST(Config, TakesEverythingFromTheFile) {
   const Config config = parse_config(kWhole, "c.toml", "/etc/tl");
   EXPECT_EQ(config.node, 7);

@@ -54,6 +54,16 @@ expect_config 1 "made for a sample every 5000 us, and the loop has 1000 us" 's/=
 printf 'time_s,motor_current_A\n0,1\n0.001,2\n' > "$files/current.csv"
 write_config "$config" 1000 "$files" "$bench/tension.block:$files/current.csv"
 expect 1 "made of a model without [drive]" --config "$config" --check
+# An extension needs what it is written in terms of.
+python3 "$bench/make_profile.py" motor_current_A 1 100 > "$files/alone.csv"
+write_config "$config" 1000 "$files" "$bench/drive.block:$files/alone.csv"
+for check in --check --virtual-clock; do
+  expect 1 "gear_asymmetry needs the velocity of the tendon, which is not measured" \
+    --config "$config" "$check"
+done
+python3 "$bench/make_profile.py" drive 1 100 > "$files/drive.csv"
+write_config "$config" 1000 "$files" "$bench/drive.block:$files/drive.csv"
+expect 0 "" --config "$config" --check
 expect_config 1 "no such network interface; accepted: a CAN interface; there are: " \
   '/^log/d; s/"none"/"tl-none"/; s/"tl-none"$/"tl-none"/; /chip/s/tl-none/none/'
 expect_config 1 "no such gpiochip" \

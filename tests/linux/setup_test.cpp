@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <string>
 
@@ -96,7 +97,7 @@ class BlockFile : public testing::Test {
     write_text(path_, std::string_view(reinterpret_cast<const char*>(block.data()), bytes));
   }
   std::string complaint(std::uint32_t period_us = 1'000) {
-    return complaint_of([&] { static_cast<void>(read_parameters(path_, period_us)); });
+    return complaint_of([&] { static_cast<void>(read_model(path_, period_us)); });
   }
 
   TemporaryFolder folder_;
@@ -106,15 +107,31 @@ class BlockFile : public testing::Test {
 TEST_F(BlockFile, IsReadAndChecked) {
   lifemodel::ParameterBlock block = lifemodel::encode(parameters());
   put(block);
-  EXPECT_EQ(read_parameters(path_, 1'000).ultimate_mN, 200'000U);
+  EXPECT_EQ(read_model(path_, 1'000).nominal.ultimate_mN, 200'000U);
 
   block[40] ^= std::byte{1};
   put(block);
   EXPECT_NE(complaint().find("damaged: the CRC-32 does not fit"), std::string::npos);
   put(block, 83);
   EXPECT_NE(complaint().find("wrong size"), std::string::npos);
-  write_text(path_, std::string(85, 'x'));
-  EXPECT_NE(complaint().find("larger than 84 bytes"), std::string::npos);
+  write_text(path_, std::string(573, 'x'));
+  EXPECT_NE(complaint().find("larger than 572 bytes"), std::string::npos);
+}
+
+TEST_F(BlockFile, MayHaveAnExtension) {
+  lifemodel::ExtendedParameters model{parameters(), {}};
+  model.extension.current_offset.offset = 1 << 20;
+  model.extension.add(lifemodel::extension::Effect::current_offset);
+  std::array<std::byte, lifemodel::kMostExtendedBytes> bytes{};
+  const std::size_t size = lifemodel::encode(model, bytes).size();
+  const auto put_whole = [&] {
+    write_text(path_, std::string_view(reinterpret_cast<const char*>(bytes.data()), size));
+  };
+  put_whole();
+  EXPECT_EQ(read_model(path_, 1'000).extension.current_offset.offset, 1 << 20);
+  bytes[90] ^= std::byte{1};
+  put_whole();
+  EXPECT_NE(complaint().find("extension "), std::string::npos);
 }
 
 TEST_F(BlockFile, OfAnotherSamplePeriodIsRefused) {
@@ -175,6 +192,26 @@ TEST_F(Profiles, OutputTensionKeepsItsDirectionWhileStanding) {
   const auto straight = put("q.csv", "time_s,output_tension_N,tendon_velocity_m_s\n0,100,0\n");
   EXPECT_EQ(read_samples<app::OutputTension>(straight, parameters()).samples[0].bend.raw(), 1 << 26)
       << "the bend of the model";
+}
+
+TEST_F(Profiles, HaveWhatAnExtendedModelIsWrittenInTermsOf) {
+  const auto path = put("p.csv",
+                        "time_s,motor_current_A,tendon_velocity_m_s,motor_angle_rad,"
+                        "winding_temperature_C\n0,2,-0.5,3.141592653589793,-40.5\n");
+  const auto recorded =
+      read_samples<lifemodel::extension::DriveSample>(path, parameters()).samples.at(0);
+  EXPECT_EQ(recorded.current.raw(), 2 << 24);
+  EXPECT_EQ(recorded.at.velocity.raw(), -(1 << 23));
+  EXPECT_EQ(recorded.at.rotor.raw, std::int64_t{1} << 31);  // half a turn
+  EXPECT_EQ(recorded.at.winding.raw(), -81 * (1 << 15));
+  EXPECT_EQ(recorded.at.sheath.raw(), 0);
+
+  const auto force = put("q.csv", "time_s,output_tension_N,tendon_velocity_m_s\n0,-100,0.25\n");
+  const auto pair =
+      read_samples<lifemodel::extension::SheathSample>(force, parameters()).samples.at(0);
+  EXPECT_EQ(pair.tension.raw(), -(1 << 28));
+  EXPECT_EQ(pair.at.velocity.raw(), 1 << 22);
+  EXPECT_EQ(pair.bend.raw(), 1 << 26);
 }
 
 TEST_F(Profiles, OfSeveralTendonsAreOfOneKind) {

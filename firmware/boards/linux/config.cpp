@@ -176,8 +176,10 @@ class ConfigReader {
   }
 
   void read_tendon(const toml::table& entry) {
-    const TomlTable tendon = with_keys({root_.file(), entry, "[tendon]", entry.source().begin},
-                                       {"parameters", "channel", "ampere_per_unit", "profile"});
+    const TomlTable tendon =
+        with_keys({root_.file(), entry, "[tendon]", entry.source().begin},
+                  {"parameters", "channel", "ampere_per_unit", "profile", kCovariateNames[0],
+                   kCovariateNames[1], kCovariateNames[2], kCovariateNames[3]});
     const bool profile = config_.sensor.kind == SensorKind::profile;
     only_for(tendon, {"profile"}, profile, "the sensor is a profile");
     only_for(tendon, {"channel", "ampere_per_unit"}, !profile, "the sensor is of IIO");
@@ -190,7 +192,49 @@ class ConfigReader {
       config.ampere_per_unit =
           tendon.number_or({"ampere_per_unit", "", {-1e6, 1e6}}, config.ampere_per_unit);
     }
+    for (std::size_t i = 0; i < kCovariates; ++i) {
+      only_for(tendon, {kCovariateNames[i]}, !profile, "the sensor is of IIO");
+      if (tendon.has(kCovariateNames[i])) {
+        config.covariates[i] = covariate(tendon.table(kCovariateNames[i]), i);
+      }
+    }
     config_.tendons.push_back(config);
+  }
+
+  [[nodiscard]] std::variant<IioQuantity, BusQuantity> covariate(const TomlTable& table,
+                                                                 std::size_t which) const {
+    if (table.has("can_id")) {
+      return bus_quantity(with_keys(table, {"can_id", "extended", "start_bit", "bits", "signed",
+                                            "factor", "zero", "timeout_ms"}));
+    }
+    with_keys(table, {"device", "channel", "per_unit"});
+    // The unit of IIO is 1 rad and 0.001 degrees Celsius; it has none for a way.
+    constexpr std::array<double, kCovariates> kPerUnit{0, 1, 1e-3, 1e-3};
+    IioQuantity quantity;
+    quantity.device = text(table, "device", "an IIO device, or can_id and what lies in its frame");
+    quantity.channel = channel(table);
+    quantity.per_unit = kPerUnit[which] == 0
+                            ? table.number({"per_unit", "", {-1e9, 1e9}})
+                            : table.number_or({"per_unit", "", {-1e9, 1e9}}, kPerUnit[which]);
+    return quantity;
+  }
+
+  [[nodiscard]] BusQuantity bus_quantity(const TomlTable& table) const {
+    if (config_.can.interface == kNoBus) {
+      refuse(table, "can_id", "a frame, and no bus", "can_id where [can] has an interface");
+    }
+    BusQuantity quantity;
+    quantity.extended = table.flag("extended");
+    quantity.id = static_cast<std::uint32_t>(
+        integer(table, "can_id", 0, quantity.extended ? 0x1fff'ffff : 0x7ff));
+    quantity.start_bit = static_cast<unsigned>(integer(table, "start_bit", 0, 63));
+    quantity.bits =
+        static_cast<unsigned>(integer(table, "bits", 1, 64 - static_cast<int>(quantity.start_bit)));
+    quantity.is_signed = table.flag("signed");
+    quantity.factor = table.number_or({"factor", "", {-1e9, 1e9}}, 1);
+    quantity.zero = table.number_or({"zero", "", {-1e9, 1e9}}, 0);
+    quantity.timeout_ms = static_cast<std::uint32_t>(integer(table, "timeout_ms", 1, 60'000));
+    return quantity;
   }
 
   static std::string channel(const TomlTable& tendon) {

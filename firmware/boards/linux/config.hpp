@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "firmware/protocol/messages.hpp"
@@ -41,11 +42,42 @@ struct SensorConfig {
   AtEnd at_end = AtEnd::stop;
 };
 
+/// What the effects of an extended model are written in terms of, as profiles name it.
+enum class Covariate : std::uint8_t {
+  tendon_velocity,
+  motor_angle,
+  sheath_temperature,
+  winding_temperature,
+};
+inline constexpr std::size_t kCovariates = 4;
+inline constexpr std::array<std::string_view, kCovariates> kCovariateNames{
+    "tendon_velocity_m_s", "motor_angle_rad", "sheath_temperature_C", "winding_temperature_C"};
+
+/// A channel of IIO.
+struct IioQuantity {
+  std::string device;
+  std::string channel;
+  double per_unit = 1;
+};
+
+/// A number in frames of others on the bus, little-endian.
+struct BusQuantity {
+  std::uint32_t id = 0;
+  bool extended = false;  ///< 29 bits
+  unsigned start_bit = 0;
+  unsigned bits = 16;  ///< 1 .. 64, in the 8 bytes of a frame
+  bool is_signed = false;
+  double factor = 1;
+  double zero = 0;               ///< added
+  std::uint32_t timeout_ms = 0;  ///< so long it is used
+};
+
 struct TendonConfig {
   std::filesystem::path parameters;
   std::string channel;            ///< of IIO
   double ampere_per_unit = 1e-3;  ///< of IIO
   std::filesystem::path profile;
+  std::array<std::optional<std::variant<IioQuantity, BusQuantity>>, kCovariates> covariates;
 };
 
 struct LineConfig {

@@ -1,5 +1,6 @@
 #include "firmware/boards/linux/controller.hpp"
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -10,11 +11,13 @@
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "firmware/app/app.hpp"
+#include "firmware/app/sensing.hpp"
 #include "firmware/boards/interlock.hpp"
 #include "firmware/boards/linux/config.hpp"
 #include "firmware/boards/linux/devices.hpp"
@@ -86,7 +89,7 @@ class RealTimeSetup {
 ///
 /// Two threads. The control loop, at real-time priority, reads the sensors and the emergency stop
 /// and settles; it never waits for the other. The rest, at ordinary priority, may wait for a disk.
-template <std::size_t kTendons, class SensorT>
+template <std::size_t kTendons, class SensorT, template <class, std::size_t> class SensingT>
 class Controller {
  public:
   /// Throws std::runtime_error, its what() one line: hal::linux_os::DeviceError where a device
@@ -95,13 +98,16 @@ class Controller {
       : setup_(setup),
         sensor_(sensor),
         clock_(setup.virtual_clock),
-        can_(setup.config.can, setup.config.node, clock_),
+        can_(setup.config.can, setup.config.node, clock_, others_of(setup.config),
+             [this](const hal::CanFrame& frame) { hear(frame); }),
         store_(open_store<kTendons>(setup.config.store)),
         lines_(setup.config.gpio),
         light_(setup.config.gpio, &GpioConfig::status_light),
         watchdog_(setup.config.gpio, manager_),
-        app_(devices(), setup.node,
-             app::stored_parameters<kTendons>(store_, configured(setup.parameters))) {}
+        parameters_(app::stored_parameters<kTendons>(store_, nominal(setup.models))),
+        models_(app::extended_models<kTendons>(parameters_, configured(setup.models))),
+        sensing_(sensor, models_),
+        app_(devices(), setup.node, parameters_, sensing_.models()) {}
 
   /// Runs until `stop` is set or the profile is at its end.
   Report run(const std::atomic<bool>& stop) {
@@ -127,9 +133,11 @@ class Controller {
   static constexpr std::uint32_t kPeriodsInTime = 10;
   using Lock = Interlock<SafetyLines, kPeriodsInTime>;
   using Store = storage::FileStore<kTendons>;
+  using Sensing = SensingT<SensorT, kTendons>;
+  using Models = app::ExtendedModels<kTendons>;
   using Devices =
-      app::Devices<BoardCan, SensorT, BoardClock, Store, Lock::Drive, Lock::Brake, OptionalOutput,
-                   Lock::Stop, Watchdog, hal::linux_os::KernelEntropy, SettleTurn>;
+      app::Devices<BoardCan, typename Sensing::Sensor, BoardClock, Store, Lock::Drive, Lock::Brake,
+                   OptionalOutput, Lock::Stop, Watchdog, hal::linux_os::KernelEntropy, SettleTurn>;
 
   static constexpr hal::Time kPollPeriod = hal::milliseconds(1);
   static constexpr hal::Time kTimingPeriod = hal::milliseconds(100);
@@ -138,17 +146,33 @@ class Controller {
   static constexpr int kMostSettles = 64;
 
   Devices devices() {
-    return {can_,   sensor_, clock_,    store_,   drive_, brake_,
-            light_, stop_,   watchdog_, entropy_, turn_};
+    return {can_,  sensing_.sensor(), clock_,   store_, drive_, brake_, light_,
+            stop_, watchdog_,         entropy_, turn_};
   }
 
-  static app::ParameterSet<kTendons> configured(
-      const std::vector<lifemodel::Parameters>& parameters) {
+  static std::vector<hal::linux_os::CanFilter> others_of(const Config& config) {
+    return config.can.interface == kNoBus ? std::vector<hal::linux_os::CanFilter>{}
+                                          : filters_of(config);
+  }
+
+  void hear(const hal::CanFrame& frame) {
+    if constexpr (requires { sensor_.take(frame, clock_.now()); }) {
+      sensor_.take(frame, clock_.now());
+    }
+  }
+
+  static app::ParameterSet<kTendons> nominal(
+      const std::vector<lifemodel::ExtendedParameters>& models) {
     app::ParameterSet<kTendons> set;
     for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-      set[tendon] = parameters[tendon];
+      set[tendon] = models[tendon].nominal;
     }
     return set;
+  }
+  static Models configured(const std::vector<lifemodel::ExtendedParameters>& given) {
+    Models models{};
+    std::copy_n(given.begin(), kTendons, models.begin());
+    return models;
   }
 
   [[nodiscard]] bool at_end() const {
@@ -225,6 +249,9 @@ class Controller {
       next_timing_ = now + kTimingPeriod;
       app_.timing(timing());
     }
+    if constexpr (requires { sensor_.poll(now); }) {
+      sensor_.poll(now);
+    }
     app_.poll();
     std::this_thread::sleep_for(std::chrono::microseconds(kPollPeriod.us));
   }
@@ -290,7 +317,10 @@ class Controller {
   hal::linux_os::KernelEntropy entropy_;
   SettleTurn turn_;
   hal::linux_os::Jitter jitter_;
-  app::App<kTendons, Devices> app_;
+  app::ParameterSet<kTendons> parameters_;
+  Models models_;
+  Sensing sensing_;
+  app::App<kTendons, Devices, typename Sensing::Layout> app_;
   std::atomic<std::uint64_t> periods_{0};
   hal::Time next_poll_ = kPollPeriod;
   hal::Time next_timing_{};
@@ -298,16 +328,33 @@ class Controller {
 
 template <std::size_t kTendons>
 Report run_tendons(const Setup& setup, const std::atomic<bool>& stop) {
-  const auto with = [&](auto sensor) {
-    return Controller<kTendons, decltype(sensor)>(setup, sensor).run(stop);
+  using lifemodel::extension::Input;
+  const auto nominal = [&](auto&& sensor) {
+    return Controller<kTendons, std::remove_reference_t<decltype(sensor)>, app::NominalSensing>(
+               setup, sensor)
+        .run(stop);
   };
-  if (measures_current(setup.config)) {
-    return with(CurrentSensor(setup));
+  const auto extended = [&](auto&& sensor) {
+    return Controller<kTendons, std::remove_reference_t<decltype(sensor)>, app::ExtendedSensing>(
+               setup, sensor)
+        .run(stop);
+  };
+  const bool played = setup.config.sensor.kind == SensorKind::profile;
+  switch (input_of(setup.config)) {
+    case Input::motor_current:
+      if (!setup.extended()) {
+        return nominal(CurrentSensor(setup));
+      }
+      return played ? extended(profile_sensor<lifemodel::extension::DriveSample>(setup))
+                    : extended(DriveSensor(setup));
+    case Input::input_tension:
+      return setup.extended() ? extended(profile_sensor<lifemodel::Tension>(setup))
+                              : nominal(profile_sensor<lifemodel::Tension>(setup));
+    case Input::output_tension:
+      break;
   }
-  if (profile_kind(setup.config) == hal::files::InputKind::kInputTension) {
-    return with(profile_sensor<lifemodel::Tension>(setup));
-  }
-  return with(profile_sensor<app::OutputTension>(setup));
+  return setup.extended() ? extended(profile_sensor<lifemodel::extension::SheathSample>(setup))
+                          : nominal(profile_sensor<app::OutputTension>(setup));
 }
 
 }  // namespace

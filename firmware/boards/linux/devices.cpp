@@ -1,6 +1,8 @@
 #include "firmware/boards/linux/devices.hpp"
 
 #include <array>
+#include <utility>
+#include <vector>
 
 #include "hal/files/candump.hpp"
 
@@ -18,10 +20,14 @@ std::array<CanFilter, 2> filters_of(protocol::Node node) {
 
 }  // namespace
 
-BoardCan::BoardCan(const CanConfig& config, protocol::Node node, const BoardClock& clock)
-    : clock_(clock) {
+BoardCan::BoardCan(const CanConfig& config, protocol::Node node, const BoardClock& clock,
+                   std::span<const CanFilter> also, Heard heard)
+    : clock_(clock), heard_(std::move(heard)) {
   if (config.interface != kNoBus) {
-    const auto filters = filters_of(node);
+    std::vector<CanFilter> filters(also.begin(), also.end());
+    for (const CanFilter& own : filters_of(node)) {
+      filters.push_back(own);
+    }
     bus_.emplace(calls_, config.interface, filters);
   } else if (!config.log.empty()) {
     log_.emplace(config.log);
@@ -40,7 +46,11 @@ hal::Error BoardCan::send(const hal::CanFrame& frame) {
 }
 
 std::optional<hal::CanFrame> BoardCan::receive() {
-  return bus_ ? bus_->receive() : std::nullopt;
+  const auto frame = bus_ ? bus_->receive() : std::nullopt;
+  if (frame) {
+    heard_(*frame);
+  }
+  return frame;
 }
 
 hal::CanStatus BoardCan::status() const {

@@ -2,9 +2,11 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "firmware/boards/linux/config.hpp"
@@ -39,8 +41,13 @@ static_assert(hal::Clock<BoardClock>);
 /// `candump -L` writes it.
 class BoardCan {
  public:
-  /// `clock` outlives the port. Throws hal::linux_os::DeviceError or hal::files::OutputError.
-  BoardCan(const CanConfig& config, protocol::Node node, const BoardClock& clock);
+  /// Hears of every frame that is received.
+  using Heard = std::function<void(const hal::CanFrame&)>;
+
+  /// `clock` outlives the port; `also` are frames to receive that are not for the node. Throws
+  /// hal::linux_os::DeviceError or hal::files::OutputError.
+  BoardCan(const CanConfig& config, protocol::Node node, const BoardClock& clock,
+           std::span<const hal::linux_os::CanFilter> also, Heard heard);
 
   hal::Error send(const hal::CanFrame& frame);
   std::optional<hal::CanFrame> receive();
@@ -60,6 +67,7 @@ class BoardCan {
   std::optional<hal::linux_os::SocketCan> bus_;
   std::optional<hal::files::OutputFile> log_;
   std::uint64_t logged_ = 0;
+  Heard heard_;
 };
 static_assert(hal::CanPort<BoardCan>);
 

@@ -12,6 +12,7 @@
 
 #include "hal/files/input_error.hpp"
 #include "lifemodel/pack/pack.hpp"
+#include "lifemodel/pack/samples.hpp"
 
 namespace board {
 namespace {
@@ -24,11 +25,16 @@ using hal::files::ProfileRow;
 using lifemodel::Direction;
 using lifemodel::MotorCurrent;
 using lifemodel::Tension;
+using lifemodel::extension::DriveSample;
+using lifemodel::extension::SheathSample;
 
 template <class SampleT>
-constexpr InputKind kKind = std::is_same_v<SampleT, MotorCurrent> ? InputKind::kMotorCurrent
-                            : std::is_same_v<SampleT, Tension>    ? InputKind::kInputTension
-                                                                  : InputKind::kOutputTension;
+constexpr bool kIsDrive =
+    std::is_same_v<SampleT, MotorCurrent> || std::is_same_v<SampleT, DriveSample>;
+template <class SampleT>
+constexpr InputKind kKind = kIsDrive<SampleT>                  ? InputKind::kMotorCurrent
+                            : std::is_same_v<SampleT, Tension> ? InputKind::kInputTension
+                                                               : InputKind::kOutputTension;
 
 template <class Q>
 std::optional<Q> within_range(double value) {
@@ -52,8 +58,10 @@ class Conversion {
       return within_range<MotorCurrent>(row.value);
     } else if constexpr (std::is_same_v<SampleT, Tension>) {
       return within_range<Tension>(row.value / ultimate_N_);
-    } else {
+    } else if constexpr (std::is_same_v<SampleT, app::OutputTension>) {
       return output(row);
+    } else {
+      return extended(row);
     }
   }
 
@@ -64,10 +72,32 @@ class Conversion {
       direction_ = row.tendon_velocity_m_s > 0 ? Direction::pulling : Direction::releasing;
     }
     const auto tension = within_range<Tension>(row.value / ultimate_N_);
-    const lifemodel::Angle bend = has_bend_angle_ ? lifemodel::pack::from_double<lifemodel::Angle>(
-                                                        row.bend_angle_deg * std::numbers::pi / 180)
-                                                  : parameters_.bend;
-    return tension ? std::optional(app::OutputTension{*tension, direction_, bend}) : std::nullopt;
+    return tension ? std::optional(app::OutputTension{*tension, direction_, bend(row)})
+                   : std::nullopt;
+  }
+
+  std::optional<SampleT> extended(const ProfileRow& row) const {
+    lifemodel::Flags flags;
+    const auto at =
+        lifemodel::pack::covariates({row.tendon_velocity_m_s, row.motor_angle_rad,
+                                     row.sheath_temperature_C, row.winding_temperature_C},
+                                    flags);
+    if (!flags.none()) {
+      return std::nullopt;
+    }
+    if constexpr (kIsDrive<SampleT>) {
+      const auto current = within_range<MotorCurrent>(row.value);
+      return current ? std::optional(SampleT{*current, at}) : std::nullopt;
+    } else {
+      const auto tension = within_range<Tension>(row.value / ultimate_N_);
+      return tension ? std::optional(SampleT{*tension, bend(row), at}) : std::nullopt;
+    }
+  }
+
+  [[nodiscard]] lifemodel::Angle bend(const ProfileRow& row) const {
+    return has_bend_angle_ ? lifemodel::pack::from_double<lifemodel::Angle>(row.bend_angle_deg *
+                                                                            std::numbers::pi / 180)
+                           : parameters_.bend;
   }
 
   const lifemodel::Parameters& parameters_;
@@ -156,6 +186,8 @@ template RecordedSamples<MotorCurrent> read_samples(const fs::path&, const lifem
 template RecordedSamples<Tension> read_samples(const fs::path&, const lifemodel::Parameters&);
 template RecordedSamples<app::OutputTension> read_samples(const fs::path&,
                                                           const lifemodel::Parameters&);
+template RecordedSamples<DriveSample> read_samples(const fs::path&, const lifemodel::Parameters&);
+template RecordedSamples<SheathSample> read_samples(const fs::path&, const lifemodel::Parameters&);
 
 namespace {
 
@@ -181,9 +213,33 @@ hal::files::InputKind profile_kind(const Config& config) {
   return kind_of(profiles_of(config));
 }
 
+lifemodel::extension::Input input_of(const Config& config) {
+  using lifemodel::extension::Input;
+  if (config.sensor.kind != SensorKind::profile) {
+    return Input::motor_current;
+  }
+  switch (profile_kind(config)) {
+    case InputKind::kInputTension:
+      return Input::input_tension;
+    case InputKind::kMotorCurrent:
+      return Input::motor_current;
+    case InputKind::kOutputTension:
+      break;
+  }
+  return Input::output_tension;
+}
+
+lifemodel::extension::Measured measured_by(const Config& config, const TendonConfig& tendon) {
+  if (config.sensor.kind != SensorKind::profile) {
+    return measured_by(tendon);
+  }
+  const hal::files::ProfileChannels columns = ProfileReader(tendon.profile).channels();
+  return {columns[hal::files::kTendonVelocity], columns[hal::files::kMotorAngle],
+          columns[hal::files::kSheathTemperature], columns[hal::files::kWindingTemperature]};
+}
+
 bool measures_current(const Config& config) {
-  return config.sensor.kind != SensorKind::profile ||
-         profile_kind(config) == hal::files::InputKind::kMotorCurrent;
+  return input_of(config) == lifemodel::extension::Input::motor_current;
 }
 
 CurrentSensor::CurrentSensor(const Setup& setup) : source_(open(setup)) {}

@@ -11,11 +11,15 @@
 #include "firmware/app/intake.hpp"
 #include "firmware/boards/linux/config.hpp"
 #include "firmware/boards/linux/setup.hpp"
+#include "firmware/boards/linux/surroundings.hpp"
 #include "hal/devices.hpp"
 #include "hal/error.hpp"
 #include "hal/files/profile.hpp"
 #include "hal/linux/iio.hpp"
+#include "hal/linux/monotonic_clock.hpp"
 #include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/extension/needs.hpp"
+#include "lifemodel/extension/sample.hpp"
 
 namespace board {
 
@@ -45,6 +49,10 @@ extern template RecordedSamples<lifemodel::Tension> read_samples(const std::file
                                                                  const lifemodel::Parameters&);
 extern template RecordedSamples<app::OutputTension> read_samples(const std::filesystem::path&,
                                                                  const lifemodel::Parameters&);
+extern template RecordedSamples<lifemodel::extension::DriveSample> read_samples(
+    const std::filesystem::path&, const lifemodel::Parameters&);
+extern template RecordedSamples<lifemodel::extension::SheathSample> read_samples(
+    const std::filesystem::path&, const lifemodel::Parameters&);
 
 /// Plays recordings in place of a sensor, one a tendon and one sample a call, from memory.
 template <class SampleT>
@@ -95,6 +103,12 @@ static_assert(hal::CurrentSensor<ProfileSensor<lifemodel::MotorCurrent>>);
 /// What the profiles of a configuration hold. Throws hal::files::InputError.
 hal::files::InputKind profile_kind(const Config& config);
 
+/// What the sensor of a configuration gives. Throws hal::files::InputError.
+lifemodel::extension::Input input_of(const Config& config);
+
+/// What it gives of a tendon besides. Throws hal::files::InputError.
+lifemodel::extension::Measured measured_by(const Config& config, const TendonConfig& tendon);
+
 /// Whether the samples are motor current. Throws hal::files::InputError.
 bool measures_current(const Config& config);
 
@@ -102,8 +116,9 @@ bool measures_current(const Config& config);
 template <class SampleT>
 ProfileSensor<SampleT> profile_sensor(const Setup& setup) {
   std::vector<RecordedSamples<SampleT>> tendons;
-  for (std::size_t i = 0; i < setup.parameters.size(); ++i) {
-    tendons.push_back(read_samples<SampleT>(setup.config.tendons[i].profile, setup.parameters[i]));
+  for (std::size_t i = 0; i < setup.models.size(); ++i) {
+    tendons.push_back(
+        read_samples<SampleT>(setup.config.tendons[i].profile, setup.models[i].nominal));
   }
   return {std::move(tendons), setup.config.sensor.at_end == AtEnd::repeat};
 }
@@ -138,5 +153,32 @@ class CurrentSensor {
   Source source_;
 };
 static_assert(hal::CurrentSensor<CurrentSensor>);
+
+/// Motor current of IIO and what it was taken in, for an extended model.
+class DriveSensor {
+ public:
+  using Sample = lifemodel::extension::DriveSample;
+
+  /// Throws hal::linux_os::DeviceError.
+  explicit DriveSensor(const Setup& setup) : current_(setup), surroundings_(setup.config) {}
+
+  hal::Result<Sample> isr_read(std::size_t tendon) {
+    // The current is taken in any case, so that no old one is left in a buffer.
+    const auto current = current_.isr_read(tendon);
+    if (!current) {
+      return current.error();
+    }
+    const auto at = surroundings_.isr_read(tendon, clock_.now());
+    return at ? hal::Result<Sample>(Sample{*current, *at}) : at.error();
+  }
+  /// Of the other thread.
+  void poll(hal::Time now) { surroundings_.poll(now); }
+  void take(const hal::CanFrame& frame, hal::Time now) { surroundings_.take(frame, now); }
+
+ private:
+  CurrentSensor current_;
+  Surroundings surroundings_;
+  hal::linux_os::MonotonicClock clock_;
+};
 
 }  // namespace board

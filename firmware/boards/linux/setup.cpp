@@ -11,7 +11,8 @@
 #include "firmware/boards/linux/sensors.hpp"
 #include "hal/files/input_error.hpp"
 #include "hal/files/input_file.hpp"
-#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/extension/extended_block.hpp"
+#include "lifemodel/extension/needs.hpp"
 
 namespace board {
 namespace {
@@ -63,20 +64,20 @@ app::Key read_authority_key(const fs::path& path) {
   return key;
 }
 
-lifemodel::Parameters read_parameters(const fs::path& path, std::uint32_t period_us) {
+lifemodel::ExtendedParameters read_model(const fs::path& path, std::uint32_t period_us) {
   constexpr std::string_view kBlock = "a parameter block, made by `host_sim pack`";
-  const std::string bytes = hal::files::read_text_file(path, kBlock, lifemodel::kBlockBytes);
-  const auto parameters = lifemodel::decode(std::as_bytes(std::span(bytes)));
-  if (!parameters) {
-    throw InputError(path.string(), 0, 0, lifemodel::to_string(parameters.error()), kBlock);
+  const std::string bytes = hal::files::read_text_file(path, kBlock, lifemodel::kMostExtendedBytes);
+  const auto model = lifemodel::decode_extended(std::as_bytes(std::span(bytes)));
+  if (!model) {
+    throw InputError(path.string(), 0, 0, lifemodel::to_string(model.error()), kBlock);
   }
-  if (parameters->sample_period_us != period_us) {
+  if (model->nominal.sample_period_us != period_us) {
     throw InputError(path.string(), 0, 0,
                      fmt::format("made for a sample every {} us, and the loop has {} us",
-                                 parameters->sample_period_us, period_us),
+                                 model->nominal.sample_period_us, period_us),
                      "sample_rate_Hz of the model and rate_Hz of the loop that are the same");
   }
-  return *parameters;
+  return *model;
 }
 
 namespace {
@@ -108,8 +109,8 @@ void check_drive(const Setup& setup) {
   if (!measures_current(setup.config)) {
     return;
   }
-  for (std::size_t i = 0; i < setup.parameters.size(); ++i) {
-    if (!setup.parameters[i].has_drive()) {
+  for (std::size_t i = 0; i < setup.models.size(); ++i) {
+    if (!setup.models[i].nominal.has_drive()) {
       throw InputError(setup.config.tendons[i].parameters.string(), 0, 0,
                        "made of a model without [drive], and the sensor measures motor current",
                        "a parameter block of a model with [drive]");
@@ -117,7 +118,34 @@ void check_drive(const Setup& setup) {
   }
 }
 
+void check_extensions(const Setup& setup) {
+  if (!setup.extended()) {
+    return;
+  }
+  const auto input = input_of(setup.config);
+  for (std::size_t i = 0; i < setup.models.size(); ++i) {
+    const TendonConfig& tendon = setup.config.tendons[i];
+    const auto unmet = lifemodel::extension::unmet(setup.models[i].extension, input,
+                                                   measured_by(setup.config, tendon));
+    if (unmet) {
+      throw InputError(
+          tendon.parameters.string(), 0, 0,
+          fmt::format("{} needs {}, which is not measured", unmet->effect, unmet->quantity),
+          setup.config.sensor.kind == SensorKind::profile
+              ? std::string(
+                    "a profile with its column, or a block made with `host_sim pack --without`")
+              : fmt::format("{} in [[tendon]], or a block made with `host_sim pack --without`",
+                            fmt::join(kCovariateNames, ", ")));
+    }
+  }
+}
+
 }  // namespace
+
+bool Setup::extended() const {
+  return std::any_of(models.begin(), models.end(),
+                     [](const auto& model) { return model.extension.effects != 0; });
+}
 
 Setup read_setup(const Config& config, bool virtual_clock) {
   if (virtual_clock) {
@@ -125,9 +153,10 @@ Setup read_setup(const Config& config, bool virtual_clock) {
   }
   Setup setup{config, node_of(config), {}, virtual_clock};
   for (const TendonConfig& tendon : config.tendons) {
-    setup.parameters.push_back(read_parameters(tendon.parameters, config.loop.period_us));
+    setup.models.push_back(read_model(tendon.parameters, config.loop.period_us));
   }
   check_drive(setup);
+  check_extensions(setup);
   return setup;
 }
 

@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
-"""Makes a profile of motor current or input tension at 1 kHz from whole numbers alone.
+"""Makes a profile at 1 kHz from whole numbers alone.
 
-usage: make_profile.py {motor_current_A|input_tension_N} SEED ROWS > profile.csv
+usage: make_profile.py {motor_current_A|input_tension_N|drive|pair} SEED ROWS > profile.csv
 
-A triangle of 250 rows whose height wanders, with noise; one row in 500 is missing.
+A triangle of 250 rows whose height wanders, with noise; one row in 500 is missing. A drive is motor
+current with what it was taken in, a pair the output tension of two tendons, below 0 that of the
+other.
 """
 import sys
 
@@ -21,8 +23,28 @@ def rows(seed, count):
             yield i, (phase if phase < 125 else 250 - phase) * height // 125 + noise
 
 
+SURROUNDINGS = "tendon_velocity_m_s,motor_angle_rad,sheath_temperature_C,winding_temperature_C"
+
+
+def surroundings(i):
+    """0.08 m/s to and fro over 10 mm, while it warms by a degree a second."""
+    phase = i % 250
+    pulling = phase < 125
+    way = phase if pulling else 250 - phase
+    velocity = (80 if pulling else -80) if phase % 125 else 0
+    return f"{velocity / 1000:.3f},{(way - 62) * 8 / 100:.2f},{20 + i / 1000:.3f},{30 + i / 500:.3f}"
+
+
 def main():
-    column, seed, count = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
+    kind, seed, count = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
+    if kind in ("drive", "pair"):
+        column, divisor = {"drive": ("motor_current_A", 200), "pair": ("output_tension_N", 10)}[kind]
+        print(f"time_s,{column},{SURROUNDINGS}")
+        for i, value in rows(seed, count):
+            load = (value - (400 if kind == "pair" else 0)) / divisor
+            print(f"{i / 1000:.3f},{load:.6f},{surroundings(i)}")
+        return
+    column = kind
     divisor = {"motor_current_A": 200, "input_tension_N": 8}[column]
     print(f"time_s,{column}")
     for i, value in rows(seed, count):

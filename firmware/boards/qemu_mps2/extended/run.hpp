@@ -6,7 +6,7 @@
 #include <span>
 
 #include "firmware/app/app.hpp"
-#include "firmware/app/extended_sensor.hpp"
+#include "firmware/app/sensing.hpp"
 #include "firmware/boards/qemu_mps2/image/machine.hpp"
 #include "firmware/boards/qemu_mps2/image/options.hpp"
 #include "firmware/boards/qemu_mps2/image/recording.hpp"
@@ -68,34 +68,33 @@ class ExtendedMachine : public MachineDevices<Stream, Backing, SwingingDrive<kTe
   using Base = MachineDevices<Stream, Backing, SwingingDrive<kTendons>>;
 
  public:
-  using Extended = app::ExtendedSensor<typename Base::Sensor, kTendons>;
-  using Layout = lifemodel::extension::ExtendedLife<lifemodel::DefaultLayout>;
+  using Sensing = app::ExtendedSensing<typename Base::Sensor, kTendons>;
   using App =
-      app::App<kTendons, typename Base::template Devices<Extended, Clock, hal::NoHold>, Layout>;
+      app::App<kTendons,
+               typename Base::template Devices<typename Sensing::Sensor, Clock, hal::NoHold>,
+               typename Sensing::Layout>;
 
   ExtendedMachine(Stream& stream, const Clock& clock, Backing& backing, const Settings& settings,
                   const lifemodel::ExtendedParameters& configured)
       : Base(stream, backing, settings),
         parameters_(app::stored_parameters<kTendons>(this->store, settings.parameters)),
-        models_(app::extended_models<kTendons>(parameters_, configured)),
-        extended_(this->sensor, models_),
-        app(this->devices(extended_, clock, hold_), settings.config, parameters_, lives(models_)) {}
+        models_(app::extended_models<kTendons>(parameters_, for_all(configured))),
+        sensing_(this->sensor, models_),
+        app(this->devices(sensing_.sensor(), clock, hold_), settings.config, parameters_,
+            sensing_.models()) {}
 
  private:
-  using Models = typename Extended::Models;
+  using Models = app::ExtendedModels<kTendons>;
 
-  static std::array<lifemodel::extension::LifeParameters, kTendons> lives(const Models& models) {
-    std::array<lifemodel::extension::LifeParameters, kTendons> lives{};
-    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-      lives[tendon] =
-          lifemodel::extension::life_parameters(models[tendon].nominal, models[tendon].extension);
-    }
-    return lives;
+  static Models for_all(const lifemodel::ExtendedParameters& model) {
+    Models models;
+    models.fill(model);
+    return models;
   }
 
   app::ParameterSet<kTendons> parameters_;
   Models models_;
-  Extended extended_;
+  Sensing sensing_;
   hal::NoHold hold_;
 
  public:
