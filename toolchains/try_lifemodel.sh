@@ -10,10 +10,15 @@ mkdir -p "$work"
 host_sim="$project/build/host-release/host_sim/host_sim"
 "$host_sim" pack host_sim/examples/upper_arm.toml --out "$work/block"
 
-# runs FOLDER: both examples, built there, count what they are given.
+# runs FOLDER: both examples, built there, count what they are given, and the one in C drops no extension.
 runs() {
   "$1/control_loop" | grep '^life used: 0\.[0-9]*[1-9]'
   "$1/control_loop_c" "$work/block" | grep '^life used: [1-9][0-9]* ppb$'
+  if "$1/control_loop_c" tests/linux/bench/drive.block 2> "$work/refusal"; then
+    echo "control_loop_c takes a block with an extension" >&2
+    return 1
+  fi
+  grep -q 'parameter block refused: it has an extension' "$work/refusal"
 }
 
 echo "-- installed, find_package"

@@ -55,12 +55,27 @@ printf 'time_s,motor_current_A\n0,1\n0.001,2\n' > "$files/current.csv"
 write_config "$config" 1000 "$files" "$bench/tension.block:$files/current.csv"
 expect 1 "made of a model without [drive]" --config "$config" --check
 # An extension needs what it is written in terms of.
-python3 "$bench/make_profile.py" motor_current_A 1 100 > "$files/alone.csv"
-write_config "$config" 1000 "$files" "$bench/drive.block:$files/alone.csv"
-for check in --check --virtual-clock; do
-  expect 1 "gear_asymmetry needs the velocity of the tendon, which is not measured" \
-    --config "$config" "$check"
-done
+# without MODEL COLUMN    its profile with all columns but that
+without() {
+  python3 "$bench/make_profile.py" "$1" 1 100 | awk -F, -v OFS=, -v column="$2" '
+    NR == 1 { for (i = 1; i <= NF; ++i) if ($i == column) left = i; if (!left) exit 1 }
+    { line = $1; for (i = 2; i <= NF; ++i) if (i != left) line = line OFS $i; print line }' \
+    > "$files/less.csv"
+}
+while read -r model column complaint; do
+  without "$model" "$column"
+  write_config "$config" 1000 "$files" "$bench/$model.block:$files/less.csv"
+  for check in --check --virtual-clock; do
+    expect 1 "$bench/$model.block: $complaint, which is not measured; accepted: a profile with its column" \
+      --config "$config" "$check"
+  done
+done << 'END'
+drive tendon_velocity_m_s gear_asymmetry needs the velocity of the tendon
+drive motor_angle_rad torque_ripple needs the angle of the rotor
+drive winding_temperature_C torque_gain needs the temperature of the winding
+pair sheath_temperature_C friction_temperature needs the temperature of the sheath
+pair motor_angle_rad empirical needs the angle of the rotor
+END
 python3 "$bench/make_profile.py" drive 1 100 > "$files/drive.csv"
 write_config "$config" 1000 "$files" "$bench/drive.block:$files/drive.csv"
 expect 0 "" --config "$config" --check

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The controller counts the damage of an extended model that `host_sim replay` counts.
+# The controller counts the damage of an extended model, to the last bit, that `host_sim replay` counts.
 #
 # usage: same_as_replay.sh HOST_SIM CONTROLLER
 set -euo pipefail
@@ -18,15 +18,15 @@ for model in drive pair; do
     > /dev/null 2>&1
   python3 - "$files/$model.json" "$files/$model.report" << 'END'
 import json
-import math
 import sys
 
 replayed, controlled = (json.load(open(path)) for path in sys.argv[1:])
 [tendon] = controlled["tendons"]
-# Q24.104, of which a number of JSON has the first 53 bits.
-damage = int(tendon["damage"], 16) / 2**104
+# Q24.104, of which a number of JSON has the first 53 bits: the words of 32 bits added up from the last.
+words = int(tendon["damage"], 16)
+damage = sum((words >> shift & 0xFFFFFFFF) * 2.0 ** (shift - 104) for shift in range(0, 128, 32))
 wanted = replayed["damage"]["total"]
-if not wanted > 0 or not math.isclose(damage, wanted, rel_tol=1e-15):
+if not wanted > 0 or damage != wanted:
     sys.exit(f"the controller has counted {damage!r}, replay {wanted!r}")
 if tendon["cycles"] != replayed["cycles"]["closed"]:
     sys.exit(f"the controller has closed {tendon['cycles']} cycles, replay {replayed['cycles']}")
