@@ -19,6 +19,9 @@ namespace host_sim::diagnose {
 namespace {
 
 constexpr double kPrior = 0.05;  ///< of an effect of the catalogue
+/// Of the squared error: a sheath that stretches under load looks like friction of the load where
+/// all sessions are of one pose, and explains less.
+constexpr double kMostBesideLoad = 0.25;
 
 /// Laplace: the standard errors of the gain as evidence, one parameter more for as many sessions.
 double probability_of(const PairedGain& gain, std::size_t sessions) {
@@ -61,12 +64,11 @@ struct Extended {
 class Report {
  public:
   Report(const ForceData& data, const ForceSearch& search, const NominalModel& nominal,
-         const reference::Constants& constants, const ForceTrust& trust, std::uint64_t seed)
+         const reference::Constants& constants, std::uint64_t seed)
       : data_(data),
         search_(search),
         nominal_(nominal),
         constants_(constants),
-        trust_(trust),
         covariates_(force_covariates(data.records())),
         remainder_(
             remainder_of(data, search.nominal().fit, search.model().fit, covariates_, seed)) {}
@@ -82,9 +84,8 @@ class Report {
     if (!search_.judged().empty() && !few()) {
       findings.gain = gain_of({search_.model().fit, search_.model().held_N2, std::nullopt});
     }
-    const double share = search_.rmse_N() / search_.nominal_rmse_N();
     findings.remainder =
-        Remainder{.share = share * share,
+        Remainder{.share = share_left(),
                   .input_rmse_N = search_.rmse_N(),
                   .output_rmse_N = output_rmse_of({search_.model().fit, {}, std::nullopt}),
                   .covariate = std::string(remainder_.covariate),
@@ -106,7 +107,8 @@ class Report {
       constexpr double kChance = 0.01;
       return remainder_.p < kChance ? Verdict::unknown : Verdict::none;
     }
-    if (!is_trusted()) {
+    if (judged.size() == 1 && judged.front().term == ForceTerm::load &&
+        share_left() > kMostBesideLoad) {
       return Verdict::unknown;
     }
     return std::ranges::any_of(judged, [&](const Judged& one) { return stands(one); })
@@ -114,10 +116,10 @@ class Report {
                : Verdict::ambiguous;
   }
 
-  [[nodiscard]] bool is_trusted() const {
+  /// Of the squared error of the nominal model.
+  [[nodiscard]] double share_left() const {
     const double left = search_.rmse_N() / search_.nominal_rmse_N();
-    return left * left <= trust_.most_left &&
-           search_.nominal_rmse_N() >= trust_.least_error * data_.scales().force_N;
+    return left * left;
   }
 
   /// By itself: nothing could be in its place.
@@ -466,7 +468,6 @@ class Report {
   const ForceSearch& search_;
   const NominalModel& nominal_;
   const reference::Constants& constants_;
-  ForceTrust trust_;
   std::vector<ForceCovariate> covariates_;
   ForceRemainder remainder_;
   Extended extended_;
@@ -484,12 +485,12 @@ std::string correction_prose(const Correction& correction) {
 
 TensionDiagnosis diagnose_forces(const std::vector<ForceRecord>& records,
                                  const NominalModel& nominal, const reference::Constants& constants,
-                                 const ForceTrust& trust, const DiagnoseOptions& options) {
+                                 const DiagnoseOptions& options) {
   const ForceData data(records);
   ForceSearch search(data, nominal.sheath ? nominal.sheath->friction_coefficient : 0.1,
                      options.without, options.threads);
   search.run();
-  return Report(data, search, nominal, constants, trust, options.seed).diagnosis();
+  return Report(data, search, nominal, constants, options.seed).diagnosis();
 }
 
 }  // namespace host_sim::diagnose

@@ -19,12 +19,6 @@ std::vector<ForceRecord> force_records(const std::vector<recording::Recording>& 
                                        const NominalModel& nominal);
 inline constexpr std::size_t kMostForceSamples = 600;
 
-/// What the nominal model has to leave, and the extended one to explain, for causes to be named.
-struct ForceTrust {
-  double least_error = 0;  ///< of the nominal model over the output force, root mean squares
-  double most_left = 1;    ///< of the squared error
-};
-
 /// Causes in a forward model in newtons: effects of the catalogue are added as long as they gain on
 /// sessions that the fit never saw, those are taken out again without which it does as well, and
 /// what the model leaves stands beside them.
@@ -34,7 +28,7 @@ struct ForceTrust {
 /// left and repeats in sessions that the fit never saw gets a correction, which has no cause.
 TensionDiagnosis diagnose_forces(const std::vector<ForceRecord>& records,
                                  const NominalModel& nominal, const reference::Constants& constants,
-                                 const ForceTrust& trust, const DiagnoseOptions& options);
+                                 const DiagnoseOptions& options);
 
 /// "A correction ... takes the error ... from ... to ..." behind other sentences.
 std::string correction_prose(const Correction& correction);

@@ -35,6 +35,10 @@ constexpr std::array<ForceTermDefinition, kForceTermCount> kDefinitions{{
      "every tension is read too high or too low by the same force"},
     {"friction_temperature", "temperature-dependent friction", "all friction (1 + k (T - 20 C))",
      "a sheath that is warmer has another friction, and damage goes with it"},
+    {"current_offset", "zero error of the current sensor", "I - b",
+     "all input tensions are wrong by the same force: the mean moves and the amplitude stays"},
+    {"gear_asymmetry", "direction-dependent gear efficiency", "eta_g (1 + c s)",
+     "the amplitude of input tension is wrong by c times its mean, at every bend angle"},
 }};
 
 double quantile(std::vector<double>& values, double share) {
@@ -58,6 +62,8 @@ struct Values {
   double lag_s = 0;
   double zero_N = 0;
   double temperature_1_K = 0;
+  double current_offset_A = 0;
+  double gear_asymmetry = 0;
 
   Values(const ForceTerms& terms, std::span<const double> parameters) {
     auto next = parameters.begin();
@@ -97,6 +103,12 @@ struct Values {
           break;
         case ForceTerm::temperature:
           temperature_1_K = *next++;
+          break;
+        case ForceTerm::current_offset:
+          current_offset_A = *next++;
+          break;
+        case ForceTerm::gear_asymmetry:
+          gear_asymmetry = *next++;
           break;
       }
     }
@@ -176,9 +188,12 @@ const ForceTermDefinition& definition_of(ForceTerm term) {
 }
 
 bool is_shown(ForceTerm term, std::span<const ForceRecord> records) {
-  return term != ForceTerm::temperature ||
-         std::ranges::none_of(
-             records, [](const ForceRecord& one) { return one.sheath_temperature_C.empty(); });
+  const bool of_temperature = term == ForceTerm::temperature;
+  const bool of_current = term == ForceTerm::current_offset || term == ForceTerm::gear_asymmetry;
+  return std::ranges::all_of(records, [&](const ForceRecord& one) {
+    return (!of_temperature || !one.sheath_temperature_C.empty()) &&
+           (!of_current || one.input_N_per_A > 0);
+  });
 }
 
 std::vector<ForceParameter> parameters_of(ForceTerm term, const ForceScales& scales) {
@@ -218,6 +233,10 @@ std::vector<ForceParameter> parameters_of(ForceTerm term, const ForceScales& sca
       return {{"load_cell_zero_N", "N", -force_N, force_N, {0.01 * force_N}}};
     case ForceTerm::temperature:
       return {{"temperature_coefficient_1_K", "1/K", -0.05, 0.05, {0.001}}};
+    case ForceTerm::current_offset:
+      return {{"current_offset_A", "A", -0.5, 0.5, {0.01}}};
+    case ForceTerm::gear_asymmetry:
+      return {{"gear_asymmetry", "1", -0.3, 0.3, {0.01}}};
   }
   return {};
 }
@@ -234,6 +253,14 @@ std::vector<ForceParameter> parameters_of(const ForceTerms& terms, const ForceSc
 }
 
 namespace {
+
+/// ln(T_in/T_out) of dT/dphi = mu (T/T_0)^-k T, for that of the output's friction all along.
+double along_sheath(double log_ratio, double load_exponent) {
+  constexpr double kLeast = 1e-9;  // nothing is left of the force
+  return load_exponent == 0
+             ? log_ratio
+             : std::log1p(std::max(load_exponent * log_ratio, kLeast - 1)) / load_exponent;
+}
 
 /// Input force before the gain at one sample, for a friction that is turned over by `slip`.
 double input_at(const ForceRecord& record, std::size_t i, const Values& values,
@@ -256,7 +283,9 @@ double input_at(const ForceRecord& record, std::size_t i, const Values& values,
   // A force the other way round is that of the other tendon, whose motion is the other way too.
   const double side = output_N < 0 ? -1 : 1;
   const double sheath_N =
-      side * size_N * std::expm1(std::clamp(side * log_ratio, -kMostLogRatio, kMostLogRatio));
+      side * size_N *
+      std::expm1(std::clamp(along_sheath(side * log_ratio, values.load_exponent), -kMostLogRatio,
+                            kMostLogRatio));
   const double other_N = values.preload_N * factor + values.viscous_N_s_m * speed_m_s;
   return output_N + sheath_N + other_N * slip;
 }
@@ -283,7 +312,9 @@ void predict_input(const ForceRecord& record, const ForceTerms& terms, const For
     } else {
       held_N = input_at(record, i, values, scales, slip);
     }
-    input_N[i] = values.gain * held_N;
+    const double direction = std::tanh(record.velocity_m_s[i] / scales.turn_over_m_s);
+    input_N[i] = values.gain * held_N / (1 + values.gear_asymmetry * direction) +
+                 record.input_N_per_A * values.current_offset_A;
   }
 }
 

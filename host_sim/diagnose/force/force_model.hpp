@@ -21,6 +21,7 @@ struct ForceRecord {
   std::vector<double> bend_angle_rad;
   std::vector<double> sheath_temperature_C;  ///< empty where no session varies in it
   std::vector<bool> used;    ///< whether it counts; motion goes on where it does not
+  double input_N_per_A = 0;  ///< of a motor current, which the input force is of; 0: a load cell
   bool rotor_known = false;  ///< the position is that of the rotor and not an integral
 
   [[nodiscard]] std::size_t samples() const { return time_s.size(); }
@@ -49,8 +50,10 @@ enum class ForceTerm : unsigned {
   lag,
   zero,
   temperature,
+  current_offset,
+  gear_asymmetry,
 };
-inline constexpr std::size_t kForceTermCount = 10;
+inline constexpr std::size_t kForceTermCount = 12;
 using ForceTerms = std::vector<ForceTerm>;
 
 /// A parameter with bounds of physics, and what a fit tries to start with.
@@ -77,7 +80,7 @@ std::vector<ForceParameter> parameters_of(ForceTerm term, const ForceScales& sca
 std::vector<ForceParameter> parameters_of(const ForceTerms& terms, const ForceScales& scales);
 
 /// T_in = gain (T_out + friction), where friction works against the motion, the sheath's in
-/// proportion to |T_out| by eq. (14) of the paper.
+/// proportion to |T| along it, which is eq. (14) of the paper where mu is the same for all T.
 /// @param parameters as parameters_of(terms, scales)
 /// @param input_N takes the input force of each sample
 void predict_input(const ForceRecord& record, const ForceTerms& terms, const ForceScales& scales,

@@ -45,7 +45,7 @@ std::vector<double> position_of(const Recording& recording, bool rotor_known,
   if (rotor_known) {
     std::vector<double> position_m = recording[kMotorAngle];
     for (double& value : position_m) {
-      value *= nominal.drive->spool_radius_mm * 1e-3 / nominal.drive->gear_ratio;
+      value *= nominal.drive->spool_radius_m() / nominal.drive->gear_ratio;
     }
     return position_m;
   }
@@ -136,6 +136,11 @@ std::vector<ForceRecord> force_records(const std::vector<Recording>& recordings,
     record.session = recording.session;
     record.time_s = recording[kTime];
     record.input_N = input_of(recording, nominal);
+    if (input == kMotorCurrentColumn) {
+      const reference::Drive drive = nominal.drive->reference();
+      record.input_N_per_A =
+          reference::input_tension_from_current(drive.current_offset_A + 1, drive);
+    }
     record.output_N = recording[kOutputTensionColumn];
     record.output_rate_N_s = rate_of(record.time_s, record.output_N);
     record.velocity_m_s = recording[kTendonVelocity];

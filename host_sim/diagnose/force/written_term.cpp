@@ -39,6 +39,8 @@ std::optional<Extension> written_term(ForceTerm term, std::span<const double> va
     case ForceTerm::load:
     case ForceTerm::lag:
     case ForceTerm::temperature:
+    case ForceTerm::current_offset:
+    case ForceTerm::gear_asymmetry:
     case ForceTerm::velocity: {
       Extension extension{id, {}};
       std::size_t next = 0;

@@ -329,22 +329,20 @@ TensionDiagnosis nothing_to_see(const RecordedSessions& recorded) {
   return diagnosis;
 }
 
-/// Below this error ln T measures to a hundredth, and what signatures of ln T do not explain is
-/// outside of the catalogue. What leaves more than this explains too little not to imitate what is
-/// outside.
-constexpr ForceTrust kBesideSignatures{.least_error = 0.15, .most_left = 0.25};
-
-/// Where signatures of ln T do not explain an error, effects in newtons may; else they say how far
-/// it goes.
+/// Where signatures of ln T do not tell the cause of an error, effects in newtons may; else they
+/// say how far it goes where it has none.
 TensionDiagnosis in_newtons_after(TensionDiagnosis signatures, TensionDiagnosis forces) {
   Findings& found = forces.findings;
-  found.discrepancies = std::move(signatures.findings.discrepancies);
-  found.invisible = std::move(signatures.findings.invisible);
   if (found.verdict == Verdict::named) {
+    found.discrepancies = std::move(signatures.findings.discrepancies);
+    found.invisible = std::move(signatures.findings.invisible);
     std::ranges::move(signatures.findings.equivalent_sets,
                       std::back_inserter(found.equivalent_sets));
     found.next_experiment = std::move(signatures.findings.next_experiment);
     return forces;
+  }
+  if (signatures.findings.verdict == Verdict::ambiguous) {
+    return signatures;
   }
   TensionDiagnosis& diagnosis = signatures;
   Findings& findings = diagnosis.findings;
@@ -371,16 +369,15 @@ TensionDiagnosis in_newtons_after(TensionDiagnosis signatures, TensionDiagnosis 
 
 TensionDiagnosis diagnose_recorded(const Campaign& campaign, const RecordedSessions& recorded,
                                    const DiagnoseOptions& options) {
-  const auto in_newtons = [&](const std::vector<ForceRecord>& records, const ForceTrust& trust) {
-    return diagnose_forces(records, campaign.nominal, constants_of(campaign.nominal), trust,
-                           options);
-  };
   const auto records = [&] {
     return force_records(recorded.recordings, recorded.faults, campaign.nominal);
   };
+  const auto in_newtons = [&](const std::vector<ForceRecord>& all) {
+    return diagnose_forces(all, campaign.nominal, constants_of(campaign.nominal), options);
+  };
   if (campaign.two_sided) {
     const std::vector<ForceRecord> all = records();
-    return all.empty() ? nothing_to_see(recorded) : in_newtons(all, {});
+    return all.empty() ? nothing_to_see(recorded) : in_newtons(all);
   }
   if (recorded.sessions.empty()) {
     return nothing_to_see(recorded);
@@ -391,8 +388,9 @@ TensionDiagnosis diagnose_recorded(const Campaign& campaign, const RecordedSessi
                      "[model.sheath] with friction_coefficient and bend_angle_deg");
   }
   TensionDiagnosis diagnosis = Diagnoser(campaign, recorded, options).run();
-  return diagnosis.findings.verdict == Verdict::unknown
-             ? in_newtons_after(std::move(diagnosis), in_newtons(records(), kBesideSignatures))
+  const Verdict verdict = diagnosis.findings.verdict;
+  return verdict == Verdict::unknown || verdict == Verdict::ambiguous
+             ? in_newtons_after(std::move(diagnosis), in_newtons(records()))
              : diagnosis;
 }
 

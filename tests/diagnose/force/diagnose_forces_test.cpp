@@ -35,7 +35,7 @@ NominalModel nominal() {
 }
 
 Findings found(const std::vector<ForceRecord>& records) {
-  return diagnose_forces(records, nominal(), kWire, {}, {}).findings;
+  return diagnose_forces(records, nominal(), kWire, {}).findings;
 }
 
 std::vector<std::string> ids_of(const Findings& findings) {
@@ -87,8 +87,8 @@ TEST(DiagnoseForces, NamesLoadIndependentAndViscousFrictionOfASignedForce) {
 }
 
 TEST(DiagnoseForces, WhatRemainsIsDrawnByDirectionForBothModels) {
-  const TensionDiagnosis diagnosis = diagnose_forces(
-      measured({.preload_N = 12, .viscous_N_s_m = 150}, 3), nominal(), kWire, {}, {});
+  const TensionDiagnosis diagnosis =
+      diagnose_forces(measured({.preload_N = 12, .viscous_N_s_m = 150}, 3), nominal(), kWire, {});
   ASSERT_EQ(diagnosis.remainders.size(), 2U);
   const auto mean = [](const std::vector<double>& values) {
     double sum = 0;
@@ -146,28 +146,30 @@ TEST(DiagnoseForces, WhatRepeatsBesideACauseIsACorrectionAndNoCause) {
 }
 
 TEST(DiagnoseForces, WhatHasNoCauseAndRepeatsIsCorrectedAndStaysUnknown) {
-  const TensionDiagnosis diagnosis = diagnose_forces(measured({.preload_N = 12, .spring_N = 6}, 8),
-                                                     nominal(), kWire, {.least_error = 9}, {});
-  const Findings& findings = diagnosis.findings;
+  const Findings findings = found(measured({.spring_N = 6}, 8));
   EXPECT_EQ(findings.verdict, Verdict::unknown) << findings.prose;
   EXPECT_THAT(ids_of(findings), IsEmpty());
   ASSERT_TRUE(findings.correction) << findings.prose;
   ASSERT_EQ(findings.extensions.size(), 1U);
   EXPECT_EQ(findings.extensions[0].id, "empirical");
-  // Friction in proportion to the load stands in for a part of what does not depend on it.
-  EXPECT_LT(findings.correction->after_N, 0.75 * findings.correction->before_N);
+  // 6 N / sqrt(2), and the noise of both ends.
+  EXPECT_NEAR(findings.correction->before_N, std::hypot(6 / std::sqrt(2), 0.7), 0.6);
+  EXPECT_LT(findings.correction->after_N, 1.1);
   EXPECT_DOUBLE_EQ(metric(findings, "input_rmse_N", false), findings.correction->before_N);
 }
 
-TEST(DiagnoseForces, WhatExplainsTooLittleIsNotNamed) {
-  const auto verdict = [](double most_left) {
-    return diagnose_forces(measured({.preload_N = 12, .spring_N = 6}, 8), nominal(), kWire,
-                           {.most_left = most_left}, {})
-        .findings.verdict;
-  };
-  // The spring, 6 N / sqrt(2), is left of an error of less than hypot(12 N, 6 N / sqrt(2)).
-  EXPECT_EQ(verdict(0.7), Verdict::named);
-  EXPECT_EQ(verdict(0.1), Verdict::unknown);
+TEST(DiagnoseForces, FrictionOfTheLoadIsNotNamedWhereMuchIsLeft) {
+  const Joint joint{.friction = 0.2, .load_exponent = 0.5, .noise_N = 0.1, .gain_scatter = 0.002};
+  const Findings alone = found(measured(joint, 9));
+  EXPECT_EQ(alone.verdict, Verdict::named) << alone.prose;
+  EXPECT_THAT(ids_of(alone), UnorderedElementsAre("friction_load"));
+  Joint cogging = joint;
+  cogging.cogging_N = 0.7;
+  const Findings beside = found(measured(cogging, 9));
+  EXPECT_EQ(beside.verdict, Verdict::unknown) << beside.prose;
+  EXPECT_THAT(ids_of(beside), IsEmpty());
+  ASSERT_EQ(beside.steps.size(), 2U);
+  EXPECT_EQ(beside.steps[1].effect.id, "friction_load");
 }
 
 TEST(DiagnoseForces, AFewSessionsNameNothing) {
@@ -196,8 +198,7 @@ TEST(DiagnoseForces, WhatIsTakenOutOfTheCatalogueIsNotNamed) {
   DiagnoseOptions options;
   options.without = {"friction_preload"};
   EXPECT_THAT(
-      ids_of(
-          diagnose_forces(measured({.preload_N = 12}, 6), nominal(), kWire, {}, options).findings),
+      ids_of(diagnose_forces(measured({.preload_N = 12}, 6), nominal(), kWire, options).findings),
       Not(Contains("friction_preload")));
 }
 
@@ -206,7 +207,7 @@ TEST(DiagnoseForces, TheNumberOfThreadsDoesNotMatter) {
   const auto by = [&](unsigned threads) {
     DiagnoseOptions options;
     options.threads = threads;
-    return diagnose_forces(records, nominal(), kWire, {}, options).findings;
+    return diagnose_forces(records, nominal(), kWire, options).findings;
   };
   EXPECT_EQ(estimate(by(1), "preload_N").value, estimate(by(3), "preload_N").value);
   EXPECT_EQ(by(1).prose, by(3).prose);

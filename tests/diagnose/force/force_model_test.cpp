@@ -88,10 +88,34 @@ TEST(ForceModel, SlackTransmitsNoFrictionUntilItIsTakenUp) {
   EXPECT_NEAR(predicted(record({0, 0.05, 0.03}, -1, 10), terms, {1, 0, 3, 0.01}), 7, 1e-9);
 }
 
-TEST(ForceModel, FrictionFallsRelativeToTheLoad) {
-  // Of a load of ten times the scale, at k = 0.3: mu / 10^0.3.
-  EXPECT_NEAR(predicted(record({0, 0.1}, 1, 100), {ForceTerm::load}, {1, 0.1, 0.3}),
-              100 * std::exp(0.1 * pi * std::pow(10, -0.3)), 1e-6);
+/// dT/dphi = mu (T/10 N)^-k T over pi, by steps of the middle.
+double along_sheath_N(double output_N, double mu, double exponent, double side) {
+  constexpr int kSteps = 20000;
+  const auto rate = [&](double tension_N) {
+    return side * mu * std::pow(tension_N / 10, -exponent) * tension_N;
+  };
+  double tension_N = output_N;
+  for (int i = 0; i < kSteps; ++i) {
+    const double middle_N = tension_N + rate(tension_N) * pi / kSteps / 2;
+    tension_N += rate(middle_N) * pi / kSteps;
+  }
+  return tension_N;
+}
+
+TEST(ForceModel, FrictionFallsRelativeToTheLoadAlongTheSheath) {
+  for (const double exponent : {-0.2, 0.3, 1.0}) {
+    for (const double output_N : {2.0, 100.0}) {
+      const std::vector<double> parameters{1, 0.1, exponent};
+      EXPECT_NEAR(predicted(record({0, 0.1}, 1, output_N), {ForceTerm::load}, parameters),
+                  along_sheath_N(output_N, 0.1, exponent, 1), 1e-5 * output_N)
+          << exponent;
+    }
+    EXPECT_NEAR(predicted(record({0.1, 0}, -1, 100), {ForceTerm::load}, {1, 0.1, exponent}),
+                along_sheath_N(100, 0.1, exponent, -1), 1e-3)
+        << exponent;
+  }
+  // At k = 1 friction is 0.5 * 10 N * pi, more than is there.
+  EXPECT_NEAR(predicted(record({0.1, 0}, -1, 2), {ForceTerm::load}, {1, 0.5, 1}), 0, 0.02);
 }
 
 TEST(ForceModel, PositionMultipliesAllFrictionOfTheSheath) {
@@ -125,6 +149,34 @@ TEST(ForceModel, FrictionGoesWithTemperature) {
   warm.sheath_temperature_C.assign(2, 35);
   EXPECT_NEAR(predicted(warm, {ForceTerm::preload, ForceTerm::temperature}, {1, 0, 2, 0.01}), 12.3,
               1e-9);
+}
+
+/// 2 N/A: of 10 N the sensor that shows 0.5 A too much shows 11 N, whatever the gain.
+TEST(ForceModel, CurrentIsShiftedBeforeTheGainOfTheMotor) {
+  ForceRecord current = record({0, 0.1}, 1, 10);
+  current.input_N_per_A = 2;
+  EXPECT_NEAR(predicted(current, {ForceTerm::current_offset}, {1, 0, 0.5}), 11, 1e-9);
+  EXPECT_NEAR(predicted(current, {ForceTerm::current_offset}, {3, 0, 0.5}), 31, 1e-9);
+}
+
+/// A gear that gives 1.25 times the nominal tension while it pulls needs 8 N for 10 N, and 10/0.75
+/// N on the way back.
+TEST(ForceModel, AGearIsBetterOneWayThanTheOther) {
+  EXPECT_NEAR(predicted(record({0, 0.1}, 1, 10), {ForceTerm::gear_asymmetry}, {1, 0, 0.25}), 8,
+              1e-9);
+  EXPECT_NEAR(predicted(record({0.1, 0}, -1, 10), {ForceTerm::gear_asymmetry}, {1, 0, 0.25}),
+              10 / 0.75, 1e-9);
+}
+
+TEST(ForceModel, WhatACurrentShowsALoadCellDoesNot) {
+  std::vector<ForceRecord> records{record({0, 0.1}, 1, 10), record({0, 0.1}, 1, 10)};
+  records[0].input_N_per_A = 2;
+  EXPECT_FALSE(is_shown(ForceTerm::current_offset, records));
+  EXPECT_FALSE(is_shown(ForceTerm::gear_asymmetry, records));
+  records[1].input_N_per_A = 2;
+  EXPECT_TRUE(is_shown(ForceTerm::current_offset, records));
+  EXPECT_TRUE(is_shown(ForceTerm::gear_asymmetry, records));
+  EXPECT_FALSE(is_shown(ForceTerm::temperature, records));
 }
 
 TEST(ForceModel, ScalesAreOfAllRecords) {

@@ -13,6 +13,8 @@ namespace host_sim::diagnose {
 
 /// A joint that is driven both ways, by its own equations.
 struct Joint {
+  double friction = 0.02;    ///< of the load, as much at 10 N
+  double load_exponent = 0;  ///< by which that falls
   double preload_N = 0;
   double viscous_N_s_m = 0;
   double cogging_N = 0;  ///< not in the catalogue of the forward model
@@ -40,8 +42,10 @@ inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int 
       const double x = 0.05 * std::sin(omega * t);
       const double v = 0.05 * omega * std::cos(omega * t);
       const double load_N = 40 * std::sin(2 * std::numbers::pi * 0.7 * t + j);
-      const double friction_N = std::tanh(v / 1e-3) * (0.02 * std::abs(load_N) + joint.preload_N) +
-                                joint.viscous_N_s_m * v;
+      const double of_load_N =
+          joint.friction * 10 * std::pow(std::abs(load_N) / 10, 1 - joint.load_exponent);
+      const double friction_N =
+          std::tanh(v / 1e-3) * (of_load_N + joint.preload_N) + joint.viscous_N_s_m * v;
       const double spring_N = joint.spring_N * x / 0.05;
       const double shaped_N =
           joint.shaped_N * x / 0.05 * (v < 0 ? -1 : 1) * (joint.shape_turns && j % 2 == 1 ? -1 : 1);

@@ -67,6 +67,10 @@ TEST(WrittenTerm, NamesAreThoseOfAModelFile) {
             "[extension.presliding]\npresliding_length_m = 0.01\n");
   EXPECT_EQ(text(ForceTerm::velocity, {20, 0.5}),
             "[extension.friction_velocity]\nviscous_N_s_m = 20.0\nviscous_friction_s_m = 0.5\n");
+  EXPECT_EQ(text(ForceTerm::current_offset, {0.25}),
+            "[extension.current_offset]\ncurrent_offset_A = 0.25\n");
+  EXPECT_EQ(text(ForceTerm::gear_asymmetry, {-0.125}),
+            "[extension.gear_asymmetry]\ngear_asymmetry = -0.125\n");
   EXPECT_FALSE(written_term(ForceTerm::slack, std::vector{0.01}, scales));
   EXPECT_FALSE(written_term(ForceTerm::compliance, std::vector{0.01}, scales));
 }

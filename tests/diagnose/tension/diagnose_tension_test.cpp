@@ -183,6 +183,10 @@ TEST_F(DiagnoseTension, CallsUnknownWhatTheCatalogueDoesNotHave) {
   EXPECT_EQ(diagnosis.findings.verdict, Verdict::unknown) << diagnosis.findings.prose;
   EXPECT_THAT(diagnosis.findings.extensions, IsEmpty());
   EXPECT_FALSE(diagnosis.findings.next_experiment.empty());
+  // Also where a model in newtons was asked.
+  EXPECT_FALSE(diagnosis.findings.steps.empty());
+  EXPECT_THAT(diagnosis.findings.discrepancies, ::testing::Not(IsEmpty()));
+  EXPECT_THAT(diagnosis.findings.invisible, ::testing::Not(IsEmpty()));
 }
 
 TEST_F(DiagnoseTension, CallsUnknownWhatIsTakenOutOfTheCatalogue) {
