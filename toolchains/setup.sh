@@ -20,7 +20,7 @@ test_packages=(
 all_packages=(
   libopenmpi-dev openmpi-bin r-base-core r-cran-survival
   gcc-arm-none-eabi binutils-arm-none-eabi libnewlib-arm-none-eabi
-  libstdc++-arm-none-eabi-newlib qemu-system-arm
+  libstdc++-arm-none-eabi-newlib qemu-system-arm libunicorn-dev
   clang clang-tidy libclang-rt-14-dev
   chromium meson
   g++-aarch64-linux-gnu g++-arm-linux-gnueabihf qemu-user-static

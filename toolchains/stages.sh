@@ -62,7 +62,7 @@ build() {
 # run_tests PRESET [LABEL] runs the tests of this machine, or those that have a label.
 run_tests() {
   if [ $# -eq 1 ]; then
-    ctest --preset "$1" -LE 'blind|fuzz|kernel|proof|tools' -j "$jobs" --timeout 900
+    ctest --preset "$1" -LE 'blind|fuzz|kernel|proof|tools|virtual' -j "$jobs" --timeout 900
   else
     ctest --preset "$1" -L "$2" -j "$jobs" --timeout 1800
   fi

@@ -68,6 +68,7 @@ stage "qemu-m4: build" build qemu-m4
 stage "qemu-m4: tests" run_tests qemu-m4
 stage "stm32g431: build" build stm32g431
 stage "stm32g431: tests" run_tests stm32g431
+stage "virtual STM32G431: the image runs" run_tests host-release virtual
 show_budgets
 for architecture in aarch64 armhf; do
   stage "linux-$architecture: build" build linux-$architecture

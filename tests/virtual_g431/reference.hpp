@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "firmware/app/app.hpp"
+#include "hal/fake/can_port.hpp"
+#include "hal/fake/clock.hpp"
+#include "hal/fake/devices.hpp"
+#include "hal/stm32g4/current_sensor.hpp"
+#include "lifemodel/block/parameter_block.hpp"
+#include "tests/app/ram_store.hpp"
+#include "tests/virtual_g431/board/analog.hpp"
+
+namespace virtual_g431 {
+
+#include "firmware/boards/b_g431b_esc1/parameter_block.inc"
+
+/// The application on the host, over fakes: what the image must count for the same counts.
+class Reference {
+ public:
+  using Sensor = hal::fake::Sensor<lifemodel::MotorCurrent>;
+  using Devices =
+      app::Devices<hal::fake::CanPort, Sensor, hal::fake::Clock, app::RamStore,
+                   hal::fake::DigitalOut, hal::fake::DigitalOut, hal::fake::DigitalOut,
+                   hal::fake::DigitalIn, hal::fake::Watchdog, hal::fake::Entropy, hal::NoHold>;
+
+  /// `rest` is what the amplifiers gave while the zeros were measured.
+  explicit Reference(const PhaseCounts& rest) {
+    for (std::uint32_t i = 0; i < hal::stm32g4::PhaseCurrent::kRestSamples; ++i) {
+      current_.take_rest(rest);
+    }
+    (void)current_.finish_rest();
+    app_.start();
+  }
+
+  /// One period of the control loop, and what runs below it.
+  void period(const PhaseCounts& counts) {
+    clock_.advance({100});
+    if (const auto sample = current_.isr_amplitude(counts)) {
+      sensor_.give(0, *sample);
+    }
+    app_.isr_sample();
+    while (app_.settle()) {
+    }
+    app_.poll();
+  }
+
+  [[nodiscard]] std::uint32_t damage_ppb() const {
+    return app_.lives().records()[0].epoch_damage.parts_per_billion();
+  }
+
+ private:
+  static app::ParameterSet<1> parameters() {
+    return {*lifemodel::decode(std::as_bytes(std::span(tendonlife_parameter_block)))};
+  }
+
+  hal::fake::Clock clock_;
+  hal::fake::CanBus bus_{clock_};
+  hal::fake::CanPort can_{bus_};
+  Sensor sensor_{clock_};
+  app::RamStore store_{clock_};
+  hal::fake::DigitalOut drive_enable_{clock_}, brake_{clock_}, light_{clock_};
+  hal::fake::DigitalIn stop_{clock_};
+  hal::fake::Watchdog watchdog_{clock_, hal::milliseconds(500)};
+  hal::fake::Entropy entropy_{clock_, 1};
+  hal::NoHold hold_;
+  hal::stm32g4::PhaseCurrent current_;
+  app::App<1, Devices> app_{Devices{can_, sensor_, clock_, store_, drive_enable_, brake_, light_,
+                                    stop_, watchdog_, entropy_, hold_},
+                            {.node = 5},
+                            app::stored_parameters<1>(store_, parameters())};
+};
+
+}  // namespace virtual_g431
