@@ -31,9 +31,19 @@ TEST(NodePage, IsRead) {
   const auto settings = board::decode_node(page());
   ASSERT_TRUE(settings);
   EXPECT_EQ(settings->node, 5);
+  EXPECT_TRUE(settings->terminated);
   for (std::size_t i = 0; i < 16; ++i) {
     EXPECT_EQ(settings->key[i], static_cast<std::byte>(i));
   }
+}
+
+TEST(NodePage, LeavesTheTerminationOpenByItsBit) {
+  Bytes bytes = page();
+  bytes[9] = std::byte{1};
+  const auto settings = board::decode_node(sealed(bytes));
+  ASSERT_TRUE(settings);
+  EXPECT_EQ(settings->node, 5);
+  EXPECT_FALSE(settings->terminated);
 }
 
 TEST(NodePage, IsRefusedWithAnyBitWrong) {
@@ -58,8 +68,8 @@ TEST(NodePage, KnowsItsVersionAndTheRangeOfNodes) {
     EXPECT_EQ(board::decode_node(sealed(bytes)).has_value(), accepted) << node;
   }
   Bytes high = page();
-  high[9] = std::byte{1};
-  EXPECT_FALSE(board::decode_node(sealed(high))) << "node 261";
+  high[9] = std::byte{2};
+  EXPECT_FALSE(board::decode_node(sealed(high))) << "node 517";
   Bytes other = page();
   other[4] = std::byte{2};
   EXPECT_FALSE(board::decode_node(sealed(other))) << "version 2";

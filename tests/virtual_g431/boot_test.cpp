@@ -23,6 +23,7 @@ TEST_F(Boot, SpeaksByTheRules) {
   EXPECT_EQ(board.converters.collisions(), 0u);
   EXPECT_TRUE(board.watchdog.on());
   EXPECT_EQ(board.clocks.hclk(), 8u);  // 170 MHz
+  EXPECT_FALSE(board.terminated());
 
   const auto beats = sent<protocol::Heartbeat>(board);
   ASSERT_THAT(beats, SizeIs(4));  // at the start, and each second from then on
@@ -83,6 +84,7 @@ TEST_F(Boot, WithoutANodePageIsNode127) {
   board.run(kSecond);
   EXPECT_GE(sent<protocol::LifeStatus>(board, 127).size(), 9u);
   EXPECT_THAT(sent<protocol::LifeStatus>(board), IsEmpty());
+  EXPECT_TRUE(board.terminated());
   EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 

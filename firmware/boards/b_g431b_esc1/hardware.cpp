@@ -44,9 +44,10 @@ hal::Error Hardware::start_sensor() {
   return hal::Error::none;
 }
 
-hal::Error Hardware::start_can(std::uint8_t node) {
-  hal::stm32g4::make_output(pins::can_termination(), hal::stm32g4::Level::high);
-  hal::stm32g4::make_output(pins::can_shutdown(), hal::stm32g4::Level::low);
+hal::Error Hardware::start_can(std::uint8_t node, bool terminated) {
+  using hal::stm32g4::Level;
+  hal::stm32g4::make_output(pins::can_termination(), terminated ? Level::high : Level::low);
+  hal::stm32g4::make_output(pins::can_shutdown(), Level::low);
   hal::stm32g4::make_alternate(pins::can_receive(), pins::kCanFunction);
   hal::stm32g4::make_alternate(pins::can_transmit(), pins::kCanFunction);
   return can.start({std::uint32_t{protocol::schema::kCommandFrame.base_id} + node,

@@ -69,8 +69,8 @@ struct Hardware {
   /// Current measurement and with it the trigger of the control loop, while the drive is off;
   /// failed, where it does not come.
   hal::Error start_sensor();
-  /// Joins the bus.
-  hal::Error start_can(std::uint8_t node);
+  /// Joins the bus, with its 120 ohm where it is `terminated` here.
+  hal::Error start_can(std::uint8_t node, bool terminated);
 };
 
 /// Makes the lowest bytes of the stack, which lies lowest in its memory, fault.

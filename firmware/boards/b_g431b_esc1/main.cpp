@@ -67,7 +67,7 @@ protocol::detail::Timing timing_of(const hal::stm32g4::SampleTiming& timing) {
   }
   const NodeSettings settings = read_settings(devices);
   // Without a bus the life is counted all the same.
-  (void)devices.start_can(settings.node);
+  (void)devices.start_can(settings.node, settings.terminated);
   App& app = make_application(devices, {settings.node, settings.key, unique_id()});
   devices.interlock.isr_apply(false);
   app.start();

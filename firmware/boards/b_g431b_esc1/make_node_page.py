@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 """Makes the settings of one node, to be flashed at 0x08015800; node_page.hpp has the layout.
 
-usage: make_node_page.py --node 1..127 [--key KEY_FILE] --out node.bin
+usage: make_node_page.py --node 1..127 --termination open|closed [--key KEY_FILE] --out node.bin
 
 KEY_FILE has the AES-128 key as 32 hexadecimal digits and must be readable by its owner alone.
-Without a key nothing that needs authority is allowed.
+Without a key nothing that needs authority is allowed. The 120 ohm are closed at the two ends of the bus
+and open at all nodes between.
 """
 
 import argparse
@@ -15,7 +16,7 @@ import struct
 import sys
 import zlib
 
-MAGIC, VERSION, KEY_BYTES = 0x444E4C54, 1, 16
+MAGIC, VERSION, KEY_BYTES, OPEN = 0x444E4C54, 1, 16, 0x100
 
 
 def read_key(path):
@@ -35,6 +36,7 @@ def read_key(path):
 def main():
     parser = argparse.ArgumentParser(description="Makes the settings of one node.")
     parser.add_argument("--node", type=int, required=True)
+    parser.add_argument("--termination", choices=["open", "closed"], required=True)
     parser.add_argument("--key")
     parser.add_argument("--out", required=True)
     arguments = parser.parse_args()
@@ -42,7 +44,8 @@ def main():
         sys.exit(f"node {arguments.node}; accepted: 1 .. 127")
     try:
         key = read_key(arguments.key) if arguments.key else bytes(KEY_BYTES)
-        body = struct.pack("<III", MAGIC, VERSION, arguments.node) + key
+        word = arguments.node | (OPEN if arguments.termination == "open" else 0)
+        body = struct.pack("<III", MAGIC, VERSION, word) + key
         # The key is in it: nobody else may read it.
         out = os.open(arguments.out, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
         with os.fdopen(out, "wb") as file:
