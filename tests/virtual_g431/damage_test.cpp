@@ -5,6 +5,7 @@
 
 #include "tests/virtual_g431/image.hpp"
 #include "tests/virtual_g431/reference.hpp"
+#include "tests/virtual_g431/tester.hpp"
 
 namespace virtual_g431 {
 namespace {
@@ -68,6 +69,16 @@ TEST_F(Damage, IsThatOfTheHostToTheLastDigit) {
   }
   EXPECT_GE(compared, 2u);
   EXPECT_GT(damage_ppb, 1000u);
+
+  // All 128 bits by the diagnosis, at offset 16 of the life.
+  const Bytes life = Tester(board).read(0x0200);
+  ASSERT_EQ(life.size(), 3u + 61u);
+  const auto exact = std::span(life).subspan(3 + 16);
+  lifemodel::ByteReader in(exact);
+  const lifemodel::Damage expected = reference.damage();
+  for (const std::uint32_t word : expected.words()) {
+    EXPECT_EQ(in.u32(), word);
+  }
 }
 
 /// One wrong count of one converter in the zeros, or one lost sample, would show.

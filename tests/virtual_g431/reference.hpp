@@ -48,9 +48,8 @@ class Reference {
     app_.poll();
   }
 
-  [[nodiscard]] std::uint32_t damage_ppb() const {
-    return app_.lives().records()[0].epoch_damage.parts_per_billion();
-  }
+  [[nodiscard]] lifemodel::Damage damage() const { return app_.lives().records()[0].epoch_damage; }
+  [[nodiscard]] std::uint32_t damage_ppb() const { return damage().parts_per_billion(); }
 
  private:
   static app::ParameterSet<1> parameters() {
