@@ -13,6 +13,7 @@
 #include "firmware/app/intake.hpp"
 #include "firmware/app/keeper.hpp"
 #include "firmware/app/life_book.hpp"
+#include "firmware/app/models.hpp"
 #include "firmware/app/node.hpp"
 #include "firmware/app/rainflow_bins.hpp"
 #include "firmware/app/reporter.hpp"
@@ -26,7 +27,7 @@ namespace app {
 
 /// The firmware of one actuator with `kTendons` tendons, the same on every board.
 ///
-///   App app(devices, config, stored_parameters<1>(store, configured));
+///   App app(devices, config, starting_models<1>(store, configured));
 ///   app.start();
 ///   // in the interrupt of the control loop:
 ///   app.isr_sample();
@@ -46,23 +47,18 @@ class App {
   /// How often the lives are read.
   static constexpr hal::Time kReadingPeriod = hal::milliseconds(100);
 
-  App(const Devices& devices, const Config& config, const ParameterSet<kTendons>& parameters)
-      : App(devices, config, parameters, all(parameters)) {}
-
-  /// With what the layout needs to know of the models besides, for tendons that have parameters.
-  App(const Devices& devices, const Config& config, const ParameterSet<kTendons>& parameters,
-      const std::array<typename Estimator::Model, kTendons>& models)
+  App(const Devices& devices, const Config& config, const StartingModels<kTendons>& models)
       : devices_(devices),
         config_(config),
-        parameters_(parameters),
-        estimator_(models),
+        parameters_(models.states),
+        estimator_(estimated<typename Estimator::Model>(models.models)),
         keeper_(devices_.store),
         safety_(devices_),
         bus_(devices_.can),
         listener_(config.node),
         reporter_(book_, bins_, node_state_),
         speaker_(devices_.can, config.node),
-        node_(devices_, config_, book_, keeper_, intake_, estimator_),
+        node_(devices_, config_, book_, keeper_, intake_, estimator_, parameters_),
         endpoint_(node_, config.node, config.key) {}
   App(const App&) = delete;
   App& operator=(const App&) = delete;
@@ -140,32 +136,35 @@ class App {
  private:
   using Code = protocol::EmergencyCode;
 
-  static std::array<lifemodel::Parameters, kTendons> all(const ParameterSet<kTendons>& set) {
-    std::array<lifemodel::Parameters, kTendons> result{};
-    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-      if (set[tendon]) {
-        result[tendon] = *set[tendon];
-      }
-    }
-    return result;
-  }
-
   void resume(std::size_t tendon) {
-    const auto& parameters = parameters_[tendon];
-    const std::uint32_t configuration = parameters ? configuration_of(*parameters) : 0;
+    const ParameterState& state = parameters_[tendon];
     std::optional<lifemodel::LifeDistribution> life;
-    if (parameters) {
-      life = parameters->life;
+    if (counts(tendon)) {
+      life = estimator_.parameters(tendon).life;
     } else {
       intake_.leave_out(tendon);
-      emergencies_.set(Code::parameters, true);
     }
-    book_.resume(tendon, devices_.store.load(tendon), devices_.store.past_lost(), configuration,
-                 life);
+    book_.resume(tendon, devices_.store.load(tendon), devices_.store.past_lost(),
+                 state.configuration, life);
+    log_refusal(devices_.store, tendon, state, book_.records()[tendon].epoch);
     if constexpr (ExtendingSensor<typename Devices::Sensor>) {
       devices_.sensor.start_at(tendon, book_.records()[tendon].epoch_cycles);
     }
-    node_state_.configuration = combined(node_state_.configuration, configuration);
+    node_state_.configuration = combined(node_state_.configuration, state.configuration);
+  }
+
+  /// Whether a tendon has parameters to be counted with.
+  [[nodiscard]] bool counts(std::size_t tendon) const {
+    return parameters_[tendon].source != ParameterSource::none;
+  }
+  /// Whether each tendon has those that it was given last.
+  [[nodiscard]] bool parameters_ok() const {
+    for (const ParameterState& state : parameters_) {
+      if (state.source == ParameterSource::none || state.refusal.fault != ParameterFault::none) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /// CRC-32 over the configurations of all tendons in turn.
@@ -220,7 +219,7 @@ class App {
 
   void read_lives(hal::Time now) {
     for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-      if (!parameters_[tendon]) {
+      if (!counts(tendon)) {
         continue;
       }
       const bool new_wire = intake_.forgetting(tendon);
@@ -248,6 +247,7 @@ class App {
     emergencies_.set(Code::sensor, !intake_.sensor_ok());
     emergencies_.set(Code::storage, !keeper_.ok());
     emergencies_.set(Code::deadline, liveness_.late(now, intake_.missed()));
+    emergencies_.set(Code::parameters, !parameters_ok());
     emergencies_.set(Code::authority, endpoint_.server().gate().locked(now));
   }
 
@@ -298,7 +298,7 @@ class App {
 
   Devices devices_;
   Config config_;
-  ParameterSet<kTendons> parameters_;
+  std::array<ParameterState, kTendons> parameters_;
   Estimator estimator_;
   typename Reporter<kTendons>::Bins bins_{};
   Intake<kTendons, LayoutT> intake_;

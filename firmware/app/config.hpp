@@ -3,11 +3,8 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include "firmware/protocol/messages.hpp"
-#include "firmware/storage/store.hpp"
-#include "lifemodel/block/parameter_block.hpp"
 
 namespace app {
 
@@ -22,29 +19,5 @@ struct Config {
   Key key{};
   std::array<std::byte, 12> serial{};  ///< of the controller; shorter ones end in zeros
 };
-
-template <std::size_t kTendons>
-using ParameterSet = std::array<std::optional<lifemodel::Parameters>, kTendons>;
-
-/// The parameters to start with: for each tendon the block that was loaded under authority, else
-/// the one that came with the configuration. Nothing where the loaded block is not valid: a life
-/// must not continue under other parameters unseen.
-template <std::size_t kTendons, storage::Store StoreT>
-ParameterSet<kTendons> stored_parameters(StoreT& store, const ParameterSet<kTendons>& configured) {
-  ParameterSet<kTendons> result = configured;
-  for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-    if (const auto block = store.load_parameters(tendon)) {
-      const auto loaded = lifemodel::decode(*block);
-      result[tendon] = loaded ? std::optional(*loaded) : std::nullopt;
-    }
-  }
-  return result;
-}
-
-/// CRC-32 at the end of the parameter block that these make.
-inline std::uint32_t configuration_of(const lifemodel::Parameters& parameters) {
-  const lifemodel::ParameterBlock block = lifemodel::encode(parameters);
-  return lifemodel::ByteReader(std::span(block).last(4)).u32();
-}
 
 }  // namespace app

@@ -5,49 +5,16 @@
 #include <cstdint>
 #include <utility>
 
-#include "firmware/app/config.hpp"
+#include "firmware/app/models.hpp"
 #include "hal/devices.hpp"
 #include "lifemodel/extension/corrector.hpp"
-#include "lifemodel/extension/extended_block.hpp"
-#include "lifemodel/extension/life.hpp"
+#include "lifemodel/extension/sample.hpp"
 
 namespace app {
 
-template <std::size_t kTendons>
-using ExtendedModels = std::array<lifemodel::ExtendedParameters, kTendons>;
-
-/// What the sensors of all tendons are to evaluate: the parameters in use, and the extension of
-/// `configured` where they are those that it came with. Parameters that were loaded under authority
-/// are those of another model and have no extension.
-template <std::size_t kTendons>
-ExtendedModels<kTendons> extended_models(const ParameterSet<kTendons>& in_use,
-                                         const ExtendedModels<kTendons>& configured) {
-  ExtendedModels<kTendons> models{};
-  for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-    if (in_use[tendon]) {
-      models[tendon].nominal = *in_use[tendon];
-      if (in_use[tendon]->model_digest == configured[tendon].nominal.model_digest) {
-        models[tendon].extension = configured[tendon].extension;
-      }
-    }
-  }
-  return models;
-}
-
-/// The laws by which the cycles of all tendons are booked.
-template <std::size_t kTendons>
-std::array<lifemodel::extension::LifeParameters, kTendons> life_models(
-    const ExtendedModels<kTendons>& models) {
-  std::array<lifemodel::extension::LifeParameters, kTendons> lives{};
-  for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-    lives[tendon] =
-        lifemodel::extension::life_parameters(models[tendon].nominal, models[tendon].extension);
-  }
-  return lives;
-}
-
 /// A sensor of input tension for the application, made of one that gives the samples of
-/// lifemodel::extension: DriveSample, or SheathSample. Boards without extensions do without it.
+/// lifemodel::extension, DriveSample or SheathSample, or of motor current where nothing is measured
+/// besides. Boards without extensions do without it.
 template <class SensorT, std::size_t kTendons>
 class ExtendedSensor {
  public:
@@ -64,7 +31,7 @@ class ExtendedSensor {
       correctors_[tendon].gap();
       return sample.error();
     }
-    return correctors_[tendon].input_tension(*sample, flags_[tendon]);
+    return correctors_[tendon].input_tension(extended(*sample), flags_[tendon]);
   }
   /// The control loop left out periods, so that no tendon has a rate.
   void isr_missed() {
@@ -84,6 +51,14 @@ class ExtendedSensor {
   }
 
  private:
+  static lifemodel::extension::DriveSample extended(lifemodel::MotorCurrent current) {
+    return {current, {}};
+  }
+  template <class Extended>
+  static const Extended& extended(const Extended& sample) {
+    return sample;
+  }
+
   template <std::size_t... kTendon>
   ExtendedSensor(SensorT& sensor, const Models& models, std::index_sequence<kTendon...>)
       : sensor_(sensor),

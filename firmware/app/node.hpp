@@ -11,10 +11,11 @@
 #include "firmware/app/intake.hpp"
 #include "firmware/app/keeper.hpp"
 #include "firmware/app/life_book.hpp"
+#include "firmware/app/models.hpp"
 #include "firmware/protocol/schema/plan.hpp"
 #include "firmware/protocol/uds/device.hpp"
-#include "lifemodel/block/parameter_block.hpp"
 #include "lifemodel/estimator.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 
 namespace app {
 
@@ -26,13 +27,15 @@ class Node {
   using Estimator = lifemodel::Estimator<kTendons, LayoutT>;
 
   Node(Devices& devices, const Config& config, LifeBook<kTendons>& book,
-       Keeper<kTendons, Store>& keeper, Intake<kTendons, LayoutT>& intake, Estimator& estimator)
+       Keeper<kTendons, Store>& keeper, Intake<kTendons, LayoutT>& intake, Estimator& estimator,
+       std::array<ParameterState, kTendons>& parameters)
       : devices_(devices),
         config_(config),
         book_(book),
         keeper_(keeper),
         intake_(intake),
-        estimator_(estimator) {}
+        estimator_(estimator),
+        parameters_(parameters) {}
 
   [[nodiscard]] protocol::uds::Identity identity() const {
     return {config_.serial, protocol::schema::kSchemaVersion, kFirmwareVersion};
@@ -45,6 +48,11 @@ class Node {
   }
   [[nodiscard]] std::uint32_t configuration(std::uint8_t tendon) const {
     return book_.records()[tendon].configuration;
+  }
+  [[nodiscard]] protocol::uds::ParameterReport parameters(std::uint8_t tendon) const {
+    const ParameterState& state = parameters_[tendon];
+    return {static_cast<std::uint8_t>(state.source), static_cast<std::uint8_t>(state.refusal.fault),
+            state.refusal.effect, state.refusal.covariate, state.refusal.crc};
   }
   [[nodiscard]] std::uint32_t storage_counter() const { return devices_.store.sequence(); }
   hal::Error random(std::span<std::byte> out) { return devices_.entropy.fill(out); }
@@ -84,10 +92,18 @@ class Node {
     return error;
   }
 
+  /// Whether the board can count with a model. Where not, the state of the tendon says why.
+  bool accepts(std::uint8_t tendon, const lifemodel::ExtendedParameters& model, std::uint32_t crc) {
+    parameters_[tendon].refusal = refusal_of(model, parameters_[tendon].evaluates, crc);
+    return parameters_[tendon].refusal.fault == ParameterFault::none;
+  }
+  void refuse_parameters(std::uint8_t tendon, const lifemodel::ExtendedBlockError& error,
+                         std::uint32_t crc) {
+    parameters_[tendon].refusal = {.fault = fault_of(error), .crc = crc};
+  }
   /// Takes effect at the next start: what is counted now continues under the parameters under which
   /// it began.
-  hal::Error load_parameters(std::uint8_t tendon, const lifemodel::ParameterBlock& block,
-                             const lifemodel::Parameters&) {
+  hal::Error load_parameters(std::uint8_t tendon, const lifemodel::ExtendedBlock& block) {
     const hal::Error error = devices_.store.save_parameters(tendon, block);
     if (error == hal::Error::none) {
       // Raises the storage counter. Where it fails, the next save does.
@@ -103,6 +119,7 @@ class Node {
   Keeper<kTendons, Store>& keeper_;
   Intake<kTendons, LayoutT>& intake_;
   Estimator& estimator_;
+  std::array<ParameterState, kTendons>& parameters_;
 };
 
 }  // namespace app

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <type_traits>
 
 #include "firmware/app/extended_sensor.hpp"
-#include "lifemodel/block/parameter_block.hpp"
 #include "lifemodel/extension/life.hpp"
 #include "lifemodel/quantity/units.hpp"
 #include "lifemodel/tendon.hpp"
@@ -13,7 +11,7 @@
 namespace app {
 
 /// How a board evaluates the models of its tendons: the sensor that its application reads, and the
-/// layout and models of its estimator. This one leaves extensions out.
+/// layout of its estimator. This one evaluates no extensions.
 template <class SensorT, std::size_t kTendons>
 class NominalSensing {
  public:
@@ -21,21 +19,12 @@ class NominalSensing {
   using Layout = lifemodel::DefaultLayout;
 
   /// Both outlive this object.
-  NominalSensing(SensorT& sensor, const ExtendedModels<kTendons>& models)
-      : sensor_(sensor), models_(models) {}
+  NominalSensing(SensorT& sensor, const ExtendedModels<kTendons>&) : sensor_(sensor) {}
 
   Sensor& sensor() { return sensor_; }
-  [[nodiscard]] std::array<lifemodel::Parameters, kTendons> models() const {
-    std::array<lifemodel::Parameters, kTendons> nominal{};
-    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-      nominal[tendon] = models_[tendon].nominal;
-    }
-    return nominal;
-  }
 
  private:
   SensorT& sensor_;
-  const ExtendedModels<kTendons>& models_;
 };
 
 /// The same with extensions, of samples that have what these are written in terms of. On an input
@@ -51,12 +40,11 @@ class ExtendedSensing {
 
   /// Both outlive this object.
   ExtendedSensing(SensorT& sensor, const ExtendedModels<kTendons>& models)
-      : held_(make(sensor, models)), models_(models) {}
+      : held_(make(sensor, models)) {}
   ExtendedSensing(const ExtendedSensing&) = delete;
   ExtendedSensing& operator=(const ExtendedSensing&) = delete;
 
   Sensor& sensor() { return held_; }
-  [[nodiscard]] auto models() const { return life_models<kTendons>(models_); }
 
  private:
   static Held make(SensorT& sensor, const ExtendedModels<kTendons>& models) {
@@ -68,7 +56,6 @@ class ExtendedSensing {
   }
 
   Held held_;
-  const ExtendedModels<kTendons>& models_;
 };
 
 }  // namespace app

@@ -17,7 +17,7 @@
 
 #include "firmware/storage/file_io.hpp"
 #include "firmware/storage/life_record.hpp"
-#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 #include "lifemodel/support/bytes.hpp"
 #include "lifemodel/support/saturating.hpp"
 
@@ -28,7 +28,7 @@ template <std::size_t kTendons>
 struct FileImage {
   std::uint32_t sequence = 0;  ///< of the last save; 0 if there was none
   Lives<kTendons> lives;
-  std::array<std::optional<lifemodel::ParameterBlock>, kTendons> parameters;
+  std::array<std::optional<lifemodel::ExtendedBlock>, kTendons> parameters;
   std::array<bool, kTendons> lost{};  ///< as LifeRecord::past_lost, also without a record
 
   friend bool operator==(const FileImage&, const FileImage&) = default;
@@ -37,15 +37,21 @@ struct FileImage {
 namespace file_image {
 
 inline constexpr std::uint32_t kMagic = 0x46534c54;  ///< "TLSF"
-inline constexpr std::uint32_t kSchema = 1;
+inline constexpr std::uint32_t kSchema = 2;
+/// That of blocks without extensions, which is still read.
+inline constexpr std::uint32_t kNominalSchema = 1;
 inline constexpr std::size_t kHeaderBytes = 16;
-inline constexpr std::size_t kTendonBytes = 4 + kRecordBytes + lifemodel::kBlockBytes;
+inline constexpr std::size_t kBlockAt = 4 + kRecordBytes + 4;
+inline constexpr std::size_t kTendonBytes = kBlockAt + lifemodel::kMostExtendedBytes;
+inline constexpr std::size_t kNominalBlockAt = 4 + kRecordBytes;
+inline constexpr std::size_t kNominalTendonBytes = kNominalBlockAt + lifemodel::kBlockBytes;
 inline constexpr std::uint32_t kHasLife = 1;
 inline constexpr std::uint32_t kHasParameters = 2;
 inline constexpr std::uint32_t kLost = 4;
 
-constexpr std::size_t size(std::size_t tendons) {
-  return kHeaderBytes + tendons * kTendonBytes + 4;
+constexpr std::size_t size(std::size_t tendons, std::uint32_t schema = kSchema) {
+  return kHeaderBytes + tendons * (schema == kNominalSchema ? kNominalTendonBytes : kTendonBytes) +
+         4;
 }
 /// Of any controller: more tendons than these have no place on the bus.
 inline constexpr std::size_t kMostBytes = size(32);
@@ -53,8 +59,9 @@ inline constexpr std::size_t kMostBytes = size(32);
 }  // namespace file_image
 
 /// In little-endian words: magic, schema, number of tendons, sequence; of each tendon what there is
-/// (bit 0 a record, 1 parameters, 2 the past was lost), the record and the parameter block, zeros
-/// where there is none; CRC-32 of all before it.
+/// (bit 0 a record, 1 parameters, 2 the past was lost), the record, the size of the parameter block
+/// and the block in room for the largest, zeros where there is none; CRC-32 of all before it. In
+/// schema 1 a block has no size and no extension.
 template <std::size_t kTendons>
 std::array<std::byte, file_image::size(kTendons)> encode(const FileImage<kTendons>& image) {
   using namespace file_image;
@@ -74,7 +81,9 @@ std::array<std::byte, file_image::size(kTendons)> encode(const FileImage<kTendon
       std::ranges::copy(encode(*life), part.begin() + 4);
     }
     if (block) {
-      std::ranges::copy(*block, part.begin() + 4 + kRecordBytes);
+      lifemodel::ByteWriter(part.subspan(kBlockAt - 4))
+          .u32(static_cast<std::uint32_t>(block->bytes().size()));
+      std::ranges::copy(block->bytes(), part.begin() + kBlockAt);
     }
   }
   const auto covered = std::span(bytes).first(bytes.size() - 4);
@@ -106,15 +115,16 @@ std::variant<FileImage<kTendons>, ImageFault> decode_image(std::span<const std::
     return ImageFault{false,
                       "damaged, the CRC-32 at its end does not fit; accepted: a whole life file"};
   }
-  if (schema != kSchema) {
-    return ImageFault{
-        true, "schema " + std::to_string(schema) + "; accepted: schema " + std::to_string(kSchema)};
+  if (schema != kSchema && schema != kNominalSchema) {
+    return ImageFault{true, "schema " + std::to_string(schema) + "; accepted: schema " +
+                                std::to_string(kNominalSchema) + " or " + std::to_string(kSchema)};
   }
-  if (bytes.size() != size(tendons)) {
+  if (bytes.size() != size(tendons, schema)) {
     return ImageFault{false, std::to_string(bytes.size()) + " bytes for " +
                                  std::to_string(tendons) +
-                                 " tendons; accepted: " + std::to_string(size(tendons))};
+                                 " tendons; accepted: " + std::to_string(size(tendons, schema))};
   }
+  const std::size_t tendon_bytes = (bytes.size() - kHeaderBytes - 4) / kTendons;
   if (tendons != kTendons) {
     return ImageFault{true, "it holds the life of " + std::to_string(tendons) +
                                 " tendons; accepted: as many as are configured, " +
@@ -123,7 +133,7 @@ std::variant<FileImage<kTendons>, ImageFault> decode_image(std::span<const std::
   FileImage<kTendons> image;
   image.sequence = in.u32();
   for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-    const auto part = bytes.subspan(kHeaderBytes + tendon * kTendonBytes, kTendonBytes);
+    const auto part = bytes.subspan(kHeaderBytes + tendon * tendon_bytes, tendon_bytes);
     const std::uint32_t what = lifemodel::ByteReader(part).u32();
     image.lost[tendon] = (what & kLost) != 0;
     if ((what & kHasLife) != 0) {
@@ -136,9 +146,17 @@ std::variant<FileImage<kTendons>, ImageFault> decode_image(std::span<const std::
       image.lives[tendon] = *life;
     }
     if ((what & kHasParameters) != 0) {
-      lifemodel::ParameterBlock block;
-      std::ranges::copy(part.last(lifemodel::kBlockBytes), block.begin());
-      image.parameters[tendon] = block;
+      const bool nominal = schema == kNominalSchema;
+      const std::size_t block_bytes = nominal
+                                          ? lifemodel::kBlockBytes
+                                          : lifemodel::ByteReader(part.subspan(kBlockAt - 4)).u32();
+      if (block_bytes > lifemodel::kMostExtendedBytes) {
+        return ImageFault{false, "the parameter block of tendon " + std::to_string(tendon) +
+                                     " has " + std::to_string(block_bytes) + " bytes; accepted: " +
+                                     std::to_string(lifemodel::kMostExtendedBytes) + " at most"};
+      }
+      image.parameters[tendon] =
+          lifemodel::ExtendedBlock(part.subspan(nominal ? kNominalBlockAt : kBlockAt, block_bytes));
     }
   }
   return image;

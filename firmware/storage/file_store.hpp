@@ -135,6 +135,9 @@ class FileStore {
   using Generations = FileGenerations<kTendons, Calls>;
 
  public:
+  /// Bytes that a parameter block may have.
+  static constexpr std::size_t kLargestBlock = lifemodel::kMostExtendedBytes;
+
   /// Refuses a folder that is missing, cannot be written or is in use, and files that cannot be
   /// read or are of another configuration. Damaged files are worked around; see notices().
   static std::variant<FileStore, FileError> open(const std::string& folder, Calls calls = {}) {
@@ -210,10 +213,12 @@ class FileStore {
     return commit(next);
   }
 
-  [[nodiscard]] std::optional<lifemodel::ParameterBlock> load_parameters(std::size_t tendon) const {
+  [[nodiscard]] std::optional<lifemodel::ExtendedBlock> load_parameters(std::size_t tendon) const {
     return tendon < kTendons ? image_.parameters[tendon] : std::nullopt;
   }
-  hal::Error save_parameters(std::size_t tendon, const lifemodel::ParameterBlock& block) {
+  /// None is ever: a file takes the place of another whole.
+  [[nodiscard]] static bool parameters_torn(std::size_t) { return false; }
+  hal::Error save_parameters(std::size_t tendon, const lifemodel::ExtendedBlock& block) {
     if (tendon >= kTendons) {
       return hal::Error::out_of_range;
     }

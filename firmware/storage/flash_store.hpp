@@ -14,7 +14,7 @@
 #include "firmware/storage/slot.hpp"
 #include "firmware/storage/store.hpp"
 #include "hal/non_volatile.hpp"
-#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 #include "lifemodel/support/bytes.hpp"
 #include "lifemodel/support/saturating.hpp"
 
@@ -33,22 +33,26 @@ struct RecordSlot {
   }
 };
 
-/// A parameter block as it is kept in flash, in little-endian words: magic; schema and tendon in a
-/// byte each; the number of the write; the block; a word of zeros; CRC-32 of all before it.
+/// A parameter block of up to `kLargest` bytes as it is kept in flash, in little-endian words:
+/// magic; schema and tendon in a byte each; the number of the write; the size of the block; the
+/// block, and zeros; CRC-32 of all before it.
+template <std::size_t kLargest>
 struct ParameterSlot {
-  static constexpr std::size_t kHeaderBytes = 12;
-  static constexpr std::size_t kBytes = kHeaderBytes + lifemodel::kBlockBytes + 8;
+  static constexpr std::size_t kHeaderBytes = 16;
+  static constexpr std::size_t kBytes = kHeaderBytes + kLargest + 4;
   using Bytes = std::array<std::byte, kBytes>;
 
   static constexpr std::uint32_t kMagic = 0x53504c54;  ///< "TLPS"
-  static constexpr std::uint32_t kSchema = 1;
+  static constexpr std::uint32_t kSchema = 2;
 
-  static constexpr Bytes make(SlotName name, const lifemodel::ParameterBlock& block) {
+  /// @pre the block has at most kLargest bytes
+  static constexpr Bytes make(SlotName name, std::span<const std::byte> block) {
     Bytes bytes{};
     lifemodel::ByteWriter out(bytes);
     out.u32(kMagic);
     out.u32(kSchema | (name.key << 8));
     out.u32(name.sequence);
+    out.u32(static_cast<std::uint32_t>(block.size()));
     std::ranges::copy(block, bytes.begin() + kHeaderBytes);
     lifemodel::ByteWriter(std::span(bytes).last(4))
         .u32(lifemodel::crc32(std::span(bytes).first(kBytes - 4)));
@@ -63,16 +67,17 @@ struct ParameterSlot {
       return {};
     }
     const std::uint32_t what = in.u32();
-    if ((what & 0xff) != kSchema) {
+    const SlotName name{what >> 8, in.u32()};
+    if ((what & 0xff) != kSchema || in.u32() > kLargest) {
       return {};
     }
-    return SlotName{what >> 8, in.u32()};
+    return name;
   }
 
-  static constexpr lifemodel::ParameterBlock block(std::span<const std::byte, kBytes> bytes) {
-    lifemodel::ParameterBlock block{};
-    std::ranges::copy(bytes.subspan(kHeaderBytes, lifemodel::kBlockBytes), block.begin());
-    return block;
+  /// @pre name() trusts the slot
+  static constexpr lifemodel::ExtendedBlock block(std::span<const std::byte, kBytes> bytes) {
+    const std::uint32_t size = lifemodel::ByteReader(bytes.subspan(kHeaderBytes - 4)).u32();
+    return lifemodel::ExtendedBlock(bytes.subspan(kHeaderBytes, size));
   }
 };
 
@@ -85,6 +90,9 @@ struct ParameterSlot {
 template <hal::NonVolatile Memory, std::size_t kTendons, FlashLayout kLayout = FlashLayout{}>
 class FlashStore {
  public:
+  /// Bytes that a parameter block may have.
+  static constexpr std::size_t kLargestBlock = kLayout.largest_block;
+
   explicit FlashStore(Memory& memory) : life_(memory), parameters_(memory), log_(memory) {
     for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
       const auto bytes = life_.newest(tendon);
@@ -139,19 +147,22 @@ class FlashStore {
   /// a call.
   hal::Error prepare() { return life_.prepare(); }
 
-  [[nodiscard]] std::optional<lifemodel::ParameterBlock> load_parameters(std::size_t tendon) {
+  [[nodiscard]] std::optional<lifemodel::ExtendedBlock> load_parameters(std::size_t tendon) {
     if (tendon >= kTendons) {
       return {};
     }
     const auto bytes = parameters_.newest(tendon);
-    if (!bytes || !ParameterSlot::name(*bytes)) {
+    if (!bytes || !Slot::name(*bytes)) {
       return {};
     }
-    return ParameterSlot::block(*bytes);
+    return Slot::block(*bytes);
+  }
+  [[nodiscard]] bool parameters_torn(std::size_t tendon) const {
+    return tendon < kTendons && parameters_.torn();
   }
 
-  hal::Error save_parameters(std::size_t tendon, const lifemodel::ParameterBlock& block) {
-    if (tendon >= kTendons) {
+  hal::Error save_parameters(std::size_t tendon, const lifemodel::ExtendedBlock& block) {
+    if (tendon >= kTendons || block.bytes().size() > kLargestBlock) {
       return hal::Error::out_of_range;
     }
     if (parameter_writes_ == std::numeric_limits<std::uint32_t>::max()) {
@@ -159,13 +170,16 @@ class FlashStore {
     }
     ++parameter_writes_;
     const SlotName name{static_cast<std::uint32_t>(tendon), parameter_writes_};
-    return parameters_.append(ParameterSlot::make(name, block));
+    return parameters_.append(Slot::make(name, block.bytes()));
   }
 
   hal::Error append(const LogEntry& entry) { return log_.append(entry); }
   [[nodiscard]] std::optional<LogEntry> log(std::uint32_t i) { return log_.entry(i); }
 
  private:
+  using Slot = ParameterSlot<kLargestBlock>;
+  static_assert(kLargestBlock <= lifemodel::kMostExtendedBytes);
+
   hal::Error save_one(std::size_t tendon, const LifeRecord& given) {
     const LifeRecord record = successor(given, committed_[tendon], lost_[tendon], attempted_);
     const hal::Error error = life_.append(encode(record));
@@ -177,7 +191,7 @@ class FlashStore {
   }
 
   NewestLog<Memory, RecordSlot, kTendons, kLayout.life> life_;
-  NewestLog<Memory, ParameterSlot, kTendons, kLayout.parameters> parameters_;
+  NewestLog<Memory, Slot, kTendons, kLayout.parameters> parameters_;
   EntryLog<Memory, kLayout.log> log_;
   Lives<kTendons> committed_{};
   std::array<bool, kTendons> lost_{};

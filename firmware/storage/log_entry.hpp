@@ -23,6 +23,8 @@ enum class Event : std::uint8_t {
              ///< too long
   disabled,  ///< the node has no key
   not_done,  ///< what the line before announces could not be done
+  parameters_refused,  ///< what was stored or configured, at a start, or a block that was proven
+                       ///< and that this board cannot count with
 };
 
 /// One line of the append-only log.
@@ -32,7 +34,7 @@ struct LogEntry {
   Event event = Event::epoch_opened;
   std::uint8_t tendon = 0;
   std::uint16_t epoch = 0;
-  std::uint32_t detail = 0;  ///< configuration CRC, or the routine that was refused
+  std::uint32_t detail = 0;  ///< CRC of the parameter block, or the routine that was refused
 
   friend constexpr bool operator==(const LogEntry&, const LogEntry&) = default;
 };

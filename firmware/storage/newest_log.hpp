@@ -90,9 +90,11 @@ class NewestLog {
   static_assert(kSlots > kKeys, "a fresh page takes the copies of all keys and what is new");
 
   explicit NewestLog(Memory& memory) : ring_(memory) {
+    bool begun_in_vain = false;
     for (std::uint32_t page = 0; page < Ring::kCount; ++page) {
-      scan(page);
+      begun_in_vain = scan(page) || begun_in_vain;
     }
+    torn_ = torn_ || begun_in_vain;
   }
 
   /// The newest slot of a key; nothing if there is none or it cannot be read any more.
@@ -107,6 +109,9 @@ class NewestLog {
   /// Whether more of these were written to their end than the one that a power cut may leave, so
   /// that something that was committed was lost.
   [[nodiscard]] bool damaged() const { return finished_ > 1; }
+
+  /// Whether what was written last is not whole: its power was cut.
+  [[nodiscard]] bool torn() const { return torn_; }
 
   /// Writes a slot that Format::name() trusts. failed: no page takes it, and the newest is as it
   /// was.
@@ -170,15 +175,20 @@ class NewestLog {
     return bytes ? Format::name(*bytes) : std::nullopt;
   }
 
-  void scan(std::uint32_t page) {
+  /// True where something was begun on the page and nothing of it is whole.
+  bool scan(std::uint32_t page) {
     std::uint32_t used = 0;
     bool newest_here = false;
+    bool torn = false;
+    bool whole = false;
     for (std::uint32_t slot = 0; slot < kSlots; ++slot) {
       if (is_blank(ring_.memory(), address(page, slot), kStride)) {
         continue;
       }
       used = slot + 1;
       const auto name = name_at(page, slot);
+      torn = !name;
+      whole = whole || name;
       if (!name) {
         note_damaged(page, slot);
       } else if (take(*name, page, slot)) {
@@ -188,7 +198,9 @@ class NewestLog {
     if (newest_here) {
       page_ = page;
       slot_ = used;
+      torn_ = torn;
     }
+    return torn && !whole;
   }
 
   void note_damaged(std::uint32_t page, std::uint32_t slot) {
@@ -260,6 +272,7 @@ class NewestLog {
       slot_ = kSlots;
       return false;
     }
+    torn_ = false;
     where_[name.key] = SlotPosition{page_, slot, name.sequence};
     highest_ = name.sequence > highest_ ? name.sequence : highest_;
     return true;
@@ -327,6 +340,7 @@ class NewestLog {
   std::uint32_t spent_ = 0;
   std::uint32_t finished_ = 0;
   bool prepared_ = false;
+  bool torn_ = false;
 };
 
 }  // namespace storage

@@ -10,6 +10,7 @@
 
 #include "hal/error.hpp"
 #include "hal/non_volatile.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 
 namespace storage {
 
@@ -26,6 +27,7 @@ struct FlashLayout {
   PageRange life{0, 16};
   PageRange parameters{16, 2};
   PageRange log{18, 2};
+  std::size_t largest_block = lifemodel::kMostExtendedBytes;
 };
 
 /// What distinguishes slots of a log: the newest of a key is the one with the highest sequence.
@@ -80,10 +82,15 @@ hal::Error write_slot(Memory& memory, std::uint32_t address,
       return error;
     }
   }
-  std::array<std::byte, kBytes> back;
-  const bool same =
-      memory.read(address, back) == hal::Error::none && std::ranges::equal(back, bytes);
-  return same ? hal::Error::none : hal::Error::failed;
+  for (std::uint32_t offset = 0; offset < kBytes; offset += kUnit) {
+    std::array<std::byte, kUnit> unit;
+    const auto wanted = bytes.subspan(offset, std::min<std::size_t>(kUnit, kBytes - offset));
+    if (memory.read(address + offset, unit) != hal::Error::none ||
+        !std::equal(wanted.begin(), wanted.end(), unit.begin())) {
+      return hal::Error::failed;
+    }
+  }
+  return hal::Error::none;
 }
 
 }  // namespace storage

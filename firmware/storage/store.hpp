@@ -9,7 +9,7 @@
 #include "firmware/storage/life_record.hpp"
 #include "firmware/storage/log_entry.hpp"
 #include "hal/error.hpp"
-#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 
 namespace storage {
 
@@ -24,18 +24,21 @@ namespace storage {
 /// (see may_follow()), and then nothing is written; after a power cut each tendon has its old or
 /// its new record.
 /// sequence(): of the last save; 0 if there was none. Never falls, not even over restarts.
-/// load_parameters(tendon): the block, unchecked; nothing if none was saved.
-/// append(entry): the log grows until it is full; then Error::full, and the first entries stay.
-/// log(i): the i-th entry from the oldest; nothing past the end.
+/// load_parameters(tendon): the block that was saved last and is whole, its content unchecked;
+/// nothing if there is none. parameters_torn(tendon): true where one was written after it, of this
+/// tendon or of one that cannot be told, and is not whole. append(entry): the log grows until it is
+/// full; then Error::full, and the first entries stay. log(i): the i-th entry from the oldest;
+/// nothing past the end.
 template <class T>
 concept Store = requires(T& store, std::size_t tendon, std::span<const LifeRecord> records,
-                         const lifemodel::ParameterBlock& block, const LogEntry& entry,
+                         const lifemodel::ExtendedBlock& block, const LogEntry& entry,
                          std::uint32_t i) {
   { store.load(tendon) } -> std::same_as<std::optional<LifeRecord>>;
   { store.past_lost() } -> std::same_as<bool>;
   { store.save(records) } -> std::same_as<hal::Error>;
   { store.sequence() } -> std::same_as<std::uint32_t>;
-  { store.load_parameters(tendon) } -> std::same_as<std::optional<lifemodel::ParameterBlock>>;
+  { store.load_parameters(tendon) } -> std::same_as<std::optional<lifemodel::ExtendedBlock>>;
+  { store.parameters_torn(tendon) } -> std::same_as<bool>;
   { store.save_parameters(tendon, block) } -> std::same_as<hal::Error>;
   { store.append(entry) } -> std::same_as<hal::Error>;
   { store.log(i) } -> std::same_as<std::optional<LogEntry>>;

@@ -72,15 +72,13 @@ class Extending {
 using Nominal = lifemodel::DefaultLayout;
 using Extended = lifemodel::extension::ExtendedLife<Nominal>;
 
-template <class Layout>
-auto models_of(const lifemodel::ExtendedParameters& parameters) {
-  using Model = typename lifemodel::ParametersOf<Layout>::Type;
-  if constexpr (std::is_same_v<Model, lifemodel::Parameters>) {
-    return std::array{parameters.nominal};
-  } else {
-    return std::array{
-        lifemodel::extension::life_parameters(parameters.nominal, parameters.extension)};
-  }
+/// The one model, which is known to be evaluated.
+app::StartingModels<1> starting(const lifemodel::ExtendedParameters& parameters) {
+  app::StartingModels<1> models;
+  models.models[0] = parameters;
+  models.states[0] = {.source = app::ParameterSource::configured,
+                      .configuration = app::configuration_of(parameters)};
+  return models;
 }
 
 }  // namespace
@@ -106,7 +104,7 @@ class VirtualBoard::FirmwareFor final : public VirtualBoard::Firmware {
         sensing_(clock_, parameters),
         app_({can_, sensing_.seen(), clock_, store_, drive_enable_, brake_, status_light_,
               emergency_stop_, watchdog_, entropy_, hold_},
-             {.node = node}, {parameters.nominal}, models_of<Layout>(parameters)) {
+             {.node = node}, starting(parameters)) {
     app_.start();
     sensing_.start_at(start_cycle);
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -25,10 +27,14 @@ enum class ExtensionError : std::uint8_t {
   value,            ///< a value of an effect out of range
 };
 
-/// Why a block with or without an extension is refused: one of the two.
+/// Why a block with or without an extension is refused: at most one of the two.
 struct ExtendedBlockError {
   BlockError block = BlockError::none;
   ExtensionError extension = ExtensionError::none;
+
+  [[nodiscard]] constexpr bool refuses() const {
+    return block != BlockError::none || extension != ExtensionError::none;
+  }
 };
 
 /// The reason in words.
@@ -95,9 +101,37 @@ constexpr std::span<const std::byte> encode(const ExtendedParameters& p, std::sp
   return out.first(kBlockBytes + bytes);
 }
 
-/// Reads the section behind the block with this CRC.
-constexpr Result<extension::Extension, ExtensionError> decode_extension(
-    std::span<const std::byte> section, std::uint32_t block_crc) {
+/// The bytes of a block with or without an extension, unchecked.
+class ExtendedBlock {
+ public:
+  constexpr ExtendedBlock() = default;
+  /// @pre at most kMostExtendedBytes
+  constexpr explicit ExtendedBlock(std::span<const std::byte> bytes) : size_(bytes.size()) {
+    std::copy(bytes.begin(), bytes.end(), bytes_.begin());
+  }
+  constexpr explicit ExtendedBlock(const ExtendedParameters& p) {
+    size_ = encode(p, bytes_).size();
+  }
+
+  [[nodiscard]] constexpr std::span<const std::byte> bytes() const {
+    return std::span(bytes_).first(size_);
+  }
+  /// The CRC-32 at its end, which tells blocks apart; 0 of what is too short.
+  [[nodiscard]] constexpr std::uint32_t crc() const {
+    return size_ < 4 ? 0 : ByteReader(bytes().last(4)).u32();
+  }
+
+  friend constexpr bool operator==(const ExtendedBlock&, const ExtendedBlock&) = default;
+
+ private:
+  std::size_t size_ = 0;
+  std::array<std::byte, kMostExtendedBytes> bytes_{};
+};
+
+/// Reads the section behind the block with this CRC into `read`, which holds nothing to rely on
+/// where it is refused.
+constexpr ExtensionError read_extension(std::span<const std::byte> section, std::uint32_t block_crc,
+                                        extension::Extension& read) {
   if (section.size() < 4 * kEmptyExtensionWords ||
       section.size() > kMostExtendedBytes - kBlockBytes || section.size() % 4 != 0) {
     return ExtensionError::damaged;
@@ -116,7 +150,7 @@ constexpr Result<extension::Extension, ExtensionError> decode_extension(
   if (in.u32() != block_crc) {
     return ExtensionError::of_another;
   }
-  extension::Extension read;
+  read = {};
   read.effects = in.u32();
   if (read.effects == 0 || read.effects >> extension::kEffects != 0) {
     return ExtensionError::unknown_effect;
@@ -131,31 +165,38 @@ constexpr Result<extension::Extension, ExtensionError> decode_extension(
   if (in.failed() || in.remaining() != 4) {
     return ExtensionError::damaged;
   }
-  if (!plausible) {
-    return ExtensionError::value;
-  }
-  return read;
+  return plausible ? ExtensionError::none : ExtensionError::value;
 }
 
-/// Checks a block with or without an extension and reads it.
-constexpr Result<ExtendedParameters, ExtendedBlockError> decode_extended(
-    std::span<const std::byte> block) {
+/// Checks a block with or without an extension and reads it in place; `out` holds nothing to rely
+/// on where it is refused.
+constexpr ExtendedBlockError read_extended(std::span<const std::byte> block,
+                                           ExtendedParameters& out) {
   if (block.size() < kBlockBytes) {
-    return ExtendedBlockError{.block = BlockError::wrong_size};
+    return {.block = BlockError::wrong_size};
   }
   const auto nominal = decode(block.first(kBlockBytes));
   if (!nominal) {
-    return ExtendedBlockError{.block = nominal.error()};
+    return {.block = nominal.error()};
   }
+  out.nominal = *nominal;
   if (block.size() == kBlockBytes) {
-    return ExtendedParameters{*nominal, {}};
+    out.extension = {};
+    return {};
   }
   const std::uint32_t crc = ByteReader(block.subspan(kBlockBytes - 4)).u32();
-  const auto extension = decode_extension(block.subspan(kBlockBytes), crc);
-  if (!extension) {
-    return ExtendedBlockError{.extension = extension.error()};
+  return {.extension = read_extension(block.subspan(kBlockBytes), crc, out.extension)};
+}
+
+/// The same by value.
+constexpr Result<ExtendedParameters, ExtendedBlockError> decode_extended(
+    std::span<const std::byte> block) {
+  ExtendedParameters read{};
+  const ExtendedBlockError error = read_extended(block, read);
+  if (error.refuses()) {
+    return error;
   }
-  return ExtendedParameters{*nominal, *extension};
+  return read;
 }
 
 }  // namespace lifemodel

@@ -39,7 +39,7 @@ TEST(App, SpeaksTheFramePlanAtItsRates) {
 
 TEST(App, TellsTheDamageOfTheEstimator) {
   Rig rig;
-  lifemodel::Estimator<1> alone({*rig.parameters[0]});
+  lifemodel::Estimator<1> alone({rig.models[0]->nominal});
   rig.start();
   for (int i = 0; i < 5'000; ++i) {
     const double tension_N = 30 + 25 * std::sin(i * 0.05);
@@ -55,7 +55,7 @@ TEST(App, TellsTheDamageOfTheEstimator) {
 
 TEST(App, RatesAreToldOnceAMinuteWasSeen) {
   Rig<2> rig(kStrong);
-  rig.parameters[1].reset();  // has no rate, and hides none
+  rig.models[1].reset();  // has no rate, and hides none
   rig.start();
   rig.run(59'000);
   for (const auto& page : rig.sent<protocol::detail::Cycles>()) {
@@ -236,7 +236,7 @@ TEST(App, ALostRecordIsToldAndTheLifeIsUnknown) {
 
 TEST(App, ATendonWithoutParametersIsLeftOut) {
   Rig<2> rig;
-  rig.parameters[1].reset();
+  rig.models[1].reset();
   rig.start();
   rig.run(1'000);
   const auto all = rig.sent<protocol::Emergency>();

@@ -72,18 +72,15 @@ TEST_F(ExtendedSensorTest, TellsWhatWasHeld) {
   EXPECT_TRUE(sensor.isr_flags(0).has(lifemodel::Flag::saturated));
 }
 
-TEST(ExtendedModels, ParametersThatWereLoadedHaveNoExtension) {
-  const lifemodel::ExtendedParameters configured = extended();
-  lifemodel::Parameters loaded = configured.nominal;
-  loaded.model_digest = 2;
-  const ParameterSet<3> in_use{configured.nominal, loaded, std::nullopt};
-  ExtendedModels<3> all;
-  all.fill(configured);
-  const auto models = extended_models<3>(in_use, all);
-  EXPECT_TRUE(models[0].extension.has(Effect::current_offset));
-  EXPECT_EQ(models[1].extension.effects, 0u);
-  EXPECT_EQ(models[1].nominal.model_digest, 2u);
-  EXPECT_EQ(models[2].extension.effects, 0u);
+TEST(ExtendedSensorOfCurrent, EvaluatesWhatNeedsNothingBesides) {
+  hal::fake::Clock clock;
+  hal::fake::Sensor<lifemodel::MotorCurrent> raw{clock};
+  const ExtendedModels<1> models{extended()};
+  ExtendedSensor<decltype(raw), 1> sensor{raw, models};
+  raw.give(0, amperes(2).current);
+  EXPECT_NEAR(177.4 * to_double(*sensor.isr_read(0)), 30.888, 1e-5);
+  raw.give(0, amperes(2.1).current);
+  EXPECT_NEAR(177.4 * to_double(*sensor.isr_read(0)), 30.888 + 6 * 2.0592, 1e-4);
 }
 
 /// An application over an extended sensor whose model has wear.
@@ -110,7 +107,7 @@ class ExtendedAppTest : public testing::Test {
     }
     App<1, Devices> app(Devices{can, sensor, clock, store, drive_enable, brake, light, stop,
                                 watchdog, entropy, hold},
-                        Config{}, {models[0].nominal});
+                        Config{}, starting_models<1>(store, {models[0]}, evaluates));
     app.start();
     raw.give(0, {lifemodel::pack::tension(49, 177.4), models[0].nominal.bend, amperes(0).at});
     return 177.4 * to_double(*sensor.isr_read(0));
@@ -128,6 +125,8 @@ class ExtendedAppTest : public testing::Test {
   hal::fake::Watchdog watchdog{clock, hal::milliseconds(500)};
   hal::fake::Entropy entropy{clock, 1};
   hal::NoHold hold;
+  std::array<Evaluates, 1> evaluates{
+      {{true, lifemodel::extension::Input::output_tension, {.velocity = true}}}};
 };
 
 TEST_F(ExtendedAppTest, ANewSheathHasSeenNoCycles) {

@@ -34,11 +34,11 @@ class RamStore {
     return hal::Error::none;
   }
   [[nodiscard]] std::uint32_t sequence() const { return sequence_; }
-  std::optional<lifemodel::ParameterBlock> load_parameters(std::size_t tendon) const {
+  std::optional<lifemodel::ExtendedBlock> load_parameters(std::size_t tendon) const {
     const auto found = blocks_.find(tendon);
     return found == blocks_.end() ? std::nullopt : std::optional(found->second);
   }
-  hal::Error save_parameters(std::size_t tendon, const lifemodel::ParameterBlock& block) {
+  hal::Error save_parameters(std::size_t tendon, const lifemodel::ExtendedBlock& block) {
     blocks_[tendon] = block;
     return hal::Error::none;
   }
@@ -51,14 +51,17 @@ class RamStore {
     return i < log_.size() ? std::optional(log_[i]) : std::nullopt;
   }
 
+  [[nodiscard]] bool parameters_torn(std::size_t) const { return torn; }
+
   bool lost = false;
+  bool torn = false;
   hal::fake::Faults<hal::Error> faults;
   std::vector<hal::Time> saved_at;
 
  private:
   const hal::fake::Clock& clock_;
   std::map<std::size_t, storage::LifeRecord> records_;
-  std::map<std::size_t, lifemodel::ParameterBlock> blocks_;
+  std::map<std::size_t, lifemodel::ExtendedBlock> blocks_;
   std::vector<storage::LogEntry> log_;
   std::uint32_t sequence_ = 0;
 };

@@ -31,12 +31,14 @@ class Rig {
                    hal::fake::Watchdog, hal::fake::Entropy, hal::NoHold>;
   using App = app::App<kTendons, Devices>;
 
-  explicit Rig(double ipl_scale = 1.53e5) { parameters.fill(paper_parameters(ipl_scale)); }
+  explicit Rig(double ipl_scale = 1.53e5) {
+    models.fill(lifemodel::ExtendedParameters{paper_parameters(ipl_scale), {}});
+  }
 
   void start() {
     app = std::make_unique<App>(Devices{can, sensor, clock, store, drive_enable, brake, light, stop,
                                         watchdog, entropy, hold},
-                                config, stored_parameters<kTendons>(store, parameters));
+                                config, starting_models<kTendons>(store, models, evaluates));
     app->start();
   }
 
@@ -88,7 +90,8 @@ class Rig {
   hal::fake::Entropy entropy{clock, 1};
   hal::NoHold hold;
   Config config{.node = kNode};
-  ParameterSet<kTendons> parameters;
+  ConfiguredModels<kTendons> models;
+  std::array<Evaluates, kTendons> evaluates{};
   std::unique_ptr<App> app;
 };
 

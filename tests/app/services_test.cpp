@@ -73,7 +73,7 @@ TEST_F(Services, TheLifeRecordIsThatOfTheMoment) {
   EXPECT_EQ(Bytes(answer.begin(), answer.begin() + 3), hex("62 0200"));
   EXPECT_GT(word_at(answer, 3 + 8), 0u);
   EXPECT_LE(word_at(answer, 3 + 8), rig.app->lives().damage_ppb(0));
-  EXPECT_EQ(word_at(answer, 3 + 56), configuration_of(*rig.parameters[0]));
+  EXPECT_EQ(word_at(answer, 3 + 56), configuration_of(*rig.models[0]));
 }
 
 TEST_F(Services, ANewEpochBeginsAtNothingAndTheLifetimeStays) {
@@ -164,11 +164,93 @@ TEST_F(Services, ALoadedBlockCountsFromTheNextStart) {
   const std::uint32_t counter = rig.store.sequence();
   EXPECT_EQ(client.ask(start_request(order_for(client, 0x0202, hex("00") + block))),
             hex("71 01 0202"));
-  EXPECT_EQ(rig.app->lives().records()[0].configuration, configuration_of(*rig.parameters[0]));
+  EXPECT_EQ(rig.app->lives().records()[0].configuration, configuration_of(*rig.models[0]));
   EXPECT_GT(rig.store.sequence(), counter);
   rig.start();
   rig.run(10);
-  EXPECT_EQ(rig.app->lives().records()[0].configuration, configuration_of(stronger));
+  EXPECT_EQ(rig.app->lives().records()[0].configuration, configuration_of({stronger, {}}));
+}
+
+/// The same model with a load that does less: an endurance limit of a sixteenth of the ultimate
+/// tension, and a correction that acts on output tension alone.
+lifemodel::ExtendedParameters limited() {
+  lifemodel::ExtendedParameters model{paper_parameters(), {}};
+  using lifemodel::extension::Effect;
+  model.extension.add(Effect::endurance_limit);
+  model.extension.endurance_limit = {lifemodel::extension::kOne, -(4 << 26)};
+  model.extension.add(Effect::empirical);
+  model.extension.empirical.knots = 16;
+  for (std::int32_t i = 0; i < 16; ++i) {
+    model.extension.empirical.knot[static_cast<std::size_t>(i)] = {i << 20, i, -i};
+  }
+  return model;
+}
+
+/// Over ISO-TP, in parts of 126 bytes.
+void transfer(Client& client, const Bytes& block) {
+  const Bytes size{static_cast<std::byte>(block.size() >> 8), static_cast<std::byte>(block.size())};
+  ASSERT_EQ(client.ask(hex("34 00 21 00") + size), hex("74 20 0080"));
+  for (std::size_t at = 0, part = 1; at < block.size(); at += 126, ++part) {
+    const auto end = std::min(at + 126, block.size());
+    const Bytes bytes(block.begin() + static_cast<std::ptrdiff_t>(at),
+                      block.begin() + static_cast<std::ptrdiff_t>(end));
+    const auto number = static_cast<std::byte>(part);
+    ASSERT_EQ(client.ask(Bytes{std::byte{0x36}, number} + bytes), (Bytes{std::byte{0x76}, number}));
+  }
+  ASSERT_EQ(client.ask(hex("37")), hex("77"));
+}
+
+TEST_F(Services, AnExtendedBlockIsTransferredAndCountsFromTheNextStart) {
+  rig.evaluates = {{{true, lifemodel::extension::Input::motor_current, {}}}};
+  rig.start();
+  const lifemodel::ExtendedBlock extended(limited());
+  const Bytes block = protocol::testing::to_bytes(extended.bytes());
+  transfer(client, block);
+  Order order = order_for(client, 0x0203, hex("00"));
+  order.transferred = block;
+  EXPECT_EQ(client.ask(start_request(order)), hex("71 01 0203"));
+  EXPECT_EQ(rig.store.load_parameters(0), extended);
+  EXPECT_EQ(rig.app->lives().records()[0].configuration, configuration_of(*rig.models[0]));
+  EXPECT_EQ(client.ask(hex("22 0260")), hex("62 0260 01 00 00 00 00000000"));
+  rig.start();
+  rig.run(10);
+  EXPECT_EQ(rig.app->lives().records()[0].configuration, extended.crc());
+  EXPECT_EQ(client.ask(hex("22 0260")), hex("62 0260 02 00 00 00 00000000"));
+}
+
+TEST_F(Services, ABlockThatTheBoardCannotEvaluateIsRefusedWithTheReasonAndCountingGoesOn) {
+  rig.evaluates = {{{true, lifemodel::extension::Input::motor_current, {.velocity = true}}}};
+  rig.start();
+  lifemodel::ExtendedParameters model = limited();
+  model.extension.add(lifemodel::extension::Effect::torque_ripple);
+  model.extension.torque_ripple.harmonic = 1 << 16;
+  const Bytes block = protocol::testing::to_bytes(lifemodel::ExtendedBlock(model).bytes());
+  const Bytes crc(block.end() - 4, block.end());
+  transfer(client, block);
+  Order order = order_for(client, 0x0203, hex("00"));
+  order.transferred = block;
+  const std::uint32_t before_ppb = rig.app->lives().damage_ppb(0);
+  EXPECT_EQ(client.ask(start_request(order)), hex("7f 31 31"));
+  // Effect 12 needs covariate 2, the angle of the rotor.
+  EXPECT_EQ(client.ask(hex("22 0260")), hex("62 0260 01 05 0c 02") + crc);
+  EXPECT_FALSE(rig.store.load_parameters(0));
+  ASSERT_TRUE(rig.store.log(0).has_value());
+  EXPECT_EQ(rig.store.log(0)->event, storage::Event::parameters_refused);
+  rig.run(500);
+  const auto reported = rig.sent<protocol::Emergency>();
+  ASSERT_FALSE(reported.empty());
+  EXPECT_EQ(reported.back().code, protocol::EmergencyCode::parameters);
+  EXPECT_GT(rig.app->lives().damage_ppb(0), before_ppb);
+  EXPECT_EQ(rig.app->lives().records()[0].configuration, configuration_of(*rig.models[0]));
+
+  // One that it can count with ends the emergency.
+  const lifemodel::ExtendedBlock good(limited());
+  transfer(client, protocol::testing::to_bytes(good.bytes()));
+  order = order_for(client, 0x0203, hex("00"));
+  order.transferred = protocol::testing::to_bytes(good.bytes());
+  EXPECT_EQ(client.ask(start_request(order)), hex("71 01 0203"));
+  rig.run(500);
+  EXPECT_EQ(rig.sent<protocol::Emergency>().back().code, protocol::EmergencyCode::none);
 }
 
 TEST(ServicesAtWork, AnOrderIsInTimeWhileTheDamageGrows) {

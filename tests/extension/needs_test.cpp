@@ -11,7 +11,7 @@ std::string lacking(Effect effect, Input input, Measured measured) {
   Extension extension;
   extension.add(effect);
   const auto found = unmet(extension, input, measured);
-  return found ? std::string(found->effect) + " needs " + found->quantity : "";
+  return found ? std::string(found->effect) + " needs " + to_string(found->covariate) : "";
 }
 
 constexpr Measured kAll{.velocity = true, .rotor = true, .sheath = true, .winding = true};

@@ -17,6 +17,7 @@ namespace fs = std::filesystem;
 using host_sim::test::complaint_of;
 using host_sim::test::TemporaryFolder;
 using host_sim::test::write_text;
+using lifemodel::extension::DriveSample;
 
 class KeyFile : public testing::Test {
  protected:
@@ -153,17 +154,17 @@ class Profiles : public testing::Test {
 TEST_F(Profiles, RowsThatAreMissingAreHoles) {
   const auto path =
       put("p.csv", "time_s,motor_current_A\n5.000,1\n5.001,2\n5.00405,-3\n5.005,200\n5.006,5\n");
-  const auto recorded = read_samples<lifemodel::MotorCurrent>(path, parameters());
+  const auto recorded = read_samples<DriveSample>(path, parameters());
   EXPECT_EQ(recorded.holes, (std::vector<bool>{false, false, true, true, false, true, false}))
       << "and 200 A is no MotorCurrent";
-  EXPECT_EQ(recorded.samples[1].raw(), 2 << 24);
-  EXPECT_EQ(recorded.samples[4].raw(), -3 * (1 << 24));
+  EXPECT_EQ(recorded.samples[1].current.raw(), 2 << 24);
+  EXPECT_EQ(recorded.samples[4].current.raw(), -3 * (1 << 24));
 }
 
 TEST_F(Profiles, OfAnotherRateAreRefused) {
   const auto path = put("p.csv", "time_s,motor_current_A\n0,1\n0.0005,2\n");
   EXPECT_NE(complaint_of([&] {
-              read_samples<lifemodel::MotorCurrent>(path, parameters());
+              read_samples<DriveSample>(path, parameters());
             }).find("rows at 0 s and 0.0005 s, which are 0.5 periods of 1000 us apart"),
             std::string::npos);
 }
@@ -198,8 +199,7 @@ TEST_F(Profiles, HaveWhatAnExtendedModelIsWrittenInTermsOf) {
   const auto path = put("p.csv",
                         "time_s,motor_current_A,tendon_velocity_m_s,motor_angle_rad,"
                         "winding_temperature_C\n0,2,-0.5,3.141592653589793,-40.5\n");
-  const auto recorded =
-      read_samples<lifemodel::extension::DriveSample>(path, parameters()).samples.at(0);
+  const auto recorded = read_samples<DriveSample>(path, parameters()).samples.at(0);
   EXPECT_EQ(recorded.current.raw(), 2 << 24);
   EXPECT_EQ(recorded.at.velocity.raw(), -(1 << 23));
   EXPECT_EQ(recorded.at.rotor.raw, std::int64_t{1} << 31);  // half a turn
@@ -227,22 +227,22 @@ TEST_F(Profiles, OfSeveralTendonsAreOfOneKind) {
 
 TEST_F(Profiles, ArePlayedOnceOrAgainAndAgain) {
   const auto path = put("p.csv", "time_s,motor_current_A\n0,1\n0.002,2\n");
-  const auto recorded = read_samples<lifemodel::MotorCurrent>(path, parameters());
-  ProfileSensor<lifemodel::MotorCurrent> once({recorded}, false);
-  EXPECT_EQ((*once.isr_read(0)).raw(), 1 << 24);
+  const auto recorded = read_samples<DriveSample>(path, parameters());
+  ProfileSensor<DriveSample> once({recorded}, false);
+  EXPECT_EQ((*once.isr_read(0)).current.raw(), 1 << 24);
   EXPECT_EQ(once.isr_read(0).error(), hal::Error::missing);
   EXPECT_FALSE(once.at_end());
-  EXPECT_EQ((*once.isr_read(0)).raw(), 2 << 24);
+  EXPECT_EQ((*once.isr_read(0)).current.raw(), 2 << 24);
   EXPECT_TRUE(once.at_end());
   EXPECT_EQ(once.isr_read(0).error(), hal::Error::missing);
   EXPECT_EQ(once.isr_read(1).error(), hal::Error::out_of_range);
 
-  ProfileSensor<lifemodel::MotorCurrent> again({recorded}, true);
+  ProfileSensor<DriveSample> again({recorded}, true);
   for (int i = 0; i < 3; ++i) {
     static_cast<void>(again.isr_read(0));
   }
   EXPECT_FALSE(again.at_end());
-  EXPECT_EQ((*again.isr_read(0)).raw(), 1 << 24);
+  EXPECT_EQ((*again.isr_read(0)).current.raw(), 1 << 24);
 }
 
 }  // namespace

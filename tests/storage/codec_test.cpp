@@ -97,19 +97,35 @@ TEST(EntryCodec, IsAsWrittenByHand) {
 }
 
 TEST(ParameterSlot, IsAsWrittenByHand) {
-  const auto slot = storage::ParameterSlot::make({3, 0x01020304}, block_of(5));
-  constexpr auto kHead = bytes_of(0x54, 0x4c, 0x50, 0x53, 1, 3, 0, 0, 4, 3, 2, 1);
-  constexpr auto kTail = bytes_of(0, 0, 0, 0, 0x8c, 0x36, 0x74, 0x29);
-  EXPECT_TRUE(std::ranges::equal(std::span(slot).first(12), kHead));
-  EXPECT_TRUE(std::ranges::equal(std::span(slot).subspan(12, 84), block_of(5)));
-  EXPECT_TRUE(std::ranges::equal(std::span(slot).last(8), kTail));
-  EXPECT_EQ(storage::ParameterSlot::name(slot), (storage::SlotName{3, 0x01020304}));
-  EXPECT_EQ(storage::ParameterSlot::block(slot), block_of(5));
+  using Slot = storage::ParameterSlot<84>;
+  const auto slot = Slot::make({3, 0x01020304}, block_of(5).bytes());
+  constexpr auto kHead = bytes_of(0x54, 0x4c, 0x50, 0x53, 2, 3, 0, 0, 4, 3, 2, 1, 84, 0, 0, 0);
+  constexpr auto kTail = bytes_of(0x2a, 0x78, 0x28, 0x94);
+  EXPECT_EQ(slot.size(), 104u);
+  EXPECT_TRUE(std::ranges::equal(std::span(slot).first(16), kHead));
+  EXPECT_TRUE(std::ranges::equal(std::span(slot).subspan(16, 84), block_of(5).bytes()));
+  EXPECT_TRUE(std::ranges::equal(std::span(slot).last(4), kTail));
+  EXPECT_EQ(Slot::name(slot), (storage::SlotName{3, 0x01020304}));
+  EXPECT_EQ(Slot::block(slot), block_of(5));
   for (std::size_t bit = 0; bit < 8 * slot.size(); ++bit) {
     auto bytes = slot;
     bytes[bit / 8] ^= static_cast<std::byte>(1u << (bit % 8));
-    EXPECT_FALSE(storage::ParameterSlot::name(bytes)) << "bit " << bit;
+    EXPECT_FALSE(Slot::name(bytes)) << "bit " << bit;
   }
+}
+
+TEST(ParameterSlot, HasRoomBehindAShorterBlock) {
+  using Slot = storage::ParameterSlot<128>;
+  const auto slot = Slot::make({3, 0x01020304}, block_of(5, 100).bytes());
+  constexpr auto kTail = bytes_of(0x08, 0x45, 0xd1, 0x33);
+  EXPECT_EQ(Slot::block(slot), block_of(5, 100));
+  EXPECT_TRUE(std::ranges::equal(std::span(slot).last(4), kTail));
+  // A size beyond the room, with a CRC that fits.
+  auto longer = slot;
+  longer[12] = std::byte{129};
+  lifemodel::ByteWriter(std::span(longer).last(4))
+      .u32(lifemodel::crc32(std::span(longer).first(longer.size() - 4)));
+  EXPECT_FALSE(Slot::name(longer));
 }
 
 TEST(Succession, OfOneWireNothingFalls) {

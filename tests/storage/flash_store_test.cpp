@@ -222,8 +222,8 @@ TEST(FlashStore, ARottenEntryIsPassedOver) {
   EXPECT_FALSE(next.log(4));
 }
 
-template <std::size_t kTendons>
-std::uint64_t erases(const Rig<Large, kTendons>& rig) {
+template <class Geometry, std::size_t kTendons>
+std::uint64_t erases(const Rig<Geometry, kTendons>& rig) {
   std::uint64_t sum = 0;
   for (std::uint32_t page = 0; page < 20; ++page) {
     sum += rig.flash.erases(page);
@@ -232,7 +232,7 @@ std::uint64_t erases(const Rig<Large, kTendons>& rig) {
 }
 
 TEST(FlashStore, ASaveErasesAtMostOnePage) {
-  Rig<Large, 4> rig;
+  Rig<LargeNominal, 4> rig;
   auto store = rig.start();
   for (std::uint32_t step = 0; step < 1'000; ++step) {
     const auto before = erases(rig);
@@ -242,7 +242,7 @@ TEST(FlashStore, ASaveErasesAtMostOnePage) {
 }
 
 TEST(FlashStore, ASaveErasesNothingAfterPrepare) {
-  Rig<Large, 4> rig;
+  Rig<LargeNominal, 4> rig;
   auto store = rig.start();
   for (std::uint32_t step = 0; step < 1'000; ++step) {
     const auto idle = erases(rig);
@@ -400,17 +400,49 @@ TEST(FlashStore, ParametersOfOneTendonSurviveThoseOfTheOthers) {
   EXPECT_FALSE(next.load_parameters(3));
 }
 
+TEST(FlashStore, ABlockThatWasCutIsToldAndTheOneBeforeStays) {
+  using hal::fake::FlashFault;
+  Rig<Large, 1> rig;
+  auto store = rig.start();
+  EXPECT_FALSE(store.parameters_torn(0));
+  constexpr std::size_t kMost = lifemodel::kMostExtendedBytes;
+  for (std::uint32_t i = 1; i < 12; ++i) {
+    const auto last = store.load_parameters(0);
+    // In the middle of its 74 double words; an erase may come before them.
+    rig.flash.fault(rig.flash.operations() + 40, {FlashFault::Kind::cut_torn, i});
+    EXPECT_NE(store.save_parameters(0, block_of(i, kMost)), Error::none);
+    rig.flash.power_on();
+    store = rig.start();
+    EXPECT_TRUE(store.parameters_torn(0)) << i;
+    EXPECT_EQ(store.load_parameters(0), last) << i;
+    EXPECT_FALSE(store.past_lost());
+    ASSERT_EQ(store.save_parameters(0, block_of(100 + i, i % 2 == 0 ? kMost : 84)), Error::none);
+    EXPECT_FALSE(store.parameters_torn(0)) << i;
+    store = rig.start();
+    EXPECT_FALSE(store.parameters_torn(0)) << i;
+    EXPECT_EQ(store.load_parameters(0), block_of(100 + i, i % 2 == 0 ? kMost : 84)) << i;
+  }
+}
+
+TEST(FlashStore, ABlockLargerThanItsRoomIsRefused) {
+  Rig<LargeNominal, 1> rig;
+  auto store = rig.start();
+  EXPECT_EQ(store.save_parameters(0, block_of(1, 85)), Error::out_of_range);
+  EXPECT_EQ(store.save_parameters(0, block_of(1, 84)), Error::none);
+  EXPECT_EQ(store.load_parameters(0), block_of(1, 84));
+}
+
 struct Unit4 {
   using Flash = hal::fake::Flash<6, 512, 4>;
-  static constexpr storage::FlashLayout kLayout{{0, 2}, {2, 2}, {4, 2}};
+  static constexpr storage::FlashLayout kLayout{{0, 2}, {2, 2}, {4, 2}, lifemodel::kBlockBytes};
 };
 struct Unit16 {
   using Flash = hal::fake::Flash<6, 512, 16>;
-  static constexpr storage::FlashLayout kLayout{{4, 2}, {0, 2}, {2, 2}};
+  static constexpr storage::FlashLayout kLayout{{4, 2}, {0, 2}, {2, 2}, lifemodel::kBlockBytes};
 };
 struct Unit32 {
   using Flash = hal::fake::Flash<6, 1'024, 32>;
-  static constexpr storage::FlashLayout kLayout{{0, 2}, {2, 2}, {4, 2}};
+  static constexpr storage::FlashLayout kLayout{{0, 2}, {2, 2}, {4, 2}, lifemodel::kBlockBytes};
 };
 template <class GeometryT>
 class Units : public testing::Test {};

@@ -3,10 +3,11 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "firmware/storage/life_record.hpp"
 #include "firmware/storage/store.hpp"
-#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 
 namespace storage_test {
 
@@ -45,12 +46,13 @@ inline bool same_life(storage::LifeRecord a, const storage::LifeRecord& b) {
 }
 
 /// A block that differs from others by `number`; the store does not look into it.
-inline lifemodel::ParameterBlock block_of(std::uint32_t number) {
-  lifemodel::ParameterBlock block{};
-  for (std::size_t i = 0; i < block.size(); ++i) {
-    block[i] = static_cast<std::byte>(number * 31 + i);
+inline lifemodel::ExtendedBlock block_of(std::uint32_t number,
+                                         std::size_t size = lifemodel::kBlockBytes) {
+  std::array<std::byte, lifemodel::kMostExtendedBytes> bytes{};
+  for (std::size_t i = 0; i < size; ++i) {
+    bytes[i] = static_cast<std::byte>(number * 31 + i);
   }
-  return block;
+  return lifemodel::ExtendedBlock(std::span(bytes).first(size));
 }
 
 inline storage::LogEntry entry_of(std::uint32_t number) {

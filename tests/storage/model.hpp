@@ -20,14 +20,14 @@ struct Model {
   using Records = std::array<storage::LifeRecord, kTendons>;
 
   std::array<std::optional<storage::LifeRecord>, kTendons> lives;
-  std::array<std::optional<lifemodel::ParameterBlock>, kTendons> parameters;
+  std::array<std::optional<lifemodel::ExtendedBlock>, kTendons> parameters;
   std::vector<storage::LogEntry> log;
   std::array<std::uint16_t, kTendons> epoch{};
   std::array<std::uint32_t, kTendons> opened{};
 
   std::optional<Records> saving;
   std::optional<std::size_t> loading;  ///< tendon
-  lifemodel::ParameterBlock block{};
+  lifemodel::ExtendedBlock block{};
   std::optional<storage::LogEntry> appending;
 
   /// Makes one call: which one follows from the step.
@@ -45,7 +45,7 @@ struct Model {
   template <class Store>
   hal::Error load(Store& store, std::uint32_t step) {
     loading = step / 7 % kTendons;
-    block = block_of(step);
+    block = block_of(step, step % 2 == 0 ? lifemodel::kBlockBytes : Store::kLargestBlock);
     const hal::Error error = store.save_parameters(*loading, block);
     if (error == hal::Error::none) {
       parameters[*loading] = block;

@@ -90,7 +90,7 @@ class PowerCut : public testing::Test {
 };
 
 using Cases = testing::Types<Case<Small, 1>, Case<Small, 2>, Case<Small, 4>, Case<Tiny, 2>,
-                             Case<Tiny, 4>, Case<Large, 1>, Case<Large, 2>, Case<Large, 4>>;
+                             Case<Tiny, 4>, Case<Large, 1>, Case<Large, 2>, Case<LargeNominal, 4>>;
 class CaseName {
  public:
   template <class CaseT>

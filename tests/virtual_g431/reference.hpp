@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "firmware/app/app.hpp"
+#include "firmware/app/sensing.hpp"
 #include "hal/fake/can_port.hpp"
 #include "hal/fake/clock.hpp"
 #include "hal/fake/devices.hpp"
 #include "hal/stm32g4/current_sensor.hpp"
-#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 #include "tests/app/ram_store.hpp"
 #include "tests/virtual_g431/board/analog.hpp"
 
@@ -22,13 +23,16 @@ namespace virtual_g431 {
 class Reference {
  public:
   using Sensor = hal::fake::Sensor<lifemodel::MotorCurrent>;
+  using Sensing = app::ExtendedSensing<Sensor, 1>;
   using Devices =
-      app::Devices<hal::fake::CanPort, Sensor, hal::fake::Clock, app::RamStore,
+      app::Devices<hal::fake::CanPort, Sensing::Sensor, hal::fake::Clock, app::RamStore,
                    hal::fake::DigitalOut, hal::fake::DigitalOut, hal::fake::DigitalOut,
                    hal::fake::DigitalIn, hal::fake::Watchdog, hal::fake::Entropy, hal::NoHold>;
 
   /// `rest` is what the amplifiers gave while the zeros were measured.
-  explicit Reference(const PhaseCounts& rest) {
+  explicit Reference(const PhaseCounts& rest,
+                     const lifemodel::ExtendedParameters& model = compiled_in())
+      : models_(starting(model)) {
     for (std::uint32_t i = 0; i < hal::stm32g4::PhaseCurrent::kRestSamples; ++i) {
       current_.take_rest(rest);
     }
@@ -51,9 +55,17 @@ class Reference {
   [[nodiscard]] lifemodel::Damage damage() const { return app_.lives().records()[0].epoch_damage; }
   [[nodiscard]] std::uint32_t damage_ppb() const { return damage().parts_per_billion(); }
 
+  /// What came with the firmware.
+  static lifemodel::ExtendedParameters compiled_in() {
+    return *lifemodel::decode_extended(std::as_bytes(std::span(tendonlife_parameter_block)));
+  }
+
  private:
-  static app::ParameterSet<1> parameters() {
-    return {*lifemodel::decode(std::as_bytes(std::span(tendonlife_parameter_block)))};
+  static app::StartingModels<1> starting(const lifemodel::ExtendedParameters& model) {
+    app::StartingModels<1> models;
+    models.models[0] = model;
+    models.states[0].source = app::ParameterSource::configured;
+    return models;
   }
 
   hal::fake::Clock clock_;
@@ -67,10 +79,13 @@ class Reference {
   hal::fake::Entropy entropy_{clock_, 1};
   hal::NoHold hold_;
   hal::stm32g4::PhaseCurrent current_;
-  app::App<1, Devices> app_{Devices{can_, sensor_, clock_, store_, drive_enable_, brake_, light_,
-                                    stop_, watchdog_, entropy_, hold_},
-                            {.node = 5},
-                            app::stored_parameters<1>(store_, parameters())};
+  app::StartingModels<1> models_;
+  Sensing sensing_{sensor_, models_.models};
+  app::App<1, Devices, Sensing::Layout> app_{
+      Devices{can_, sensing_.sensor(), clock_, store_, drive_enable_, brake_, light_, stop_,
+              watchdog_, entropy_, hold_},
+      {.node = 5},
+      models_};
 };
 
 }  // namespace virtual_g431

@@ -49,11 +49,32 @@ class Tester {
     const auto answer = link_.received();
     return {answer.begin(), answer.end()};
   }
+  /// Sends a request and does not wait for its answer.
+  void send(const Bytes& request) {
+    link_.clear();
+    seen_ = board_.can.heard.size();
+    (void)link_.send(request);
+    while (link_.sending()) {
+      if (const auto frame = link_.next_frame(now())) {
+        board_.can.send(*frame);
+      }
+      board_.run(kMillisecond / 10);
+      for (; seen_ < board_.can.heard.size(); ++seen_) {
+        link_.on_frame(board_.can.heard[seen_].frame, now());
+      }
+    }
+  }
   Bytes read(unsigned identifier) { return ask(bytes({0x22, identifier >> 8, identifier & 0xFF})); }
 
   /// RoutineControl with a fresh nonce; `flip` makes the code wrong.
-  Bytes start(std::uint16_t routine, const Bytes& arguments, const app::Key& key,
-              unsigned flip = 0) {
+  Bytes start(std::uint16_t routine, const Bytes& arguments, const app::Key& key, unsigned flip = 0,
+              const Bytes& transferred = {}) {
+    last_ = prove(routine, arguments, key, flip, transferred);
+    return last_.empty() ? Bytes{} : ask(last_);
+  }
+  /// Its request; empty where the board gives no nonce.
+  Bytes prove(std::uint16_t routine, const Bytes& arguments, const app::Key& key, unsigned flip,
+              const Bytes& transferred) {
     const Bytes nonce = read(0x0241);
     const Bytes counter = read(0x0240);
     if (nonce.size() != 19 || counter.size() != 7) {
@@ -61,8 +82,26 @@ class Tester {
     }
     std::copy(nonce.begin() + 3, nonce.end(), nonce_.begin());
     counter_ = lifemodel::ByteReader(std::span(counter).subspan(3)).u32();
-    last_ = proven(routine, arguments, key, flip);
-    return ask(last_);
+    return proven(routine, arguments, key, flip, transferred);
+  }
+  /// Transfers a block of tendon 0 in parts. False where one of them is not taken.
+  bool transfer(const Bytes& block) {
+    constexpr std::size_t kMost = 126;
+    const auto size = static_cast<unsigned>(block.size());
+    bool taken = ask(bytes({0x34, 0x00, 0x21, 0, size >> 8, size & 0xFF})) ==
+                 bytes({0x74, 0x20, 0x00, 0x80});
+    unsigned part = 0;
+    for (std::size_t at = 0; taken && at < block.size(); at += kMost) {
+      Bytes request = bytes({0x36, ++part});
+      const auto some = std::span(block).subspan(at, std::min(kMost, block.size() - at));
+      request.insert(request.end(), some.begin(), some.end());
+      taken = ask(request) == bytes({0x76, part});
+    }
+    return taken && ask(bytes({0x37})) == bytes({0x77});
+  }
+  /// The same, and has it loaded; the answer.
+  Bytes load(const Bytes& block, const app::Key& key) {
+    return transfer(block) ? start(0x0203, bytes({0}), key, 0, block) : Bytes{};
   }
   /// The request before once more, nonce and all.
   Bytes repeat() { return ask(last_); }
@@ -71,8 +110,9 @@ class Tester {
   [[nodiscard]] hal::Time now() const { return {board_.agenda.now() / kMicrosecond}; }
 
   [[nodiscard]] Bytes proven(std::uint16_t routine, const Bytes& arguments, const app::Key& key,
-                             unsigned flip) const {
-    auto proof = protocol::authority::mac(key, node_, {routine, arguments, counter_}, nonce_);
+                             unsigned flip, const Bytes& transferred) const {
+    auto proof =
+        protocol::authority::mac(key, node_, {routine, arguments, transferred, counter_}, nonce_);
     proof[0] ^= static_cast<std::byte>(flip);
     Bytes request = bytes({0x31, 0x01, unsigned{routine} >> 8, unsigned{routine} & 0xFF});
     request.insert(request.end(), arguments.begin(), arguments.end());

@@ -1,8 +1,9 @@
 #include "firmware/boards/b_g431b_esc1/application.hpp"
 
+#include <optional>
 #include <span>
 
-#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 
 namespace board {
 
@@ -14,9 +15,10 @@ namespace {
 #include "firmware/boards/b_g431b_esc1/parameter_block.inc"
 
 /// The block that came with the firmware.
-app::ParameterSet<kTendons> configured() {
-  const auto parameters = lifemodel::decode(std::as_bytes(std::span(tendonlife_parameter_block)));
-  return {parameters ? std::optional(*parameters) : std::nullopt};
+app::ConfiguredModels<kTendons> configured() {
+  const auto model =
+      lifemodel::decode_extended(std::as_bytes(std::span(tendonlife_parameter_block)));
+  return {model ? std::optional(*model) : std::nullopt};
 }
 
 }  // namespace

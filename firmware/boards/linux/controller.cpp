@@ -104,13 +104,13 @@ class Controller {
         lines_(setup.config.gpio),
         light_(setup.config.gpio, &GpioConfig::status_light),
         watchdog_(setup.config.gpio, manager_),
-        parameters_(app::stored_parameters<kTendons>(store_, nominal(setup.models))),
-        models_(app::extended_models<kTendons>(parameters_, configured(setup.models))),
-        sensing_(sensor, models_),
-        app_(devices(), setup.node, parameters_, sensing_.models()) {}
+        models_(starting(setup)),
+        sensing_(sensor, models_.models),
+        app_(devices(), setup.node, models_) {}
 
   /// Runs until `stop` is set or the profile is at its end.
   Report run(const std::atomic<bool>& stop) {
+    warn_of_parameters();
     interlock_.isr_apply(false);
     app_.start();
     if (setup_.virtual_clock) {
@@ -134,7 +134,6 @@ class Controller {
   using Lock = Interlock<SafetyLines, kPeriodsInTime>;
   using Store = storage::FileStore<kTendons>;
   using Sensing = SensingT<SensorT, kTendons>;
-  using Models = app::ExtendedModels<kTendons>;
   using Devices =
       app::Devices<BoardCan, typename Sensing::Sensor, BoardClock, Store, Lock::Drive, Lock::Brake,
                    OptionalOutput, Lock::Stop, Watchdog, hal::linux_os::KernelEntropy, SettleTurn>;
@@ -161,18 +160,23 @@ class Controller {
     }
   }
 
-  static app::ParameterSet<kTendons> nominal(
-      const std::vector<lifemodel::ExtendedParameters>& models) {
-    app::ParameterSet<kTendons> set;
-    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-      set[tendon] = models[tendon].nominal;
-    }
-    return set;
+  app::StartingModels<kTendons> starting(const Setup& setup) {
+    app::ConfiguredModels<kTendons> configured;
+    std::copy_n(setup.models.begin(), kTendons, configured.begin());
+    std::array<app::Evaluates, kTendons> evaluates;
+    std::copy_n(setup.evaluates.begin(), kTendons, evaluates.begin());
+    return app::starting_models<kTendons>(store_, configured, evaluates);
   }
-  static Models configured(const std::vector<lifemodel::ExtendedParameters>& given) {
-    Models models{};
-    std::copy_n(given.begin(), kTendons, models.begin());
-    return models;
+
+  void warn_of_parameters() const {
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      const app::ParameterState& state = models_.states[tendon];
+      if (state.refusal.fault != app::ParameterFault::none) {
+        std::cerr << "tendonlife_controller: WARNING: the parameters that were loaded for tendon "
+                  << tendon << " are refused: " << to_string(state.refusal.fault)
+                  << "; it counts with those of the configuration\n";
+      }
+    }
   }
 
   [[nodiscard]] bool at_end() const {
@@ -317,8 +321,7 @@ class Controller {
   hal::linux_os::KernelEntropy entropy_;
   SettleTurn turn_;
   hal::linux_os::Jitter jitter_;
-  app::ParameterSet<kTendons> parameters_;
-  Models models_;
+  app::StartingModels<kTendons> models_;
   Sensing sensing_;
   app::App<kTendons, Devices, typename Sensing::Layout> app_;
   std::atomic<std::uint64_t> periods_{0};
@@ -342,14 +345,10 @@ Report run_tendons(const Setup& setup, const std::atomic<bool>& stop) {
   const bool played = setup.config.sensor.kind == SensorKind::profile;
   switch (input_of(setup.config)) {
     case Input::motor_current:
-      if (!setup.extended()) {
-        return nominal(CurrentSensor(setup));
-      }
       return played ? extended(profile_sensor<lifemodel::extension::DriveSample>(setup))
                     : extended(DriveSensor(setup));
     case Input::input_tension:
-      return setup.extended() ? extended(profile_sensor<lifemodel::Tension>(setup))
-                              : nominal(profile_sensor<lifemodel::Tension>(setup));
+      return extended(profile_sensor<lifemodel::Tension>(setup));
     case Input::output_tension:
       break;
   }

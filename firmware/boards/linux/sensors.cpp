@@ -29,8 +29,7 @@ using lifemodel::extension::DriveSample;
 using lifemodel::extension::SheathSample;
 
 template <class SampleT>
-constexpr bool kIsDrive =
-    std::is_same_v<SampleT, MotorCurrent> || std::is_same_v<SampleT, DriveSample>;
+constexpr bool kIsDrive = std::is_same_v<SampleT, DriveSample>;
 template <class SampleT>
 constexpr InputKind kKind = kIsDrive<SampleT>                  ? InputKind::kMotorCurrent
                             : std::is_same_v<SampleT, Tension> ? InputKind::kInputTension
@@ -182,7 +181,6 @@ RecordedSamples<SampleT> read_samples(const fs::path& path,
   return recorded;
 }
 
-template RecordedSamples<MotorCurrent> read_samples(const fs::path&, const lifemodel::Parameters&);
 template RecordedSamples<Tension> read_samples(const fs::path&, const lifemodel::Parameters&);
 template RecordedSamples<app::OutputTension> read_samples(const fs::path&,
                                                           const lifemodel::Parameters&);
@@ -255,7 +253,7 @@ CurrentSensor::Source CurrentSensor::open(const Setup& setup) {
     case SensorKind::profile:
       break;
   }
-  return profile_sensor<Sample>(setup);
+  throw std::logic_error("a profile has no channels of IIO");
 }
 
 }  // namespace board

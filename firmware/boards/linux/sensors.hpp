@@ -98,7 +98,6 @@ class ProfileSensor {
   std::vector<std::size_t> next_;
   bool repeat_;
 };
-static_assert(hal::CurrentSensor<ProfileSensor<lifemodel::MotorCurrent>>);
 
 /// What the profiles of a configuration hold. Throws hal::files::InputError.
 hal::files::InputKind profile_kind(const Config& config);
@@ -123,31 +122,24 @@ ProfileSensor<SampleT> profile_sensor(const Setup& setup) {
   return {std::move(tendons), setup.config.sensor.at_end == AtEnd::repeat};
 }
 
-/// Motor current of whatever source the configuration names.
+/// Motor current of IIO.
 class CurrentSensor {
  public:
   using Sample = lifemodel::MotorCurrent;
 
-  /// Throws hal::linux_os::DeviceError or hal::files::InputError.
+  /// Throws hal::linux_os::DeviceError.
+  /// @pre the configuration has no profiles
   explicit CurrentSensor(const Setup& setup);
 
   hal::Result<Sample> isr_read(std::size_t tendon) {
-    if (auto* const profile = std::get_if<ProfileSensor<Sample>>(&source_)) {
-      return profile->isr_read(tendon);
-    }
     if (auto* const buffer = std::get_if<std::unique_ptr<hal::linux_os::IioBuffer>>(&source_)) {
       return (*buffer)->isr_read(tendon);
     }
     return std::get<hal::linux_os::IioSysfs>(source_).isr_read(tendon);
   }
-  [[nodiscard]] bool at_end() const {
-    const auto* const profile = std::get_if<ProfileSensor<Sample>>(&source_);
-    return profile != nullptr && profile->at_end();
-  }
 
  private:
-  using Source = std::variant<ProfileSensor<Sample>, hal::linux_os::IioSysfs,
-                              std::unique_ptr<hal::linux_os::IioBuffer>>;
+  using Source = std::variant<hal::linux_os::IioSysfs, std::unique_ptr<hal::linux_os::IioBuffer>>;
   static Source open(const Setup& setup);
 
   Source source_;

@@ -118,19 +118,31 @@ void check_drive(const Setup& setup) {
   }
 }
 
+/// An output tension keeps the Capstan law of one tendon where no model is extended, so nothing is
+/// extended later.
+void find_evaluated(Setup& setup) {
+  using lifemodel::extension::Input;
+  const Input input = input_of(setup.config);
+  for (const TendonConfig& tendon : setup.config.tendons) {
+    setup.evaluates.push_back({input != Input::output_tension || setup.extended(), input,
+                               measured_by(setup.config, tendon)});
+  }
+}
+
 void check_extensions(const Setup& setup) {
   if (!setup.extended()) {
     return;
   }
-  const auto input = input_of(setup.config);
   for (std::size_t i = 0; i < setup.models.size(); ++i) {
     const TendonConfig& tendon = setup.config.tendons[i];
-    const auto unmet = lifemodel::extension::unmet(setup.models[i].extension, input,
-                                                   measured_by(setup.config, tendon));
+    const app::Evaluates& evaluates = setup.evaluates[i];
+    const auto unmet =
+        lifemodel::extension::unmet(setup.models[i].extension, evaluates.input, evaluates.measured);
     if (unmet) {
       throw InputError(
           tendon.parameters.string(), 0, 0,
-          fmt::format("{} needs {}, which is not measured", unmet->effect, unmet->quantity),
+          fmt::format("{} needs {}, which is not measured", unmet->effect,
+                      to_string(unmet->covariate)),
           setup.config.sensor.kind == SensorKind::profile
               ? std::string(
                     "a profile with its column, or a block made with `host_sim pack --without`")
@@ -151,11 +163,12 @@ Setup read_setup(const Config& config, bool virtual_clock) {
   if (virtual_clock) {
     check_virtual(config);
   }
-  Setup setup{config, node_of(config), {}, virtual_clock};
+  Setup setup{config, node_of(config), {}, {}, virtual_clock};
   for (const TendonConfig& tendon : config.tendons) {
     setup.models.push_back(read_model(tendon.parameters, config.loop.period_us));
   }
   check_drive(setup);
+  find_evaluated(setup);
   check_extensions(setup);
   return setup;
 }

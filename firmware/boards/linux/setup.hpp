@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "firmware/app/config.hpp"
+#include "firmware/app/models.hpp"
 #include "firmware/boards/linux/config.hpp"
 #include "lifemodel/extension/extended_block.hpp"
 
@@ -24,6 +25,7 @@ struct Setup {
   Config config;
   app::Config node;
   std::vector<lifemodel::ExtendedParameters> models;  ///< one a tendon
+  std::vector<app::Evaluates> evaluates;              ///< of each tendon
   bool virtual_clock = false;
 
   /// Whether a model is extended; then those of all tendons are evaluated as extended ones.

@@ -21,8 +21,9 @@ using Mac = std::array<std::byte, kMacBytes>;
 /// What a client asks for under authority.
 struct Command {
   std::uint16_t routine = 0;
-  std::span<const std::byte> arguments;  ///< 0 .. 255 bytes
-  std::uint32_t storage_counter = 0;     ///< as the client read it
+  std::span<const std::byte> arguments;    ///< 0 .. 255 bytes
+  std::span<const std::byte> transferred;  ///< before, where the routine takes that
+  std::uint32_t storage_counter = 0;       ///< as the client read it
 };
 
 /// The code that proves a command: AES-CMAC, cut to its first 8 bytes, over
@@ -34,6 +35,7 @@ struct Command {
 ///   8 16  nonce, as the node issued it
 ///  24  4  storage counter, little-endian
 ///  28  .  arguments, as in the request
+///   .  .  what was transferred before, where the routine takes that
 constexpr Mac mac(const Key& key, Node node, const Command& command, const Nonce& nonce) {
   Cmac cmac(key);
   for (const char letter : {'T', 'L', 'A', '1'}) {
@@ -48,6 +50,7 @@ constexpr Mac mac(const Key& key, Node node, const Command& command, const Nonce
     cmac.add(static_cast<std::byte>(command.storage_counter >> shift));
   }
   cmac.add(command.arguments);
+  cmac.add(command.transferred);
   const Block whole = cmac.finish();
   Mac result{};
   std::copy_n(whole.begin(), result.size(), result.begin());

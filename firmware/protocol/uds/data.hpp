@@ -100,6 +100,31 @@ constexpr void write_log(Answer& out, const storage::LogEntry& entry) {
   out.u32(entry.detail);
 }
 
+/// What a tendon counts with, kParametersBytes; the numbers are those of the firmware:
+///
+///   0  1  source: 0 none, 1 the configuration, 2 loaded
+///   1  1  why others were refused last: 0 they were not, 1 torn, 2 the block does not hold, 3 nor
+///         its extension, 4 this board evaluates none, 5 an effect needs what is not measured
+///   2  1  that effect (lifemodel::extension::Effect; 0xff: the input itself)
+///   3  1  what it needs: 1 velocity, 2 angle of the rotor, 3 temperature of the sheath, 4 of the
+///         winding
+///   4  4  CRC-32 of the block that was refused; 0 where it is torn
+struct ParameterReport {
+  std::uint8_t source = 0;
+  std::uint8_t fault = 0;
+  std::uint8_t effect = 0;
+  std::uint8_t covariate = 0;
+  std::uint32_t refused_crc = 0;
+};
+
+constexpr void write_parameters(Answer& out, const ParameterReport& report) {
+  out.u8(report.source);
+  out.u8(report.fault);
+  out.u8(report.effect);
+  out.u8(report.covariate);
+  out.u32(report.refused_crc);
+}
+
 /// Numbers of the authority stop at 2^32 - 1.
 constexpr void count(std::uint32_t& number) {
   number = lifemodel::saturating_add(number, 1u);

@@ -62,7 +62,8 @@ class Journal {
     write(storage::Event::not_done, tendon, routine);
   }
 
-  void refused(storage::Event event, std::uint8_t tendon, std::uint16_t routine) {
+  /// `detail`: the routine, or the CRC of the parameters.
+  void refused(storage::Event event, std::uint8_t tendon, std::uint32_t detail) {
     if (is_judged(event)) {
       logged_ &= ~bit(storage::Event::locked_out);
     } else if ((logged_ & bit(event)) != 0) {
@@ -75,7 +76,7 @@ class Journal {
       return;
     }
     logged_ |= bit(event);
-    if (write(event, tendon, routine)) {
+    if (write(event, tendon, detail)) {
       ++refusals_;
       stands_for_all_ = past;
     }

@@ -21,7 +21,9 @@ enum class Nrc : std::uint8_t {
   invalid_key = 0x35,
   exceeded_attempts = 0x36,  ///< exceedNumberOfAttempts
   time_delay_not_expired = 0x37,
+  transfer_data_suspended = 0x71,
   programming_failure = 0x72,  ///< generalProgrammingFailure
+  wrong_block_sequence_counter = 0x73,
 };
 
 /// The line of the log for a verdict.

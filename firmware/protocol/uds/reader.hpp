@@ -15,8 +15,6 @@
 namespace protocol::uds {
 
 inline constexpr std::uint8_t kReadData = 0x22;
-/// Added to a service in its positive answer.
-inline constexpr std::uint8_t kPositive = 0x40;
 /// Identifiers in one request at most.
 inline constexpr std::size_t kMostIdentifiers = 8;
 
@@ -80,6 +78,9 @@ class Reader {
         return Nrc::none;
       case kConfiguration.first:
         answer.u32(device_.configuration(tendon));
+        return Nrc::none;
+      case kParameters.first:
+        write_parameters(answer, device_.parameters(tendon));
         return Nrc::none;
       case kStorageCounter.first:
         gate_.note_read(device_.storage_counter(), now);

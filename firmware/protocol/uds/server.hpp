@@ -15,6 +15,7 @@
 #include "firmware/protocol/uds/reader.hpp"
 #include "firmware/protocol/uds/starter.hpp"
 #include "firmware/protocol/uds/table.hpp"
+#include "firmware/protocol/uds/transfer.hpp"
 #include "hal/can_frame.hpp"
 #include "hal/clock.hpp"
 
@@ -27,14 +28,18 @@ inline constexpr std::size_t kNegativeBytes = 3;
 inline constexpr std::size_t kShortAnswerBytes = 4;
 
 /// A server of the Unified Diagnostic Services (ISO 14229-1) in its default session:
-/// ReadDataByIdentifier, RoutineControl (startRoutine) and TesterPresent. table.hpp has what can be
+/// ReadDataByIdentifier, RoutineControl (startRoutine), the transfer of a parameter block, and
+/// TesterPresent. table.hpp has what can be
 /// read and started, authority/ who may start it. Requests come to one node; the frame plan has no
 /// functional address.
 template <Device DeviceT>
 class Server {
  public:
   Server(DeviceT& device, Node node, const authority::Key& key)
-      : gate_(node, key), reader_(device, gate_), starter_(device, gate_) {}
+      : gate_(node, key),
+        reader_(device, gate_),
+        starter_(device, gate_, transfer_),
+        device_(device) {}
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
@@ -66,6 +71,13 @@ class Server {
         return reader_.handle(request, now, counts(), answer);
       case kRoutineControl:
         return starter_.handle(request, now, answer);
+      case kRequestDownload:
+        return gate_.enabled() ? transfer_.request(request, device_.tendons(), answer)
+                               : Nrc::security_access_denied;
+      case kTransferData:
+        return transfer_.take(request, answer);
+      case kTransferExit:
+        return transfer_.exit(request, answer);
       case kTesterPresent:
         return tester_present(request, answer);
       default:
@@ -99,8 +111,10 @@ class Server {
   }
 
   authority::Gate gate_;
+  Transfer transfer_;
   Reader<DeviceT> reader_;
   Starter<DeviceT> starter_;
+  DeviceT& device_;
 };
 
 /// The server of a node on the bus.

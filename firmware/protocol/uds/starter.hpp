@@ -12,11 +12,13 @@
 #include "firmware/protocol/uds/nrc.hpp"
 #include "firmware/protocol/uds/reader.hpp"
 #include "firmware/protocol/uds/table.hpp"
+#include "firmware/protocol/uds/transfer.hpp"
 #include "firmware/storage/store.hpp"
 #include "hal/clock.hpp"
 #include "hal/error.hpp"
-#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 #include "lifemodel/support/bytes.hpp"
+#include "lifemodel/support/inlining.hpp"
 
 namespace protocol::uds {
 
@@ -27,12 +29,14 @@ inline constexpr std::uint8_t kSuppress = 0x80;
 /// RoutineControl, startRoutine (ISO 14229-1, 14.2), in its order of checks. Nothing changes unless
 /// the command is proven, its content holds and its line is in the log.
 ///
-///   0x31  unknown routine, no such tendon, or a parameter block that does not hold
+///   0x31  unknown routine, no such tendon, or a parameter block that does not hold or that the
+///   node
+///         cannot evaluate: the data identifier kParameters says why
 ///   0x33  this node has no key
 ///   0x12  not startRoutine
 ///   0x13  wrong length
 ///   0x37  locked out
-///   0x24  the nonce was used or has expired
+///   0x24  the nonce was used or has expired; nothing whole was transferred
 ///   0x35  wrong code
 ///   0x22  the storage counter is another, which is no failure, or the log is full
 ///   0x36  in place of 0x24 and 0x35, where the failure begins a lock
@@ -40,7 +44,8 @@ inline constexpr std::uint8_t kSuppress = 0x80;
 template <Device DeviceT>
 class Starter {
  public:
-  Starter(DeviceT& device, authority::Gate& gate) : device_(device), gate_(gate), log_(device) {}
+  Starter(DeviceT& device, authority::Gate& gate, Transfer& transfer)
+      : device_(device), gate_(gate), transfer_(transfer), log_(device) {}
 
   void start(hal::Time now) { gate_.resume(log_.start(), now); }
 
@@ -63,6 +68,7 @@ class Starter {
     const authority::Verdict verdict =
         gate_.check({.routine = target.routine,
                      .arguments = arguments,
+                     .transferred = transferred(target),
                      .storage_counter = lifemodel::ByteReader(proof).u32()},
                     proof.last(authority::kMacBytes), device_.storage_counter(), now);
     if (verdict != authority::Verdict::granted) {
@@ -112,6 +118,9 @@ class Starter {
       return refuse(Nrc::request_out_of_range, storage::Event::rejected, target);
     }
     target.tendon = tendon;
+    if (target.routine == kLoadTransferred.routine && transferred(target).empty()) {
+      return refuse(Nrc::request_sequence_error, storage::Event::rejected, target);
+    }
     return Nrc::none;
   }
 
@@ -120,16 +129,40 @@ class Starter {
       return under_log(storage::Event::epoch_opened, target, device_.configuration(target.tendon),
                        [&] { return device_.open_epoch(target.tendon); });
     }
-    const auto sent = arguments.subspan(1);
-    const auto parameters = lifemodel::decode(sent);
-    if (!parameters) {
-      return refuse(Nrc::request_out_of_range, storage::Event::rejected, target);
+    const bool by_transfer = target.routine == kLoadTransferred.routine;
+    const Nrc done = load(target, by_transfer ? transferred(target) : arguments.subspan(1));
+    if (by_transfer) {
+      transfer_.clear();
     }
-    lifemodel::ParameterBlock block{};
-    std::copy_n(sent.begin(), block.size(), block.begin());
-    return under_log(storage::Event::parameters_loaded, target,
-                     lifemodel::ByteReader(sent.last(4)).u32(),
-                     [&] { return device_.load_parameters(target.tendon, block, *parameters); });
+    return done;
+  }
+
+  /// What was transferred for a routine that takes it.
+  [[nodiscard]] std::span<const std::byte> transferred(const Target& target) const {
+    return target.routine == kLoadTransferred.routine ? transfer_.block(target.tendon)
+                                                      : std::span<const std::byte>{};
+  }
+
+  Nrc load(const Target& target, std::span<const std::byte> bytes) {
+    const std::uint32_t crc = lifemodel::ByteReader(bytes.last(4)).u32();
+    if (!holds(target, bytes, crc)) {
+      return refuse(Nrc::request_out_of_range, storage::Event::parameters_refused, target, crc);
+    }
+    return under_log(storage::Event::parameters_loaded, target, crc, [&] {
+      return device_.load_parameters(target.tendon, lifemodel::ExtendedBlock(bytes));
+    });
+  }
+
+  /// Whether the node can count with a block.
+  LIFEMODEL_ONE_COPY bool holds(const Target& target, std::span<const std::byte> bytes,
+                                std::uint32_t crc) {
+    lifemodel::ExtendedParameters model{};
+    const auto error = lifemodel::read_extended(bytes, model);
+    if (error.refuses()) {
+      device_.refuse_parameters(target.tendon, error, crc);
+      return false;
+    }
+    return device_.accepts(target.tendon, model, crc);
   }
 
   /// Does it once its line is in the log.
@@ -151,13 +184,17 @@ class Starter {
   }
 
   Nrc refuse(Nrc nrc, storage::Event event, const Target& target) {
+    return refuse(nrc, event, target, target.routine);
+  }
+  Nrc refuse(Nrc nrc, storage::Event event, const Target& target, std::uint32_t detail) {
     count(refused_);
-    log_.refused(event, target.tendon, target.routine);
+    log_.refused(event, target.tendon, detail);
     return nrc;
   }
 
   DeviceT& device_;
   authority::Gate& gate_;
+  Transfer& transfer_;
   Journal<DeviceT> log_;
   std::uint32_t granted_ = 0;
   std::uint32_t refused_ = 0;

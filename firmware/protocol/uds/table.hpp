@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "firmware/protocol/authority/gate.hpp"
-#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 
 namespace protocol::uds {
 
@@ -18,6 +18,7 @@ namespace protocol::uds {
 /// |---|---|---|
 /// | 0x0200 + t | 61 | life record of tendon t: see LifeRecordData |
 /// | 0x0220 + t | 4 | CRC-32 of the parameter block of tendon t; 0 without one |
+/// | 0x0260 + t | 8 | which parameters tendon t counts with: see write_parameters() |
 /// | 0x0240 | 4 | storage counter |
 /// | 0x0241 | 16 | a fresh nonce; reading it closes the one before |
 /// | 0x0242 | 18 | authority: see AuthorityData |
@@ -37,11 +38,14 @@ inline constexpr std::uint8_t kMostTendons = 32;
 inline constexpr std::size_t kLifeBytes = 61;
 inline constexpr std::size_t kAuthorityBytes = 18;
 inline constexpr std::size_t kLogBytes = 16;
+inline constexpr std::size_t kParametersBytes = 8;
 
 inline constexpr DataRow kLife{0x0200, 0x0200 + kMostTendons - 1, kLifeBytes,
                                "life record of a tendon"};
 inline constexpr DataRow kConfiguration{0x0220, 0x0220 + kMostTendons - 1, 4,
                                         "CRC-32 of the parameter block of a tendon"};
+inline constexpr DataRow kParameters{0x0260, 0x0260 + kMostTendons - 1, kParametersBytes,
+                                     "parameters that a tendon counts with, or why it does not"};
 inline constexpr DataRow kStorageCounter{0x0240, 0x0240, 4, "storage counter"};
 inline constexpr DataRow kNonce{0x0241, 0x0241, 16, "a fresh nonce, good for one command in 5 s"};
 inline constexpr DataRow kAuthority{0x0242, 0x0242, kAuthorityBytes, "state of the authority"};
@@ -50,8 +54,9 @@ inline constexpr DataRow kSerial{0xf18c, 0xf18c, 12, "serial number of the contr
 inline constexpr DataRow kVersion{0xf195, 0xf195, 2, "versions of frame plan and firmware"};
 
 // With a deduced type GCC 12 would put it into RAM.
-inline constexpr std::array<DataRow, 8> kDataTable{
-    kLife, kConfiguration, kStorageCounter, kNonce, kAuthority, kLog, kSerial, kVersion};
+inline constexpr std::array<DataRow, 9> kDataTable{
+    kLife,      kConfiguration, kParameters, kStorageCounter, kNonce,
+    kAuthority, kLog,           kSerial,     kVersion};
 
 /// Routines that are started under authority:
 ///
@@ -62,7 +67,8 @@ inline constexpr std::array<DataRow, 8> kDataTable{
 /// | routine | bytes | arguments |
 /// |---|---|---|
 /// | 0x0201 | 1 | tendon: a new wire was put in, its epoch begins |
-/// | 0x0202 | 85 | tendon, parameter block |
+/// | 0x0202 | 85 | tendon, parameter block without an extension |
+/// | 0x0203 | 1 | tendon: the parameter block that was transferred before, see Transfer |
 ///
 /// The answer is 71 01 and the routine.
 struct RoutineRow {
@@ -74,9 +80,14 @@ struct RoutineRow {
 inline constexpr RoutineRow kOpenEpoch{0x0201, 1, "open a new epoch of a tendon"};
 inline constexpr RoutineRow kLoadParameters{0x0202, 1 + lifemodel::kBlockBytes,
                                             "load the parameter block of a tendon"};
+inline constexpr RoutineRow kLoadTransferred{0x0203, 1,
+                                             "load the parameter block that was transferred"};
 
-inline constexpr std::array<RoutineRow, 2> kRoutineTable{kOpenEpoch, kLoadParameters};
+inline constexpr std::array<RoutineRow, 3> kRoutineTable{kOpenEpoch, kLoadParameters,
+                                                         kLoadTransferred};
 
+/// Added to a service in its positive answer.
+inline constexpr std::uint8_t kPositive = 0x40;
 /// The sub-function that starts a routine.
 inline constexpr std::uint8_t kStartRoutine = 0x01;
 /// Before the arguments: service, sub-function, routine.
@@ -150,6 +161,9 @@ constexpr void describe(Out&& out) {
     out(row.name);
     out(" |\n");
   }
+  out("| 0x34, 0x36, 0x37 | | ");
+  detail::number(out, lifemodel::kMostExtendedBytes);
+  out(" at most | transfer a parameter block in parts |\n");
 }
 
 }  // namespace protocol::uds

@@ -60,7 +60,7 @@ class Scenario {
   /// The application starts anew, as after a power cut.
   void restart() {
     rig.start();
-    beside_.emplace(std::array{*rig.parameters[0]});
+    beside_.emplace(std::array{rig.models[0]->nominal});
     missing_left_ = 0;
   }
 

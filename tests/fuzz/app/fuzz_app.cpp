@@ -67,7 +67,8 @@ class Node {
         beside_({parameters_}),
         app_({can_, sensor_, clock_, store_, drive_enable_, brake_, light_, stop_, watchdog_,
               entropy_, hold_},
-             config(), {parameters_}) {
+             config(),
+             starting_models<1>(store_, {lifemodel::ExtendedParameters{parameters_, {}}})) {
     app_.start();
     configuration_ = app_.lives().records()[0].configuration;
   }

@@ -77,8 +77,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   const auto rest = std::as_bytes(std::span(data + 2, size - 2));
-  const std::size_t first = std::min<std::size_t>(data[0] * 2u, rest.size());
-  const std::size_t second = std::min<std::size_t>(data[1] * 2u, rest.size() - first);
+  const std::size_t first = std::min<std::size_t>(data[0] * 12u, rest.size());
+  const std::size_t second = std::min<std::size_t>(data[1] * 12u, rest.size() - first);
   for (const bool with_crc : {false, true}) {
     MemoryFiles files("/store");
     const auto newest = rest.first(first);

@@ -13,7 +13,7 @@ namespace {
 
 using Flash = hal::fake::Flash<8, 640, 8>;
 constexpr std::size_t kTendons = 2;
-constexpr storage::FlashLayout kLayout{{0, 4}, {4, 2}, {6, 2}};
+constexpr storage::FlashLayout kLayout{{0, 4}, {4, 2}, {6, 2}, lifemodel::kBlockBytes};
 using Store = storage::FlashStore<Flash, kTendons, kLayout>;
 
 /// Whether the flash holds these bytes at the start of a slot of a page.

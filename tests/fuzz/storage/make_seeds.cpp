@@ -16,7 +16,7 @@ namespace {
 
 using namespace storage_test;
 using Flash = hal::fake::Flash<8, 640, 8>;
-constexpr storage::FlashLayout kLayout{{0, 4}, {4, 2}, {6, 2}};
+constexpr storage::FlashLayout kLayout{{0, 4}, {4, 2}, {6, 2}, lifemodel::kBlockBytes};
 using FileStore = storage::FileStore<2, MemoryCalls>;
 
 void write(const std::filesystem::path& path, std::span<const std::byte> bytes) {
@@ -53,7 +53,7 @@ void files(const std::filesystem::path& path, std::uint32_t steps) {
   std::vector<std::byte> seed(2);
   for (const char* name : {"life", "life.previous"}) {
     const auto& content = memory.content(name);
-    seed[name == std::string("life") ? 0 : 1] = static_cast<std::byte>(content.size() / 2);
+    seed[name == std::string("life") ? 0 : 1] = static_cast<std::byte>(content.size() / 12);
     seed.insert(seed.end(), content.begin(), content.end());
   }
   const auto& log = memory.content("authority.log");

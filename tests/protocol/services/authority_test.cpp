@@ -84,7 +84,7 @@ TEST_F(AuthorityTest, LoadsAParameterBlock) {
   const Bytes block = paper_block();
   const Order order = load_order(block);
   EXPECT_EQ(ask(start_request(order)), hex("71 01 02 02"));
-  EXPECT_EQ(to_bytes(device_.life.blocks[1]), block);
+  EXPECT_EQ(to_bytes(device_.life.blocks[1].bytes()), block);
   EXPECT_EQ(device_.last_sample_period_us, 1000u);
   ASSERT_EQ(device_.lines.size(), 1u);
   EXPECT_EQ(device_.lines[0].event, Event::parameters_loaded);
@@ -217,7 +217,7 @@ TEST_F(AuthorityTest, AWrongLength) {
 }
 
 TEST_F(AuthorityTest, AnUnknownRoutine) {
-  for (const unsigned routine : {0x0000u, 0x0200u, 0x0203u, 0x0301u, 0xffffu}) {
+  for (const unsigned routine : {0x0000u, 0x0200u, 0x0204u, 0x0301u, 0xffffu}) {
     restart();
     Order order = fresh_order();
     order.routine = static_cast<std::uint16_t>(routine);
@@ -245,7 +245,11 @@ TEST_F(AuthorityTest, ATendonThatIsNotThere) {
 TEST_F(AuthorityTest, AParameterBlockThatDoesNotHold) {
   Bytes block = paper_block();
   block[20] ^= std::byte{1};
-  expect_refused(start_request(load_order(block)), "7f 31 31", Event::rejected, 0x0202);
+  expect_refused(start_request(load_order(block)), "7f 31 31", Event::parameters_refused,
+                 lifemodel::ByteReader(std::span(block).last(4)).u32());
+  // The block does not hold.
+  EXPECT_EQ(ask(hex("22 02 61")),
+            hex("62 02 61 01 02 00 00") + Bytes(block.end() - 4, block.end()));
   EXPECT_EQ(server_->gate().failures(), 0u);
 }
 

@@ -40,6 +40,7 @@ TEST(CommandCode, CoversEverything) {
   EXPECT_NE(changed([](Command& c) { c.routine = 0x0301; }), code);
   EXPECT_NE(changed([&](Command& c) { c.arguments = other; }), code);
   EXPECT_NE(changed([&](Command& c) { c.arguments = longer; }), code);
+  EXPECT_NE(changed([&](Command& c) { c.transferred = one; }), code);
   EXPECT_NE(changed([](Command& c) { c.storage_counter = 0x01000001; }), code);
   EXPECT_NE(mac(kKey, 6, command, kNonce), code);
   Nonce nonce = kNonce;

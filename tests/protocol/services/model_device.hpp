@@ -14,7 +14,7 @@ namespace protocol::testing {
 /// What a command under authority may change.
 struct ModelLife {
   std::vector<storage::LifeRecord> records;
-  std::vector<lifemodel::ParameterBlock> blocks;
+  std::vector<lifemodel::ExtendedBlock> blocks;
   std::uint32_t counter = 41;
 
   friend bool operator==(const ModelLife&, const ModelLife&) = default;
@@ -37,6 +37,7 @@ class ModelDevice {
       record.configuration = 0xc0ffee00u + i;
       life.records.push_back(record);
       life.blocks.push_back({});
+      reports.push_back({.source = 1});
     }
   }
 
@@ -96,21 +97,39 @@ class ModelDevice {
     ++life.counter;
     return hal::Error::none;
   }
-  hal::Error load_parameters(std::uint8_t tendon, const lifemodel::ParameterBlock& block,
-                             const lifemodel::Parameters& parameters) {
+  protocol::uds::ParameterReport parameters(std::uint8_t tendon) { return reports.at(tendon); }
+  bool accepts(std::uint8_t tendon, const lifemodel::ExtendedParameters& model, std::uint32_t crc) {
+    last_sample_period_us = model.nominal.sample_period_us;
+    if (refused_effects & model.extension.effects) {
+      reports.at(tendon) = {
+          .source = 1, .fault = 5, .effect = 11, .covariate = 4, .refused_crc = crc};
+      return false;
+    }
+    reports.at(tendon) = {.source = 1};
+    return true;
+  }
+  void refuse_parameters(std::uint8_t tendon, const lifemodel::ExtendedBlockError& error,
+                         std::uint32_t crc) {
+    reports.at(tendon) = {.source = 1,
+                          .fault = static_cast<std::uint8_t>(
+                              error.extension != lifemodel::ExtensionError::none ? 3 : 2),
+                          .refused_crc = crc};
+  }
+  hal::Error load_parameters(std::uint8_t tendon, const lifemodel::ExtendedBlock& block) {
     lines_at_deed = lines.size();
     if (deed_fault != hal::Error::none) {
       return deed_fault;
     }
     life.blocks.at(tendon) = block;
-    life.records.at(tendon).configuration = lifemodel::ByteReader(std::span(block).last(4)).u32();
-    last_sample_period_us = parameters.sample_period_us;
+    life.records.at(tendon).configuration = block.crc();
     ++life.counter;
     return hal::Error::none;
   }
 
   ModelLife life;
   std::vector<storage::LogEntry> lines;
+  std::vector<protocol::uds::ParameterReport> reports;
+  std::uint32_t refused_effects = 0;  ///< a bit each, of effects that it cannot evaluate
   std::size_t log_capacity = 1000;
   std::size_t lines_at_deed = 0;
   std::uint32_t last_sample_period_us = 0;

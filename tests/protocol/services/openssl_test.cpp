@@ -109,5 +109,25 @@ TEST(AgainstOpenssl, CommandsWithLongArguments) {
   }
 }
 
+TEST(AgainstOpenssl, CommandsWithWhatWasTransferred) {
+  Random random(4);
+  for (int i = 0; i < 100; ++i) {
+    const Key key = random.block();
+    const Nonce nonce = random.block();
+    const Bytes arguments = random.bytes(1);
+    const Bytes transferred = random.bytes(84 + 4 * static_cast<std::size_t>(i));
+    const Mac code = mac(key, 5,
+                         {.routine = 0x0203,
+                          .arguments = arguments,
+                          .transferred = transferred,
+                          .storage_counter = 0x89abcdef},
+                         nonce);
+    const Bytes message = testing::hex("544c4131 05 0203 01") + testing::to_bytes(nonce) +
+                          testing::hex("efcdab89") + arguments + transferred;
+    const Block whole = openssl_cmac(key, message);
+    ASSERT_TRUE(std::equal(code.begin(), code.end(), whole.begin())) << i;
+  }
+}
+
 }  // namespace
 }  // namespace protocol::authority

@@ -15,6 +15,7 @@ inline constexpr Node kNode = 5;
 struct Order {
   std::uint16_t routine = 0x0201;
   Bytes arguments = hex("00");
+  Bytes transferred;
   std::uint32_t counter = 0;
   authority::Nonce nonce{};
   Node node = kNode;
@@ -30,10 +31,12 @@ inline Bytes little_endian(std::uint32_t value) {
 }
 
 inline authority::Mac code_of(const Order& order) {
-  return authority::mac(
-      order.key, order.node,
-      {.routine = order.routine, .arguments = order.arguments, .storage_counter = order.counter},
-      order.nonce);
+  return authority::mac(order.key, order.node,
+                        {.routine = order.routine,
+                         .arguments = order.arguments,
+                         .transferred = order.transferred,
+                         .storage_counter = order.counter},
+                        order.nonce);
 }
 
 /// The request that starts a routine.

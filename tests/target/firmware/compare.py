@@ -75,11 +75,13 @@ def check_commands(lines, serial, summary):
 
 def check_epoch(lines, serial, summary):
     answers = [line[10:] for line in lines if line.startswith(f"T18DAF1{NODE:02X}")]
-    expected = ["037F1911",    # a service that there is not
-                "037F3135",    # a wrong code
-                "0471010201",  # epoch opened
-                "0471010202",  # parameters loaded
-                "037F3131"]    # a tendon that there is not
+    expected = ["037F1911",          # a service that there is not
+                "037F3135",          # a wrong code
+                "0471010201",        # epoch opened
+                "0471010202",        # parameters loaded
+                "037F3131",          # an effect that cannot be evaluated, a tendon that there is not
+                "100B620260010" "50B",  # effect 11 of tendon 0, and behind it
+                "0471010203"]        # the extended model loaded
     for text in expected:
         require(text in answers, f"epoch: no answer {text}")
     require("tendon 0 epoch 1" in summary and "tendon 1 epoch 0" in summary, "epoch: not opened")
@@ -87,6 +89,8 @@ def check_epoch(lines, serial, summary):
 
 def check_restart(lines, serial, summary):
     require("tendon 0 epoch 1" in summary, "restart: the epoch is forgotten")
+    answers = [line[10:] for line in lines if line.startswith(f"T18DAF1{NODE:02X}")]
+    require("100B620261020000" in answers, "restart: tendon 1 does not count with what was loaded")
 
 
 CHECKS = {"gaps": check_gaps, "overload": check_overload, "commands": check_commands,

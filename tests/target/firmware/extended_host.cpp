@@ -13,7 +13,8 @@
 #include <span>
 #include <string_view>
 
-#include "firmware/boards/qemu_mps2/extended/run.hpp"
+#include "firmware/boards/qemu_mps2/extended/swinging_drive.hpp"
+#include "firmware/boards/qemu_mps2/image/virtual_run.hpp"
 #include "tests/target/firmware/host_files.hpp"
 #include "tests/target/model/paper_model.hpp"
 #include "tests/target/signals.hpp"
@@ -66,7 +67,8 @@ int play(std::span<char*> words) {
   }
   firmware_test::SerialFile serial(words[1]);
   const board::Failure failure =
-      board::run_extended<firmware_test::HostFile>(reader.options(), serial);
+      board::run_in_virtual_time<firmware_test::HostFile, board::SwingingDrive>(reader.options(),
+                                                                                serial);
   if (failure) {
     std::cerr << "extended_host: " << failure.what << "\n";
   }

@@ -88,7 +88,7 @@ int run(const board::Options& options) {
   settings.config = options.config;
   settings.seed = options.seed;
   if (!events.is_open() || profile.open() != nullptr ||
-      board::read_block<board::HostFile>(options, settings.parameters)) {
+      board::read_block<board::HostFile>(options, settings.models)) {
     return 1;
   }
   NullLine line;

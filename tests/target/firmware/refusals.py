@@ -61,7 +61,8 @@ with tempfile.TemporaryDirectory() as folder_name:
         expect(BAD_INPUT, "accepted: 10 .. 1000 us", profile=file("p", header(period_us=period_us)))
 
     expect(BAD_INPUT, "block: cannot be opened", profile=good, block=folder / "missing")
-    expect(BAD_INPUT, "block: wrong size", profile=good, block=file("b", block + b"x"))
+    expect(BAD_INPUT, "block: wrong size", profile=good, block=file("b", block[:-1]))
+    expect(BAD_INPUT, "block: extension damaged", profile=good, block=file("b", block + b"x"))
     expect(BAD_INPUT, "block: damaged", profile=good, block=file("b", block[:20] + b"x" + block[21:]))
     expect(BAD_INPUT, "events: cannot be opened", profile=good, events=folder / "missing")
     expect(BAD_INPUT, "unknown kind", profile=good, events=file("e", event(5, 6, b"")))

@@ -22,8 +22,10 @@
 #include "firmware/protocol/isotp/link.hpp"
 #include "hal/qemu_mps2/virtual_devices.hpp"
 #include "hal/slcan/line.hpp"
+#include "lifemodel/extension/extended_block.hpp"
 #include "lifemodel/support/bytes.hpp"
 #include "tests/target/model/block.hpp"
+#include "tests/target/model/paper_model.hpp"
 #include "tests/target/signals.hpp"
 
 namespace firmware_test {
@@ -54,10 +56,26 @@ class Tester {
     ask([request](const Tester&) { return request; });
   }
   /// Starts a routine with a fresh nonce. `flip` is laid over the first byte of the proof.
-  void ask_with_authority(std::uint16_t routine, const Bytes& arguments, unsigned flip = 0) {
+  void ask_with_authority(std::uint16_t routine, const Bytes& arguments, unsigned flip = 0,
+                          const Bytes& transferred = {}) {
     ask(bytes({0x22, 0x02, 0x41}));
     ask(bytes({0x22, 0x02, 0x40}));
-    ask([=](const Tester& self) { return self.authorised(routine, arguments, flip); });
+    ask([=](const Tester& self) { return self.authorised(routine, arguments, flip, transferred); });
+  }
+  /// Transfers a block in parts, and has it loaded.
+  void load(std::uint8_t tendon, const Bytes& block) {
+    constexpr std::size_t kMost = 126;
+    const auto size = static_cast<unsigned>(block.size());
+    ask(bytes({0x34, 0x00, 0x21, tendon, size >> 8, size & 0xff}));
+    unsigned part = 0;
+    for (std::size_t at = 0; at < block.size(); at += kMost) {
+      Bytes request = bytes({0x36, ++part});
+      const auto some = std::span(block).subspan(at, std::min(kMost, block.size() - at));
+      request.insert(request.end(), some.begin(), some.end());
+      ask(request);
+    }
+    ask(bytes({0x37}));
+    ask_with_authority(0x0203, bytes({tendon}), 0, block);
   }
   /// A command frame as the node accepts it.
   std::string command(const protocol::Command& command) {
@@ -118,9 +136,10 @@ class Tester {
     }
   }
 
-  [[nodiscard]] Bytes authorised(std::uint16_t routine, const Bytes& arguments,
-                                 unsigned flip) const {
-    auto proof = protocol::authority::mac(key_, node_, {routine, arguments, counter_}, nonce_);
+  [[nodiscard]] Bytes authorised(std::uint16_t routine, const Bytes& arguments, unsigned flip,
+                                 const Bytes& transferred) const {
+    auto proof =
+        protocol::authority::mac(key_, node_, {routine, arguments, transferred, counter_}, nonce_);
     proof[0] ^= static_cast<std::byte>(flip);
     const unsigned number = routine;
     const Bytes head = bytes({0x31, 0x01, number >> 8, number & 0xff});
@@ -275,7 +294,28 @@ inline Scenario commands_scenario() {
        types(8'300, "T18DA05F1823E8000000000000\r"), commands(9'000, CommandCode::burst, 255)}};
 }
 
-/// Opens an epoch and loads parameters under authority, with refusals in between.
+/// An extended model, as a block.
+inline Bytes block_of(const lifemodel::ExtendedParameters& model) {
+  const lifemodel::ExtendedBlock block(model);
+  return {block.bytes().begin(), block.bytes().end()};
+}
+
+/// All of the extended model of the paper that needs nothing but the motor current, and a
+/// correction.
+inline lifemodel::ExtendedParameters model_of_current() {
+  using lifemodel::extension::Effect;
+  lifemodel::ExtendedParameters model = target::extended_paper_model();
+  model.extension.effects = 0;
+  for (const Effect effect :
+       {Effect::current_offset, Effect::input_lag, Effect::mean_stress, Effect::bending_fatigue,
+        Effect::endurance_limit, Effect::empirical}) {
+    model.extension.add(effect);
+  }
+  return model;
+}
+
+/// Opens an epoch and loads parameters under authority, an extended model among them, with refusals
+/// in between: one needs the temperature of the winding.
 inline Scenario epoch_scenario() {
   return {"epoch",
           1'000,
@@ -305,6 +345,15 @@ inline Scenario epoch_scenario() {
                   tester.ask(bytes({0x22, 0x10, 0x00}));
                   tester.ask(bytes({0x22, 0x02, 0x42}));
                 }),
+           asks(18'000,
+                [](Tester& tester) {
+                  lifemodel::ExtendedParameters warm = model_of_current();
+                  warm.extension.effects = 0;
+                  warm.extension.add(lifemodel::extension::Effect::torque_gain);
+                  tester.load(0, block_of(warm));
+                  tester.ask(bytes({0x22, 0x02, 0x60}));
+                  tester.load(1, block_of(model_of_current()));
+                }),
            asks(32'000, [](Tester& tester) { tester.ask_with_authority(0x0201, bytes({7})); })}};
 }
 
@@ -318,6 +367,7 @@ inline Scenario restart_scenario() {
           },
           {asks(1'000, [](Tester& tester) {
             tester.ask(bytes({0x22, 0x02, 0x00}));
+            tester.ask(bytes({0x22, 0x02, 0x61}));
           })}};
 }
 

@@ -1,7 +1,8 @@
 // The firmware with an extended model on the board of QEMU, in virtual time. It takes the words of
-// image/options.hpp but events, real_time and seconds.
+// image/options.hpp but real_time and seconds.
 
-#include "firmware/boards/qemu_mps2/extended/run.hpp"
+#include "firmware/boards/qemu_mps2/extended/swinging_drive.hpp"
+#include "firmware/boards/qemu_mps2/image/virtual_run.hpp"
 #include "firmware/boards/qemu_mps2/registers.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
 
@@ -39,7 +40,9 @@ int main() {
     complain("UART 0", "does not start");
     return kBadInput;
   }
-  if (const board::Failure failure = board::run_extended<board::HostFile>(reader.options(), uart)) {
+  if (const board::Failure failure =
+          board::run_in_virtual_time<board::HostFile, board::SwingingDrive>(reader.options(),
+                                                                            uart)) {
     complain(failure.about, failure.what);
     return kBadInput;
   }

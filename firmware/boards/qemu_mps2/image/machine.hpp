@@ -8,11 +8,14 @@
 #include <utility>
 
 #include "firmware/app/app.hpp"
+#include "firmware/app/models.hpp"
+#include "firmware/app/sensing.hpp"
 #include "firmware/boards/qemu_mps2/image/recording.hpp"
 #include "firmware/storage/flash_store.hpp"
 #include "hal/qemu_mps2/memory_flash.hpp"
 #include "hal/qemu_mps2/virtual_devices.hpp"
 #include "hal/slcan/port.hpp"
+#include "lifemodel/extension/needs.hpp"
 
 namespace firmware::qemu_mps2 {
 
@@ -29,9 +32,14 @@ inline constexpr std::uint32_t kFlashBytes = kFlashPages * 2'048;
 
 struct Settings {
   app::Config config;
-  app::ParameterSet<kTendons> parameters;  ///< where the store has none
+  app::ConfiguredModels<kTendons> models;  ///< where the store has none
   std::uint32_t seed = 1;                  ///< of the entropy
   hal::slcan::Channel channel = hal::slcan::Channel::closed;
+};
+
+/// Motor currents, and nothing besides.
+struct PlayedCurrent : hal::qemu_mps2::PlayedSensor<kTendons> {
+  static constexpr lifemodel::extension::Measured kMeasured{};
 };
 
 /// The devices of a machine around whatever sensor it has. The same on the board and, with other
@@ -75,22 +83,36 @@ class MachineDevices {
   }
 };
 
-/// The application on its devices.
+/// The application on its devices, which evaluates the extensions that its sensor allows.
 template <hal::ByteStream Stream, hal::Clock Clock, hal::qemu_mps2::Backing Backing,
-          hal::Hold Hold = hal::NoHold>
-class Machine : public MachineDevices<Stream, Backing, hal::qemu_mps2::PlayedSensor<kTendons>> {
-  using Base = MachineDevices<Stream, Backing, hal::qemu_mps2::PlayedSensor<kTendons>>;
+          hal::Hold Hold = hal::NoHold, class SensorT = PlayedCurrent>
+class Machine : public MachineDevices<Stream, Backing, SensorT> {
+  using Base = MachineDevices<Stream, Backing, SensorT>;
 
  public:
+  using Sensing = app::ExtendedSensing<SensorT, kTendons>;
   using App =
-      app::App<kTendons, typename Base::template Devices<typename Base::Sensor, Clock, Hold>>;
+      app::App<kTendons, typename Base::template Devices<typename Sensing::Sensor, Clock, Hold>,
+               typename Sensing::Layout>;
 
   Machine(Stream& stream, const Clock& clock, Backing& backing, Hold& hold,
           const Settings& settings)
       : Base(stream, backing, settings),
-        app(this->devices(this->sensor, clock, hold), settings.config,
-            app::stored_parameters<kTendons>(this->store, settings.parameters)) {}
+        models_(app::starting_models<kTendons>(this->store, settings.models, evaluates())),
+        sensing_(this->sensor, models_.models),
+        app(this->devices(sensing_.sensor(), clock, hold), settings.config, models_) {}
 
+ private:
+  static std::array<app::Evaluates, kTendons> evaluates() {
+    std::array<app::Evaluates, kTendons> all;
+    all.fill({true, lifemodel::extension::Input::motor_current, SensorT::kMeasured});
+    return all;
+  }
+
+  app::StartingModels<kTendons> models_;
+  Sensing sensing_;
+
+ public:
   App app;
 };
 

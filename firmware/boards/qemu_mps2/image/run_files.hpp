@@ -125,23 +125,24 @@ class Summary {
   bool whole_ = true;
 };
 
-/// Reads the parameter block for all tendons. Without one they have none.
+/// Reads the parameter block for all tendons, with its extension if it has one. Without a block
+/// they have none.
 template <class File>
-Failure read_block(const Options& options, app::ParameterSet<kTendons>& parameters) {
+Failure read_block(const Options& options, app::ConfiguredModels<kTendons>& models) {
   if (options.block == nullptr) {
     return {};
   }
   File file(options.block, File::Mode::read);
-  std::array<std::byte, lifemodel::kBlockBytes + 1> bytes{};
+  std::array<std::byte, lifemodel::kMostExtendedBytes + 1> bytes{};
   if (!file.is_open()) {
     return {"block", "cannot be opened"};
   }
   const std::size_t size = file.read(bytes);
-  const auto decoded = lifemodel::decode(std::span(bytes).first(size));
+  const auto decoded = lifemodel::decode_extended(std::span(bytes).first(size));
   if (!decoded) {
     return {"block", lifemodel::to_string(decoded.error())};
   }
-  parameters.fill(*decoded);
+  models.fill(*decoded);
   return {};
 }
 
@@ -150,7 +151,7 @@ template <class File, class Backing>
 Failure set_up(const Options& options, Settings& settings, Backing& backing) {
   settings.config = options.config;
   settings.seed = options.seed;
-  if (const Failure failure = read_block<File>(options, settings.parameters)) {
+  if (const Failure failure = read_block<File>(options, settings.models)) {
     return failure;
   }
   if (options.flash != nullptr) {

@@ -137,7 +137,7 @@ class Player {
 
 /// Plays the profile of the options in virtual time, with what the script says besides; every frame
 /// goes to `line` as SLCAN, the channel open from the start.
-template <class File, hal::ByteStream Line, class ScriptT>
+template <class File, class SensorT = PlayedCurrent, hal::ByteStream Line, class ScriptT>
 Failure play_profile(const Options& options, Line& line, ScriptT& script) {
   using Clock = hal::qemu_mps2::VirtualClock;
   using Host = ScriptedLine<Line>;
@@ -160,8 +160,8 @@ Failure play_profile(const Options& options, Line& line, ScriptT& script) {
   Clock clock;
   Host host(line);
   hal::NoHold hold;
-  auto& machine =
-      make_once<Machine<Host, Clock, FileBacking<File>>>(host, clock, backing, hold, settings);
+  auto& machine = make_once<Machine<Host, Clock, FileBacking<File>, hal::NoHold, SensorT>>(
+      host, clock, backing, hold, settings);
   if (const char* wrong = Player(machine, clock, host, profile, script).play()) {
     return {nullptr, wrong};
   }
@@ -169,18 +169,18 @@ Failure play_profile(const Options& options, Line& line, ScriptT& script) {
 }
 
 /// The same with the events of the options.
-template <class File, hal::ByteStream Line>
+template <class File, class SensorT = PlayedCurrent, hal::ByteStream Line>
 Failure run_in_virtual_time(const Options& options, Line& line) {
   if (options.events == nullptr) {
     Script<File> nothing(nullptr);
-    return play_profile<File>(options, line, nothing);
+    return play_profile<File, SensorT>(options, line, nothing);
   }
   File events(options.events, File::Mode::read);
   if (!events.is_open()) {
     return {"events", "cannot be opened"};
   }
   Script script(&events);
-  return play_profile<File>(options, line, script);
+  return play_profile<File, SensorT>(options, line, script);
 }
 
 }  // namespace firmware::qemu_mps2
