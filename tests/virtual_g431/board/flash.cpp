@@ -127,8 +127,8 @@ void Flash::write_cr(std::uint32_t value) {
 
 void Flash::begin(Operation operation, Ticks span) {
   rules_.require((acr_ & kDataCache) == 0, "FLASH: written with the data cache on");
-  on_begin(operation);
   operation_ = operation;
+  on_begin(operation);
   end_ = agenda_.in(span, [this] { finish(); });
 }
 
@@ -196,39 +196,45 @@ void Flash::store(std::uint32_t offset, std::uint32_t value, unsigned size) {
 }
 
 void Flash::tear(double share, std::mt19937& random) {
-  if (!operation_) {
+  if (operation_) {
+    agenda_.cancel(end_);
+    tear_copy(contents_, share, random);
+    operation_.reset();
+  }
+}
+
+void Flash::tear_copy(FlashContents& copy, double share, std::mt19937& random) const {
+  if (!operation_ || share == 0) {
     return;
   }
-  agenda_.cancel(end_);
-  const Operation operation = *operation_;
-  operation_.reset();
   std::bernoulli_distribution done(share);
-  if (operation.erases) {
+  if (operation_->erases) {
+    std::bernoulli_distribution contradicts(0.7);
     for (std::uint32_t i = 0; i < kPageBytes; ++i) {
       for (unsigned place = 0; place < 8; ++place) {
         if (done(random)) {
-          contents_.bytes[operation.offset + i] |= static_cast<std::uint8_t>(1u << place);
+          copy.bytes[operation_->offset + i] |= static_cast<std::uint8_t>(1u << place);
         }
       }
     }
     for (std::uint32_t i = 0; i < kPageBytes / 8; ++i) {
-      contents_.damaged.set(operation.offset / 8 + i,
-                            share > 0 && std::bernoulli_distribution(0.7)(random));
+      copy.damaged.set(operation_->offset / 8 + i, contradicts(random));
     }
     return;
   }
-  std::uint64_t wanted = std::uint64_t{high_} << 32 | low_;
-  std::uint64_t now = ~std::uint64_t{0};
-  for (unsigned place = 0; place < 64; ++place) {
-    const std::uint64_t mask = std::uint64_t{1} << place;
-    if ((wanted & mask) == 0 && done(random)) {
-      now &= ~mask;
+  const std::array<std::uint32_t, 2> wanted{low_, high_};
+  bool whole = true;
+  for (std::uint32_t half = 0; half < 2; ++half) {
+    for (unsigned place = 0; place < 32; ++place) {
+      const bool programs = (wanted[half] >> place & 1) == 0;
+      const bool through = programs && done(random);
+      whole = whole && programs == through;
+      std::uint8_t& byte = copy.bytes[operation_->offset + 4 * half + place / 8];
+      byte = static_cast<std::uint8_t>(byte & ~(through ? 1u << (place % 8) : 0u));
     }
   }
-  put(operation.offset, static_cast<std::uint32_t>(now));
-  put(operation.offset + 4, static_cast<std::uint32_t>(now >> 32));
-  // Its code is torn too: it fits what is there only where nothing or all was done.
-  contents_.damaged.set(operation.offset / 8, now != wanted && share > 0);
+  // Its code is torn too: it fits what is there only where all was done.
+  copy.damaged.set(operation_->offset / 8, !whole);
 }
 
 }  // namespace virtual_g431

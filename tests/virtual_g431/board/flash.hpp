@@ -56,6 +56,8 @@ class Flash : public Peripheral {
 
   /// The power goes: what is under way is torn, by a share of 0 .. 1 of its bits.
   void tear(double share, std::mt19937& random);
+  /// The same on a copy, while the operation goes on.
+  void tear_copy(FlashContents& copy, double share, std::mt19937& random) const;
 
   /// Called when an operation begins.
   std::function<void(const Operation&)> on_begin = [](const Operation&) {};
