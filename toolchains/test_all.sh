@@ -20,7 +20,7 @@ show_budgets() {
     echo "$section on qemu_mps2"
     python3 $checks $section build/qemu-m4/tests/target/$section.json
   done
-  for section in size stack; do
+  for section in size stack instructions; do
     echo "$section on b_g431b_esc1"
     python3 $checks $section $stm32/$section.json tests/target/b_g431b_esc1/budget.json
   done

@@ -161,14 +161,14 @@ TEST_F(PowerCut, TwelveInARow) {
     board.can.heard.clear();
     board.power_on();
     const std::uint32_t least_ppb = damage_ppb;
-    // While the first or the second save is under way, a second and two after the start.
-    int operations = static_cast<int>(random() % 16);
+    // While the first save is under way, a second after the start, or after it.
+    int operations = static_cast<int>(random() % 12);
     board.flash.on_begin = [&](const Flash::Operation&) {
       if (operations-- == 0) {
         board.core->stop();
       }
     };
-    board.run(2200 * kMillisecond);
+    board.run(1300 * kMillisecond);
     const auto statuses = sent<protocol::LifeStatus>(board);
     if (!statuses.empty()) {
       EXPECT_GE(statuses.front().damage_ppb, least_ppb);

@@ -44,11 +44,11 @@ Core::~Core() {
 
 void Core::map_code(std::uint32_t address, std::uint8_t* bytes, std::size_t size) {
   check(uc_mem_map_ptr(engine_, address, size, UC_PROT_READ | UC_PROT_EXEC, bytes), "code");
-  memory_[address] = {bytes, size};
+  memories_.push_back({address, bytes, size, std::vector<BlockCost>(size / 2)});
 }
 void Core::map_ram(std::uint32_t address, std::uint8_t* bytes, std::size_t size) {
   check(uc_mem_map_ptr(engine_, address, size, UC_PROT_ALL, bytes), "memory");
-  memory_[address] = {bytes, size};
+  memories_.push_back({address, bytes, size, std::vector<BlockCost>(size / 2)});
 }
 void Core::map_device(std::uint32_t address, std::size_t size) {
   windows_.push_back(std::make_unique<Window>(Window{this, address}));
@@ -94,9 +94,21 @@ std::uint32_t Core::stack_pointer() {
 void Core::set_stack_pointer(std::uint32_t value) {
   write_register(UC_ARM_REG_SP, value);
 }
+Core::Memory* Core::memory_at(std::uint32_t address, std::size_t size) {
+  for (Memory& memory : memories_) {
+    if (address >= memory.base && address - memory.base + size <= memory.size) {
+      return &memory;
+    }
+  }
+  return nullptr;
+}
 std::uint32_t Core::load(std::uint32_t address) {
+  const Memory* memory = memory_at(address, 4);
+  if (memory == nullptr) {
+    throw std::runtime_error("no memory at " + hex(address));
+  }
   std::uint32_t value = 0;
-  check(uc_mem_read(engine_, address, &value, 4), "load");
+  std::memcpy(&value, memory->bytes + (address - memory->base), 4);
   return value;
 }
 
@@ -109,7 +121,9 @@ void Core::reset() {
   mpu_ctrl_ = mpu_number_ = 0;
   mpu_rbar_ = mpu_rasr_ = {};
   reset_requested_ = sleeping_ = guard_hit_ = false;
-  costs_.clear();
+  for (Memory& memory : memories_) {
+    std::fill(memory.costs.begin(), memory.costs.end(), BlockCost{});
+  }
   for (const int id :
        {UC_ARM_REG_BASEPRI, UC_ARM_REG_PRIMASK, UC_ARM_REG_FAULTMASK, UC_ARM_REG_CONTROL}) {
     write_register(id, 0);
@@ -125,13 +139,17 @@ void Core::reset() {
 }
 
 std::uint32_t Core::count_instructions(std::uint32_t address, std::uint32_t size) {
-  BlockCost& cost = costs_[address];
+  Memory* memory = memory_at(address, size);
+  if (memory == nullptr) {
+    return 1;  // the fetch fails
+  }
+  const std::uint32_t offset = address - memory->base;
+  BlockCost& cost = memory->costs[offset / 2];
   if (cost.size == size) {
     return cost.instructions;
   }
   cost = {size, 0};
-  auto region = std::prev(memory_.upper_bound(address));
-  const std::uint8_t* bytes = region->second.first + (address - region->first);
+  const std::uint8_t* bytes = memory->bytes + offset;
   for (std::uint32_t i = 0; i < size;) {
     std::uint16_t half = 0;
     std::memcpy(&half, bytes + i, 2);
@@ -262,7 +280,11 @@ void Core::enter(unsigned number) {
       read_register(UC_ARM_REG_R3), read_register(UC_ARM_REG_R12),    read_register(UC_ARM_REG_LR),
       read_register(UC_ARM_REG_PC), (xpsr & ~bit(9)) | (padding << 7)};
   const auto [guard, guard_size] = guarded();
-  const bool stackable = uc_mem_write(engine_, sp, frame.data(), sizeof frame) == UC_ERR_OK;
+  const Memory* stack = memory_at(sp, sizeof frame);
+  const bool stackable = stack != nullptr;
+  if (stackable) {
+    std::memcpy(stack->bytes + (sp - stack->base), frame.data(), sizeof frame);
+  }
   if (number != exception::kHardFault && number != exception::kMemoryFault &&
       (!stackable || (sp < guard + guard_size && sp + 32 > guard))) {
     cfsr_ |= bit(4);  // MSTKERR
@@ -292,7 +314,9 @@ void Core::leave() {
   active_.pop_back();
   const std::uint32_t sp = read_register(UC_ARM_REG_SP);
   std::array<std::uint32_t, 8> frame{};
-  check(uc_mem_read(engine_, sp, frame.data(), sizeof frame), "stack");
+  for (std::size_t i = 0; i < frame.size(); ++i) {
+    frame[i] = load(sp + 4 * static_cast<std::uint32_t>(i));
+  }
   constexpr std::array<int, 6> kRegisters{UC_ARM_REG_R0, UC_ARM_REG_R1,  UC_ARM_REG_R2,
                                           UC_ARM_REG_R3, UC_ARM_REG_R12, UC_ARM_REG_LR};
   for (std::size_t i = 0; i < kRegisters.size(); ++i) {

@@ -4,10 +4,8 @@
 #include <bitset>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
-#include <unordered_map>
 #include <utility>
 #include <vector>
 
@@ -90,6 +88,12 @@ class Core {
   struct BlockCost {
     std::uint32_t size = 0, instructions = 0;
   };
+  struct Memory {
+    std::uint32_t base;
+    std::uint8_t* bytes;
+    std::size_t size;
+    std::vector<BlockCost> costs;  ///< of blocks, by their first halfword
+  };
 
   static void block_hook(uc_struct*, std::uint64_t address, std::uint32_t size, void* self);
   static bool fault_hook(uc_struct*, int type, std::uint64_t address, int size, std::int64_t value,
@@ -116,6 +120,8 @@ class Core {
   void system_write(std::uint32_t offset, std::uint32_t value);
   std::uint32_t read_register(int id);
   void write_register(int id, std::uint32_t value);
+  /// Null where no memory holds all of it.
+  Memory* memory_at(std::uint32_t address, std::size_t size);
   std::uint32_t load(std::uint32_t address);
 
   struct Window {
@@ -128,8 +134,7 @@ class Core {
   Device device_;
   uc_struct* engine_ = nullptr;
   std::vector<std::unique_ptr<Window>> windows_;
-  std::map<std::uint32_t, std::pair<std::uint8_t*, std::size_t>> memory_;
-  std::unordered_map<std::uint32_t, BlockCost> costs_;
+  std::vector<Memory> memories_;
 
   std::vector<Active> active_;
   std::array<Count, 16 + kInterrupts> counts_{};
