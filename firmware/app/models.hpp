@@ -20,7 +20,7 @@ namespace app {
 struct Evaluates {
   bool extensions = false;
   lifemodel::extension::Input input = lifemodel::extension::Input::input_tension;
-  lifemodel::extension::Measured measured;
+  lifemodel::extension::Measured measured{};
 };
 
 /// Why parameters of a tendon are not counted with. The numbers go over the bus.
@@ -83,9 +83,9 @@ constexpr ParameterRefusal refusal_of(const lifemodel::ExtendedParameters& model
 /// What a tendon counts with, and what was refused beside it.
 struct ParameterState {
   ParameterSource source = ParameterSource::none;
-  ParameterRefusal refusal;
+  ParameterRefusal refusal{};
   std::uint32_t configuration = 0;  ///< CRC-32 of the block that is counted with; 0 without one
-  Evaluates evaluates;
+  Evaluates evaluates{};
 };
 
 template <std::size_t kTendons>

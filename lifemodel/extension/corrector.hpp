@@ -37,7 +37,9 @@ class Corrector {
   /// where a quantity meets its bounds.
   /// @pre the parameters have a drive
   [[nodiscard]] Tension input_tension(const DriveSample& sample, Flags& flags) {
-    move(sample.at.velocity);
+    if (extension_.has(Effect::gear_asymmetry)) {
+      move(sample.at.velocity);
+    }
     std::int64_t current = sample.current.raw();
     if (extension_.has(Effect::current_offset)) {
       current -= extension_.current_offset.offset;

@@ -17,15 +17,24 @@ struct ExtendedLaw {
   BendingFatigue bending_fatigue;  ///< the same
   bool has_endurance_limit = false;
   EnduranceLimit endurance_limit;
+  bool extends = false;  ///< whether it is another than the nominal one
 
   /// As CycleLaw: what reaches the ultimate tension uses up a whole life.
   /// @pre x != y
   [[nodiscard]] constexpr CycleDamage operator()(Tension x, Tension y) const {
-    return CycleLaw::overloads(x) || CycleLaw::overloads(y) ? kWholeLife : below_ultimate(x, y);
+    if (!extends) {
+      return nominal(x, y);
+    }
+    return CycleLaw::overloads(x) || CycleLaw::overloads(y) ? kWholeLife : extended(x, y);
   }
 
   /// The same where neither is known to reach the ultimate tension.
   [[nodiscard]] constexpr CycleDamage below_ultimate(Tension x, Tension y) const {
+    return extends ? extended(x, y) : nominal.below_ultimate(x, y);
+  }
+
+ private:
+  [[nodiscard]] constexpr CycleDamage extended(Tension x, Tension y) const {
     std::int32_t log2_effective = bending_fatigue.log2_effective(mean_stress, x, y);
     if (has_endurance_limit) {
       log2_effective = endurance_limit.log2_effective(log2_effective);
@@ -53,6 +62,9 @@ constexpr LifeParameters life_parameters(const Parameters& nominal, const Extens
     result.law.has_endurance_limit = true;
     result.law.endurance_limit = extension.endurance_limit;
   }
+  result.law.extends = extension.has(Effect::mean_stress) ||
+                       extension.has(Effect::bending_fatigue) ||
+                       extension.has(Effect::endurance_limit);
   return result;
 }
 

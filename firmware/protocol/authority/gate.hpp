@@ -21,9 +21,9 @@ using Mac = std::array<std::byte, kMacBytes>;
 /// What a client asks for under authority.
 struct Command {
   std::uint16_t routine = 0;
-  std::span<const std::byte> arguments;    ///< 0 .. 255 bytes
-  std::span<const std::byte> transferred;  ///< before, where the routine takes that
-  std::uint32_t storage_counter = 0;       ///< as the client read it
+  std::span<const std::byte> arguments{};    ///< 0 .. 255 bytes
+  std::span<const std::byte> transferred{};  ///< before, where the routine takes that
+  std::uint32_t storage_counter = 0;         ///< as the client read it
 };
 
 /// The code that proves a command: AES-CMAC, cut to its first 8 bytes, over

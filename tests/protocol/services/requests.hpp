@@ -15,7 +15,7 @@ inline constexpr Node kNode = 5;
 struct Order {
   std::uint16_t routine = 0x0201;
   Bytes arguments = hex("00");
-  Bytes transferred;
+  Bytes transferred{};
   std::uint32_t counter = 0;
   authority::Nonce nonce{};
   Node node = kNode;
