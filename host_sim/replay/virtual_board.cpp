@@ -1,18 +1,19 @@
 #include "host_sim/replay/virtual_board.hpp"
 
-#include <array>
-#include <type_traits>
+#include <cstddef>
+#include <memory>
 #include <utility>
+#include <variant>
 
-#include "firmware/app/app.hpp"
-#include "firmware/app/extended_sensor.hpp"
+#include "firmware/app/wired.hpp"
 #include "firmware/storage/flash_store.hpp"
 #include "hal/devices.hpp"
 #include "hal/fake/can_port.hpp"
 #include "hal/fake/clock.hpp"
 #include "hal/fake/devices.hpp"
 #include "hal/fake/flash.hpp"
-#include "lifemodel/extension/life.hpp"
+#include "lifemodel/extension/needs.hpp"
+#include "lifemodel/extension/sample.hpp"
 
 namespace host_sim {
 
@@ -32,54 +33,23 @@ constexpr hal::Time kTelling = hal::seconds(2);
 
 namespace {
 
-/// The sensor of a nominal model.
-template <class SampleT>
-class Plain {
- public:
-  using Sample = SampleT;
-  using Sensor = fake::Sensor<Sample>;
+/// Devices that do what they are told, and a sensor of one kind of samples.
+template <class CanT, class SampleT>
+struct FakeDevices {
+  template <class Tap>
+  explicit FakeDevices(Tap& tap) : can(clock, tap) {}
 
-  Plain(const fake::Clock& clock, const lifemodel::ExtendedParameters&) : sensor_(clock) {}
-  fake::Sensor<Sample>& given() { return sensor_; }
-  Sensor& seen() { return sensor_; }
-  void start_at(std::uint32_t) {}
-
- private:
-  fake::Sensor<Sample> sensor_;
+  fake::Clock clock;
+  CanT can;
+  fake::Sensor<SampleT> sensor{clock};
+  fake::DigitalOut drive_enable{clock};
+  fake::DigitalOut brake{clock};
+  fake::DigitalOut status_light{clock};
+  fake::DigitalIn emergency_stop{clock};
+  fake::Watchdog watchdog{clock, hal::milliseconds(500)};
+  fake::Entropy entropy{clock, 1};
+  hal::NoHold hold;
 };
-
-/// The sensor of an extended one.
-template <class SampleT>
-class Extending {
- public:
-  using Sample = SampleT;
-  using Sensor = app::ExtendedSensor<fake::Sensor<Sample>, 1>;
-
-  Extending(const fake::Clock& clock, const lifemodel::ExtendedParameters& parameters)
-      : models_{parameters}, given_(clock), seen_(given_, models_) {}
-  Extending(const Extending&) = delete;
-  Extending& operator=(const Extending&) = delete;
-  fake::Sensor<Sample>& given() { return given_; }
-  Sensor& seen() { return seen_; }
-  void start_at(std::uint32_t cycle) { seen_.start_at(0, cycle); }
-
- private:
-  typename Sensor::Models models_;
-  fake::Sensor<Sample> given_;
-  Sensor seen_;
-};
-
-using Nominal = lifemodel::DefaultLayout;
-using Extended = lifemodel::extension::ExtendedLife<Nominal>;
-
-/// The one model, which is known to be evaluated.
-app::StartingModels<1> starting(const lifemodel::ExtendedParameters& parameters) {
-  app::StartingModels<1> models;
-  models.models[0] = parameters;
-  models.states[0] = {.source = app::ParameterSource::configured,
-                      .configuration = app::configuration_of(parameters)};
-  return models;
-}
 
 }  // namespace
 
@@ -95,18 +65,19 @@ class VirtualBoard::Firmware {
   virtual lifemodel::Damage finish() = 0;
 };
 
-template <class Sensing, class Layout>
+template <class SampleT, template <class, std::size_t> class SensingT>
 class VirtualBoard::FirmwareFor final : public VirtualBoard::Firmware {
  public:
-  FirmwareFor(const lifemodel::ExtendedParameters& parameters, std::uint32_t start_cycle,
-              protocol::Node node, Listener listener)
+  /// The model is known to be evaluated.
+  FirmwareFor(lifemodel::extension::Input input, const lifemodel::ExtendedParameters& parameters,
+              std::uint32_t start_cycle, protocol::Node node, Listener listener)
       : tap_{std::move(listener), protocol::id_of<protocol::LifeStatus>(node)},
-        sensing_(clock_, parameters),
-        app_({can_, sensing_.seen(), clock_, store_, drive_enable_, brake_, status_light_,
-              emergency_stop_, watchdog_, entropy_, hold_},
-             {.node = node}, starting(parameters)) {
+        wired_(board_, store_, {.node = node}, {parameters},
+               {app::Evaluates{true, input, {true, true, true, true}}}) {
     app_.start();
-    sensing_.start_at(start_cycle);
+    if constexpr (requires { wired_.sensor().start_at(0, start_cycle); }) {
+      wired_.sensor().start_at(0, start_cycle);
+    }
   }
 
   void take(hal::Time time, std::uint32_t missing, const BoardSample& sample,
@@ -117,7 +88,7 @@ class VirtualBoard::FirmwareFor final : public VirtualBoard::Firmware {
     }
     lifemodel::Flags& raised = app_.input_flags(0);
     raised = raised | flags;
-    sensing_.given().give(0, std::get<typename Sensing::Sample>(sample));
+    board_.sensor.give(0, std::get<SampleT>(sample));
     app_.isr_sample();
     while (app_.settle()) {
     }
@@ -127,9 +98,9 @@ class VirtualBoard::FirmwareFor final : public VirtualBoard::Firmware {
   }
 
   lifemodel::Damage finish() override {
-    pass_until(clock_.now() + kReading);
+    pass_until(board_.clock.now() + kReading);
     const std::uint64_t reported = tap_.statuses;
-    for (const hal::Time end = clock_.now() + kTelling;
+    for (const hal::Time end = board_.clock.now() + kTelling;
          tap_.statuses == reported && next_poll_ < end;) {
       pass_until(next_poll_ + kPollPeriod);
     }
@@ -150,19 +121,17 @@ class VirtualBoard::FirmwareFor final : public VirtualBoard::Firmware {
   };
 
   using Can = fake::CanListener<Tap>;
-  using Sensor = typename Sensing::Sensor;
+  using Board = FakeDevices<Can, SampleT>;
   using Store = storage::FlashStore<fake::Flash<>, 1>;
-  using Devices =
-      app::Devices<Can, Sensor, fake::Clock, Store, fake::DigitalOut, fake::DigitalOut,
-                   fake::DigitalOut, fake::DigitalIn, fake::Watchdog, fake::Entropy, hal::NoHold>;
+  using Wired = app::Wired<1, Board, Store, SensingT>;
 
   /// What falls on `time` itself is left for after the sample.
   void pass_until(hal::Time time) {
     while (next_poll_ < time) {
-      clock_.advance_to(next_poll_);
+      board_.clock.advance_to(next_poll_);
       poll();
     }
-    clock_.advance_to(time);
+    board_.clock.advance_to(time);
   }
 
   void poll() {
@@ -171,41 +140,39 @@ class VirtualBoard::FirmwareFor final : public VirtualBoard::Firmware {
   }
 
   Tap tap_;
-  fake::Clock clock_;
-  Can can_{clock_, tap_};
-  Sensing sensing_;
+  Board board_{tap_};
   fake::Flash<> flash_;
   Store store_{flash_};
-  fake::DigitalOut drive_enable_{clock_};
-  fake::DigitalOut brake_{clock_};
-  fake::DigitalOut status_light_{clock_};
-  fake::DigitalIn emergency_stop_{clock_};
-  fake::Watchdog watchdog_{clock_, hal::milliseconds(500)};
-  fake::Entropy entropy_{clock_, 1};
-  hal::NoHold hold_;
-  app::App<1, Devices, Layout> app_;
+  Wired wired_;
+  typename Wired::App& app_ = wired_.app();
   hal::Time next_poll_{};
 };
 
 VirtualBoard::VirtualBoard(InputKind kind, const lifemodel::ExtendedParameters& parameters,
                            std::uint32_t start_cycle, protocol::Node node, Listener listener) {
-  const auto run = [&]<class Sensing, class Layout>() {
-    firmware_ = std::make_unique<FirmwareFor<Sensing, Layout>>(parameters, start_cycle, node,
+  using lifemodel::extension::Input;
+  const auto run = [&]<class Sample, template <class, std::size_t> class Sensing>(Input input) {
+    firmware_ = std::make_unique<FirmwareFor<Sample, Sensing>>(input, parameters, start_cycle, node,
                                                                std::move(listener));
   };
   const bool extended = parameters.extension.effects != 0;
+  using app::ExtendedSensing;
+  using app::NominalSensing;
+  using lifemodel::extension::DriveSample;
+  using lifemodel::extension::SheathSample;
   switch (kind) {
     case InputKind::kInputTension:
-      extended ? run.template operator()<Plain<lifemodel::Tension>, Extended>()
-               : run.template operator()<Plain<lifemodel::Tension>, Nominal>();
+      extended ? run.template operator()<lifemodel::Tension, ExtendedSensing>(Input::input_tension)
+               : run.template operator()<lifemodel::Tension, NominalSensing>(Input::input_tension);
       return;
     case InputKind::kMotorCurrent:
-      extended ? run.template operator()<Extending<lifemodel::extension::DriveSample>, Extended>()
-               : run.template operator()<Plain<lifemodel::MotorCurrent>, Nominal>();
+      extended
+          ? run.template operator()<DriveSample, ExtendedSensing>(Input::motor_current)
+          : run.template operator()<lifemodel::MotorCurrent, NominalSensing>(Input::motor_current);
       return;
     case InputKind::kOutputTension:
-      extended ? run.template operator()<Extending<lifemodel::extension::SheathSample>, Extended>()
-               : run.template operator()<Plain<app::OutputTension>, Nominal>();
+      extended ? run.template operator()<SheathSample, ExtendedSensing>(Input::output_tension)
+               : run.template operator()<app::OutputTension, NominalSensing>(Input::output_tension);
       return;
   }
 }

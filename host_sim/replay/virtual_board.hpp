@@ -51,7 +51,7 @@ class VirtualBoard {
 
  private:
   class Firmware;
-  template <class Sensing, class Layout>
+  template <class SampleT, template <class, std::size_t> class SensingT>
   class FirmwareFor;
   std::unique_ptr<Firmware> firmware_;
 };

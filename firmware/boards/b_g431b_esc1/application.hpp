@@ -5,11 +5,7 @@
 #include <new>
 #include <utility>
 
-#include "firmware/app/app.hpp"
-#include "firmware/app/config.hpp"
-#include "firmware/app/devices.hpp"
-#include "firmware/app/models.hpp"
-#include "firmware/app/sensing.hpp"
+#include "firmware/app/wired.hpp"
 #include "firmware/boards/b_g431b_esc1/hardware.hpp"
 #include "firmware/storage/flash_store.hpp"
 #include "lifemodel/extension/needs.hpp"
@@ -21,36 +17,23 @@ inline constexpr std::size_t kTendons = 1;
 
 using Store = storage::FlashStore<Hardware::Memory, kTendons, kStoreLayout>;
 /// Motor current and nothing besides, evaluated by extended models too.
-using Sensing = app::ExtendedSensing<decltype(Hardware::sensor), kTendons>;
 inline constexpr app::Evaluates kEvaluates{
     .extensions = true, .input = lifemodel::extension::Input::motor_current, .measured = {}};
-using Devices = app::Devices<decltype(Hardware::can), Sensing::Sensor, decltype(Hardware::clock),
-                             Store, Hardware::Lock::Drive, Hardware::Lock::Brake,
-                             decltype(Hardware::status_light), Hardware::Lock::Stop,
-                             decltype(Hardware::watchdog), decltype(Hardware::entropy), SettleHold>;
-
-using App = app::App<kTendons, Devices, Sensing::Layout>;
+using Wired = app::Wired<kTendons, Hardware, Store>;
+using App = Wired::App;
 
 /// The application on the devices of the board.
 class Application {
  public:
   Application(Hardware& hardware, const app::Config& config,
               const app::ConfiguredModels<kTendons>& configured)
-      : store_(hardware.store_memory),
-        models_(app::starting_models<kTendons>(store_, configured, {kEvaluates})),
-        sensing_(hardware.sensor, models_.models),
-        app_(Devices{hardware.can, sensing_.sensor(), hardware.clock, store_, hardware.drive_enable,
-                     hardware.brake, hardware.status_light, hardware.emergency_stop,
-                     hardware.watchdog, hardware.entropy, hardware.hold},
-             config, models_) {}
+      : store_(hardware.store_memory), wired_(hardware, store_, config, configured, {kEvaluates}) {}
 
-  App& app() { return app_; }
+  App& app() { return wired_.app(); }
 
  private:
   Store store_;
-  app::StartingModels<kTendons> models_;
-  Sensing sensing_;
-  App app_;
+  Wired wired_;
 };
 
 /// Makes the one there is, with the parameters that came with the firmware where none were loaded.

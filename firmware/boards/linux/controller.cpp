@@ -16,8 +16,7 @@
 #include <variant>
 #include <vector>
 
-#include "firmware/app/app.hpp"
-#include "firmware/app/sensing.hpp"
+#include "firmware/app/wired.hpp"
 #include "firmware/boards/interlock.hpp"
 #include "firmware/boards/linux/config.hpp"
 #include "firmware/boards/linux/devices.hpp"
@@ -85,6 +84,52 @@ class RealTimeSetup {
   std::string refused_;
 };
 
+/// The devices of this machine around a sensor.
+template <class SensorT>
+struct Hardware {
+  /// So many periods in time, one after the other, let the drive go.
+  static constexpr std::uint32_t kPeriodsInTime = 10;
+  using Lock = Interlock<SafetyLines, kPeriodsInTime>;
+
+  /// Throws hal::linux_os::DeviceError, or hal::files::OutputError.
+  Hardware(const Setup& setup, SensorT& samples)
+      : sensor(samples),
+        clock(setup.virtual_clock),
+        can(setup.config.can, setup.config.node, clock, others_of(setup.config),
+            [this](const hal::CanFrame& frame) { hear(frame); }),
+        lines(setup.config.gpio),
+        status_light(setup.config.gpio, &GpioConfig::status_light),
+        watchdog(setup.config.gpio, manager) {}
+  Hardware(const Hardware&) = delete;
+  Hardware& operator=(const Hardware&) = delete;
+
+  SensorT& sensor;
+  BoardClock clock;
+  BoardCan can;
+  SafetyLines lines;
+  Lock interlock{lines};
+  Lock::Drive drive_enable{interlock};
+  Lock::Brake brake{interlock};
+  Lock::Stop emergency_stop{interlock};
+  OptionalOutput status_light;
+  hal::linux_os::ServiceManager manager;
+  Watchdog watchdog;
+  hal::linux_os::KernelEntropy entropy;
+  SettleTurn hold;
+
+ private:
+  static std::vector<hal::linux_os::CanFilter> others_of(const Config& config) {
+    return config.can.interface == kNoBus ? std::vector<hal::linux_os::CanFilter>{}
+                                          : filters_of(config);
+  }
+
+  void hear(const hal::CanFrame& frame) {
+    if constexpr (requires { sensor.take(frame, clock.now()); }) {
+      sensor.take(frame, clock.now());
+    }
+  }
+};
+
 /// The application on this machine.
 ///
 /// Two threads. The control loop, at real-time priority, reads the sensors and the emergency stop
@@ -96,47 +141,33 @@ class Controller {
   /// cannot be used, hal::files::InputError or OutputError where a file cannot.
   Controller(const Setup& setup, SensorT& sensor)
       : setup_(setup),
-        sensor_(sensor),
-        clock_(setup.virtual_clock),
-        can_(setup.config.can, setup.config.node, clock_, others_of(setup.config),
-             [this](const hal::CanFrame& frame) { hear(frame); }),
+        hardware_(setup, sensor),
         store_(open_store<kTendons>(setup.config.store)),
-        lines_(setup.config.gpio),
-        light_(setup.config.gpio, &GpioConfig::status_light),
-        watchdog_(setup.config.gpio, manager_),
-        models_(starting(setup)),
-        sensing_(sensor, models_.models),
-        app_(devices(), setup.node, models_) {}
+        wired_(hardware_, store_, setup.node, first<std::optional>(setup.models),
+               first<std::type_identity_t>(setup.evaluates)) {}
 
   /// Runs until `stop` is set or the profile is at its end.
   Report run(const std::atomic<bool>& stop) {
     warn_of_parameters();
-    interlock_.isr_apply(false);
-    app_.start();
+    hardware_.interlock.isr_apply(false);
+    wired_.app().start();
     if (setup_.virtual_clock) {
       run_virtually(stop);
     } else {
       run_in_real_time(stop);
     }
-    const hal::Error locked = interlock_.lock();
+    const hal::Error locked = hardware_.interlock.lock();
     report_the_end();
-    Report report = report_of(app_.stop());
+    Report report = report_of(wired_.app().stop());
     if (report.saved == hal::Error::none) {
       report.saved = locked;
     }
-    can_.finish();
+    hardware_.can.finish();
     return report;
   }
 
  private:
-  /// So many periods in time, one after the other, let the drive go.
-  static constexpr std::uint32_t kPeriodsInTime = 10;
-  using Lock = Interlock<SafetyLines, kPeriodsInTime>;
   using Store = storage::FileStore<kTendons>;
-  using Sensing = SensingT<SensorT, kTendons>;
-  using Devices =
-      app::Devices<BoardCan, typename Sensing::Sensor, BoardClock, Store, Lock::Drive, Lock::Brake,
-                   OptionalOutput, Lock::Stop, Watchdog, hal::linux_os::KernelEntropy, SettleTurn>;
 
   static constexpr hal::Time kPollPeriod = hal::milliseconds(1);
   static constexpr hal::Time kTimingPeriod = hal::milliseconds(100);
@@ -144,33 +175,17 @@ class Controller {
   static constexpr hal::Time kReporting = hal::milliseconds(250);
   static constexpr int kMostSettles = 64;
 
-  Devices devices() {
-    return {can_,  sensing_.sensor(), clock_,   store_, drive_, brake_, light_,
-            stop_, watchdog_,         entropy_, turn_};
-  }
-
-  static std::vector<hal::linux_os::CanFilter> others_of(const Config& config) {
-    return config.can.interface == kNoBus ? std::vector<hal::linux_os::CanFilter>{}
-                                          : filters_of(config);
-  }
-
-  void hear(const hal::CanFrame& frame) {
-    if constexpr (requires { sensor_.take(frame, clock_.now()); }) {
-      sensor_.take(frame, clock_.now());
-    }
-  }
-
-  app::StartingModels<kTendons> starting(const Setup& setup) {
-    app::ConfiguredModels<kTendons> configured;
-    std::copy_n(setup.models.begin(), kTendons, configured.begin());
-    std::array<app::Evaluates, kTendons> evaluates;
-    std::copy_n(setup.evaluates.begin(), kTendons, evaluates.begin());
-    return app::starting_models<kTendons>(store_, configured, evaluates);
+  /// Those of the tendons that there are.
+  template <template <class> class Held, class Value>
+  static std::array<Held<Value>, kTendons> first(const std::vector<Value>& values) {
+    std::array<Held<Value>, kTendons> result;
+    std::copy_n(values.begin(), kTendons, result.begin());
+    return result;
   }
 
   void warn_of_parameters() const {
     for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-      const app::ParameterState& state = models_.states[tendon];
+      const app::ParameterState& state = wired_.models().states[tendon];
       if (state.refusal.fault != app::ParameterFault::none) {
         std::cerr << "tendonlife_controller: WARNING: the parameters that were loaded for tendon "
                   << tendon << " are refused: " << to_string(state.refusal.fault)
@@ -180,20 +195,20 @@ class Controller {
   }
 
   [[nodiscard]] bool at_end() const {
-    if constexpr (requires { sensor_.at_end(); }) {
-      return sensor_.at_end();
+    if constexpr (requires { hardware_.sensor.at_end(); }) {
+      return hardware_.sensor.at_end();
     }
     return false;
   }
 
   // One period of the control loop. False at the end of a profile.
   bool isr_period(std::uint32_t missed) {
-    interlock_.isr_apply(missed == 0);
+    hardware_.interlock.isr_apply(missed == 0);
     if (missed != 0) {
-      app_.isr_missed(missed);
+      wired_.app().isr_missed(missed);
     }
-    app_.isr_sample();
-    turn_.isr_settle(kMostSettles, [this] { return app_.settle(); });
+    wired_.app().isr_sample();
+    hardware_.hold.isr_settle(kMostSettles, [this] { return wired_.app().settle(); });
     periods_.store(periods_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
     return !at_end();
   }
@@ -204,7 +219,7 @@ class Controller {
     for (bool more = true; more && !stop;) {
       sample = sample + period;
       poll_until(sample, false);
-      clock_.advance_to(sample);
+      hardware_.clock.advance_to(sample);
       more = isr_period(0);
       poll_until(sample, true);
     }
@@ -213,11 +228,11 @@ class Controller {
   // Polls that are due before `time`, and the one at it where `included`.
   void poll_until(hal::Time time, bool included) {
     while (next_poll_ < time || (included && next_poll_ == time)) {
-      clock_.advance_to(next_poll_);
-      app_.poll();
+      hardware_.clock.advance_to(next_poll_);
+      wired_.app().poll();
       next_poll_ = next_poll_ + kPollPeriod;
     }
-    clock_.advance_to(time);
+    hardware_.clock.advance_to(time);
   }
 
   void run_in_real_time(const std::atomic<bool>& stop) {
@@ -236,27 +251,27 @@ class Controller {
     end = !ready;
     go.count_down();
     if (ready) {
-      manager_.ready("controlling");
+      hardware_.manager.ready("controlling");
     }
     while (!end && !stop) {
       poll_once();
     }
     end = true;
     loop.join();
-    manager_.stopping();
+    hardware_.manager.stopping();
     real_time.check();
   }
 
   void poll_once() {
-    const hal::Time now = clock_.now();
+    const hal::Time now = hardware_.clock.now();
     if (now >= next_timing_) {
       next_timing_ = now + kTimingPeriod;
-      app_.timing(timing());
+      wired_.app().timing(timing());
     }
-    if constexpr (requires { sensor_.poll(now); }) {
-      sensor_.poll(now);
+    if constexpr (requires { hardware_.sensor.poll(now); }) {
+      hardware_.sensor.poll(now);
     }
-    app_.poll();
+    wired_.app().poll();
     std::this_thread::sleep_for(std::chrono::microseconds(kPollPeriod.us));
   }
 
@@ -273,18 +288,18 @@ class Controller {
     if (!at_end()) {
       return;
     }
-    const hal::Time last = clock_.now() + kReporting;
+    const hal::Time last = hardware_.clock.now() + kReporting;
     if (setup_.virtual_clock) {
       poll_until(last, true);
       return;
     }
-    while (clock_.now() < last) {
+    while (hardware_.clock.now() < last) {
       poll_once();
     }
   }
 
   Report report_of(hal::Error saved) const {
-    const auto& records = app_.lives().records();
+    const auto& records = wired_.app().lives().records();
     Report report;
     report.node = setup_.config.node;
     report.periods = periods_;
@@ -297,33 +312,19 @@ class Controller {
     if (store_.problem()) {
       report.store_problem = to_string(*store_.problem());
     }
-    report.worst_unsaved_ppb = app_.node_state().worst_unsaved_ppb;
-    report.bus = can_.status();
-    if (const auto* const counts = can_.counts()) {
+    report.worst_unsaved_ppb = wired_.app().node_state().worst_unsaved_ppb;
+    report.bus = hardware_.can.status();
+    if (const auto* const counts = hardware_.can.counts()) {
       report.counts = *counts;
     }
     return report;
   }
 
   const Setup& setup_;
-  SensorT& sensor_;
-  BoardClock clock_;
-  BoardCan can_;
+  Hardware<SensorT> hardware_;
   Store store_;
-  SafetyLines lines_;
-  Lock interlock_{lines_};
-  Lock::Drive drive_{interlock_};
-  Lock::Brake brake_{interlock_};
-  Lock::Stop stop_{interlock_};
-  OptionalOutput light_;
-  hal::linux_os::ServiceManager manager_;
-  Watchdog watchdog_;
-  hal::linux_os::KernelEntropy entropy_;
-  SettleTurn turn_;
+  app::Wired<kTendons, Hardware<SensorT>, Store, SensingT> wired_;
   hal::linux_os::Jitter jitter_;
-  app::StartingModels<kTendons> models_;
-  Sensing sensing_;
-  app::App<kTendons, Devices, typename Sensing::Layout> app_;
   std::atomic<std::uint64_t> periods_{0};
   hal::Time next_poll_ = kPollPeriod;
   hal::Time next_timing_{};

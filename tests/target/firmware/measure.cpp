@@ -75,7 +75,7 @@ class CountedApp {
 struct CountedMachine {
   Machine& machine;
   CountedApp app{machine.app};
-  Machine::Sensor& sensor = machine.sensor;
+  firmware::qemu_mps2::PlayedCurrent& sensor = machine.sensor;
   hal::qemu_mps2::InputLine& emergency_stop = machine.emergency_stop;
 };
 

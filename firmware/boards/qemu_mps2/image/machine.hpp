@@ -7,9 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "firmware/app/app.hpp"
-#include "firmware/app/models.hpp"
-#include "firmware/app/sensing.hpp"
+#include "firmware/app/wired.hpp"
 #include "firmware/boards/qemu_mps2/image/recording.hpp"
 #include "firmware/storage/flash_store.hpp"
 #include "hal/qemu_mps2/memory_flash.hpp"
@@ -44,63 +42,51 @@ struct PlayedCurrent : hal::qemu_mps2::PlayedSensor<kTendons> {
 
 /// The devices of a machine around whatever sensor it has. The same on the board and, with other
 /// lines and files below it, on the host.
-template <hal::ByteStream Stream, hal::qemu_mps2::Backing Backing, class SensorT>
-class MachineDevices {
- public:
+template <hal::ByteStream Stream, hal::Clock Clock, hal::qemu_mps2::Backing Backing, hal::Hold Hold,
+          class SensorT>
+struct MachineDevices {
   using Flash = hal::qemu_mps2::MemoryFlash<kFlashPages, Backing>;
   using Store = storage::FlashStore<Flash, kTendons>;
-  using Can = hal::slcan::Port<Stream>;
-  using Sensor = SensorT;
   using Line = hal::qemu_mps2::OutputLine;
 
-  MachineDevices(Stream& stream, Backing& backing, const Settings& settings)
-      : flash(backing), store(flash), can(stream, settings.channel), entropy(settings.seed) {}
+  MachineDevices(Stream& stream, const Clock& time, Backing& backing, Hold& held,
+                 const Settings& settings)
+      : flash(backing),
+        store(flash),
+        can(stream, settings.channel),
+        clock(time),
+        hold(held),
+        entropy(settings.seed) {}
   MachineDevices(const MachineDevices&) = delete;
   MachineDevices& operator=(const MachineDevices&) = delete;
 
   Flash flash;
   Store store;
-  Can can;
-  Sensor sensor;
+  hal::slcan::Port<Stream> can;
+  SensorT sensor;
+  const Clock& clock;
+  Hold& hold;
   Line drive_enable;
   Line brake;
-  Line light;
+  Line status_light;
   hal::qemu_mps2::InputLine emergency_stop;
   hal::qemu_mps2::CountingWatchdog watchdog;
   hal::qemu_mps2::SeededEntropy entropy;
-
- protected:
-  /// What the application gets, with what it reads in place of the sensor.
-  template <class Read, class Clock, class Hold>
-  using Devices =
-      app::Devices<Can, Read, Clock, Store, Line, Line, Line, hal::qemu_mps2::InputLine,
-                   hal::qemu_mps2::CountingWatchdog, hal::qemu_mps2::SeededEntropy, Hold>;
-
-  template <class Read, class Clock, class Hold>
-  Devices<Read, Clock, Hold> devices(Read& read, const Clock& clock, Hold& hold) {
-    return {can,   read,           clock,    store,   drive_enable, brake,
-            light, emergency_stop, watchdog, entropy, hold};
-  }
 };
 
-/// The application on its devices, which evaluates the extensions that its sensor allows.
+/// The application on its devices.
 template <hal::ByteStream Stream, hal::Clock Clock, hal::qemu_mps2::Backing Backing,
           hal::Hold Hold = hal::NoHold, class SensorT = PlayedCurrent>
-class Machine : public MachineDevices<Stream, Backing, SensorT> {
-  using Base = MachineDevices<Stream, Backing, SensorT>;
+class Machine : public MachineDevices<Stream, Clock, Backing, Hold, SensorT> {
+  using Base = MachineDevices<Stream, Clock, Backing, Hold, SensorT>;
+  using Wired = app::Wired<kTendons, Base, typename Base::Store>;
 
  public:
-  using Sensing = app::ExtendedSensing<SensorT, kTendons>;
-  using App =
-      app::App<kTendons, typename Base::template Devices<typename Sensing::Sensor, Clock, Hold>,
-               typename Sensing::Layout>;
+  using App = typename Wired::App;
 
-  Machine(Stream& stream, const Clock& clock, Backing& backing, Hold& hold,
-          const Settings& settings)
-      : Base(stream, backing, settings),
-        models_(app::starting_models<kTendons>(this->store, settings.models, evaluates())),
-        sensing_(this->sensor, models_.models),
-        app(this->devices(sensing_.sensor(), clock, hold), settings.config, models_) {}
+  Machine(Stream& stream, const Clock& time, Backing& backing, Hold& held, const Settings& settings)
+      : Base(stream, time, backing, held, settings),
+        wired_(*this, this->store, settings.config, settings.models, evaluates()) {}
 
  private:
   static std::array<app::Evaluates, kTendons> evaluates() {
@@ -109,11 +95,10 @@ class Machine : public MachineDevices<Stream, Backing, SensorT> {
     return all;
   }
 
-  app::StartingModels<kTendons> models_;
-  Sensing sensing_;
+  Wired wired_;
 
  public:
-  App app;
+  App& app = wired_.app();
 };
 
 }  // namespace firmware::qemu_mps2

@@ -100,7 +100,7 @@ class Summary {
     Line line;
     line << "saves " << machine_.store.sequence() << " drive "
          << std::uint32_t{machine_.drive_enable.asserted()} << " brake "
-         << std::uint32_t{machine_.brake.asserted()} << " light " << machine_.light.changes()
+         << std::uint32_t{machine_.brake.asserted()} << " light " << machine_.status_light.changes()
          << " watchdog " << machine_.watchdog.feeds();
     end(line);
     return whole_;
