@@ -120,7 +120,10 @@ void Clocks::write_cfgr(std::uint32_t value) {
   const std::uint32_t ready = wanted == kSwitchPll   ? kPllReady
                               : wanted == kSwitchHse ? kHseReady
                                                      : kHsiReady;
-  rules_.require((cr_ & ready) != 0, "switch to a clock that is not ready");
+  if ((cr_ & ready) == 0) {
+    rules_.broken("switch to a clock that is not ready");
+    return;
+  }
   const auto halved = [this] { return runs_on_pll() && hclk_divisor() == 2; };
   const bool was_halved = halved();
   cfgr_ = (value & ~0xCu) | wanted << 2;
