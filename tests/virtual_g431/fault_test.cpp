@@ -83,6 +83,7 @@ TEST_F(Fault, TriggerDiesLater) {
   EXPECT_EQ(board.resets[0].cause, ResetCause::watchdog);
   EXPECT_THAT(board.edges, SizeIs(4)) << "the drive came back";
   EXPECT_FALSE(board.drive_enabled());
+  EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 
 TEST_F(Fault, ConvertersNeverGetReady) {
@@ -92,6 +93,7 @@ TEST_F(Fault, ConvertersNeverGetReady) {
   board.run(kSecond);
   EXPECT_THAT(board.edges, IsEmpty());
   EXPECT_GT(board.resets.size(), 1u);
+  EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 
 TEST_F(Fault, AnAmplifierIsBroken) {
@@ -103,6 +105,7 @@ TEST_F(Fault, AnAmplifierIsBroken) {
   ASSERT_FALSE(sent<protocol::LifeStatus>(board).empty());
   EXPECT_FALSE(sent<protocol::LifeStatus>(board).back().sensor_ok);
   EXPECT_THAT(board.resets, IsEmpty());
+  EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 
 /// The contact opens: drive off within 2.1 ms and two periods, until a restart with it closed.
@@ -141,6 +144,7 @@ TEST_F(Fault, AContactThatBouncesIsNoStop) {
   }
   EXPECT_TRUE(board.drive_enabled());
   EXPECT_THAT(board.edges, SizeIs(2));
+  EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 
 TEST_F(Fault, StopIsOpenAtTheStart) {
@@ -150,6 +154,7 @@ TEST_F(Fault, StopIsOpenAtTheStart) {
   board.run(kSecond);
   EXPECT_THAT(board.edges, IsEmpty());
   EXPECT_TRUE(said(board, protocol::EmergencyCode::emergency_stop));
+  EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 
 /// Pushes into the lowest 32 bytes of the stack.
@@ -172,6 +177,7 @@ TEST_F(Fault, StackRunsOver) {
   ASSERT_THAT(board.resets, SizeIs(1));
   EXPECT_EQ(board.resets[0].cause, ResetCause::software);
   EXPECT_TRUE(board.drive_enabled());
+  EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 
 /// The brake does not open: the drive stays off, and the watchdog starts it over and over.
@@ -183,6 +189,7 @@ TEST_F(Fault, BrakeLineIsShorted) {
   EXPECT_THAT(board.edges, IsEmpty());
   ASSERT_GT(board.resets.size(), 1u);
   EXPECT_EQ(board.resets[0].cause, ResetCause::watchdog);
+  EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 
 TEST_F(Fault, NoiseIsBroken) {
@@ -193,6 +200,7 @@ TEST_F(Fault, NoiseIsBroken) {
   EXPECT_THAT(board.resets, IsEmpty());
   EXPECT_TRUE(board.drive_enabled());
   EXPECT_GE(sent<protocol::LifeStatus>(board).size(), 9u);
+  EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 
 }  // namespace

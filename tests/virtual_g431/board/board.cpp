@@ -37,6 +37,9 @@ Board::Board(FlashContents& contents_, std::uint32_t seed) : contents(contents_)
   core->on_reset_request = [this] { reset(); };
   core->on_entry = [this](unsigned number) {
     if (number == exception::kInterrupt0 + kAdcInterrupt) {
+      const Ticks since = agenda.now() - last_period_;
+      in_time_ = since > 50 * kMicrosecond && since < 150 * kMicrosecond ? in_time_ + 1 : 0;
+      last_period_ = agenda.now();
       if (most_periods != 0 && periods.size() >= 2 * most_periods) {
         periods.erase(periods.begin(), periods.end() - static_cast<std::ptrdiff_t>(most_periods));
       }
@@ -89,8 +92,24 @@ void Board::note_lines() {
   if (brake != last_brake_) {
     edges.push_back({agenda.now(), false, brake});
   }
+  if (!resetting_) {
+    const bool rose = (drive && !last_drive_) || (brake && !last_brake_);
+    rules.require(!rose || in_time_ >= 100, "drive or brake let go without 100 periods in time");
+    rules.require(!drive || brake, "drive enabled while the brake holds");
+  }
   last_drive_ = drive;
   last_brake_ = brake;
+}
+
+void Board::open_stop(bool open) {
+  port_b.connect(7, open ? std::nullopt : std::optional(false));
+  const std::uint64_t change = ++stops_;
+  if (open) {
+    agenda.in(2200 * kMicrosecond, [this, change] {
+      rules.require(change != stops_ || !(drive_enabled() || brake_released()),
+                    "drive or brake let go 2.2 ms after the stop has opened");
+    });
+  }
 }
 
 void Board::power_on() {
@@ -112,19 +131,24 @@ void Board::power_on() {
 void Board::power_off(double torn_share) {
   flash.tear(torn_share, random_);
   powered_ = false;
+  reset_peripherals();
+}
+
+/// All lines at once.
+void Board::reset_peripherals() {
+  resetting_ = true;
   for (const Place& place : places_) {
     place.peripheral->reset();
   }
   note_lines();
+  resetting_ = false;
+  in_time_ = 0;
 }
 
 /// An operation of the flash that is under way ends as if nothing had happened.
 void Board::start_over() {
-  for (const Place& place : places_) {
-    place.peripheral->reset();
-  }
+  reset_peripherals();
   core->reset();
-  note_lines();
 }
 
 void Board::reset() {

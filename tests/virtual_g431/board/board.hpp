@@ -27,6 +27,10 @@ inline constexpr std::uint32_t kStoreOffset = 44 * kPageBytes;
 
 /// A B-G431B-ESC1 with an STM32G431CB, its resistors, a contact for the emergency stop and a tester
 /// on its bus. It runs what is in its flash, and is off at first.
+///
+/// Whatever happens, it holds for rules of the firmware that the drive is enabled only while the
+/// brake is released, both only after 100 periods of the control loop came in time, and neither
+/// 2.2 ms after the stop has opened.
 class Board {
  public:
   /// `contents` outlives the board; junk is drawn from `seed`.
@@ -52,7 +56,7 @@ class Board {
   }
 
   /// The emergency stop is a contact to ground; open, it stops.
-  void open_stop(bool open) { port_b.connect(7, open ? std::nullopt : std::optional(false)); }
+  void open_stop(bool open);
   [[nodiscard]] bool drive_enabled() const { return powered_ && port_b.level(3); }
   [[nodiscard]] bool brake_released() const { return powered_ && port_a.level(15); }
   [[nodiscard]] bool terminated() const { return powered_ && port_c.level(14); }
@@ -119,6 +123,7 @@ class Board {
   void write(std::uint32_t address, unsigned size, std::uint32_t value);
   void reset();
   void start_over();
+  void reset_peripherals();
   void note_lines();
 
   std::mt19937 random_;
@@ -127,6 +132,10 @@ class Board {
   bool watchdog_bit_ = false;
   Ticks powered_at_ = 0;
   bool last_drive_ = false, last_brake_ = false;
+  bool resetting_ = false;
+  Ticks last_period_ = 0;
+  std::uint32_t in_time_ = 0;  ///< periods of the control loop in a row, since the last reset
+  std::uint64_t stops_ = 0;    ///< changes of the stop
   alignas(4096) std::array<std::uint8_t, kSramMapped> sram_{};
   alignas(4096) std::array<std::uint8_t, kCcmMapped> ccm_{};
   alignas(4096) std::array<std::uint8_t, 0x1000> system_memory_{};
