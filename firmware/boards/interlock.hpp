@@ -5,7 +5,7 @@
 #include "hal/devices.hpp"
 #include "lifemodel/support/shared_word.hpp"
 
-namespace board {
+namespace boards {
 
 /// Stands between the application and the lines that keep people safe, so that an emergency stop
 /// takes the drive away in the period of the control loop that sees it, whatever the application
@@ -117,4 +117,4 @@ class Interlock {
   bool brake_ = true;
 };
 
-}  // namespace board
+}  // namespace boards

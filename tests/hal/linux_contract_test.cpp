@@ -171,7 +171,7 @@ class Board {
     Output brake;
     linux_os::EdgeFollower<Edges>& emergency_stop;
   };
-  using Lock = board::Interlock<Lines, kPeriodsInTime>;
+  using Lock = boards::Interlock<Lines, kPeriodsInTime>;
 
   Lock& interlock() { return interlock_; }
   void pull(bool pulled) {

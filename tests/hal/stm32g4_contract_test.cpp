@@ -146,10 +146,11 @@ class Board {
   static constexpr std::uint32_t kPeriodsInTime = 100;
   static constexpr std::uint32_t kShortest_us = 3'000;
   static constexpr std::uint32_t kOffWithin_us = 2'100;
-  static_assert(board::kLoopPeriod_us == kPeriod_us && board::kPeriodsInTime == kPeriodsInTime);
-  static_assert(
-      std::is_same_v<stm32g4_models::Input,
-                     hal::stm32g4::DebouncedInput<stm32g4_models::Word, board::kStopSamples>>);
+  static_assert(boards::b_g431b_esc1::kLoopPeriod_us == kPeriod_us &&
+                boards::b_g431b_esc1::kPeriodsInTime == kPeriodsInTime);
+  static_assert(std::is_same_v<stm32g4_models::Input,
+                               hal::stm32g4::DebouncedInput<stm32g4_models::Word,
+                                                            boards::b_g431b_esc1::kStopSamples>>);
 
   Board() { EXPECT_EQ(devices_.sensor.calibrate_at_rest(), hal::Error::none); }
 
@@ -158,14 +159,14 @@ class Board {
     stm32g4_models::OutputPin& brake;
     stm32g4_models::Input& emergency_stop;
   };
-  using Lock = board::Interlock<Lines, kPeriodsInTime>;
+  using Lock = boards::Interlock<Lines, kPeriodsInTime>;
 
   Lock& interlock() { return parts_.interlock; }
   void pull(bool pulled) { devices_.gpio_b.outside = pulled ? 1u << 7 : 0; }
   void period(bool in_time) {
     // One more goes by with the look at the clock.
     devices_.tim2.time_us += (in_time ? 1 : 2) * kPeriod_us - 1;
-    board::isr_period(parts_, app_);
+    boards::b_g431b_esc1::isr_period(parts_, app_);
   }
   void wait(std::uint32_t periods, const std::function<void()>& after) {
     devices_.flash.busy_looks = periods;

@@ -7,7 +7,7 @@
 
 #include "tests/io/support.hpp"
 
-namespace board {
+namespace boards::linux_controller {
 namespace {
 
 using host_sim::test::complaint_of;
@@ -292,4 +292,4 @@ TEST(Config, AMissingFileIsNamed) {
 }
 
 }  // namespace
-}  // namespace board
+}  // namespace boards::linux_controller

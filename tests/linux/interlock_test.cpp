@@ -6,7 +6,7 @@
 
 #include "firmware/boards/linux/devices.hpp"
 
-namespace board {
+namespace boards::linux_controller {
 namespace {
 
 struct ScriptedOutput {
@@ -165,4 +165,4 @@ TEST(SettleTurn, TheLoopDoesNotWaitForAReader) {
 }
 
 }  // namespace
-}  // namespace board
+}  // namespace boards::linux_controller

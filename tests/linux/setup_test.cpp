@@ -10,7 +10,7 @@
 #include "lifemodel/pack/pack.hpp"
 #include "tests/io/support.hpp"
 
-namespace board {
+namespace boards::linux_controller {
 namespace {
 
 namespace fs = std::filesystem;
@@ -246,4 +246,4 @@ TEST_F(Profiles, ArePlayedOnceOrAgainAndAgain) {
 }
 
 }  // namespace
-}  // namespace board
+}  // namespace boards::linux_controller

@@ -8,7 +8,7 @@
 #include "hal/linux/device_error.hpp"
 #include "tests/io/support.hpp"
 
-namespace board {
+namespace boards::linux_controller {
 namespace {
 
 namespace fs = std::filesystem;
@@ -131,4 +131,4 @@ TEST_F(SurroundingsTest, AreWhatIsMeasuredAndListenedTo) {
 }
 
 }  // namespace
-}  // namespace board
+}  // namespace boards::linux_controller

@@ -14,7 +14,7 @@
 #include "tests/target/model/paper_model.hpp"
 #include "tests/target/signals.hpp"
 
-namespace board = firmware::qemu_mps2;
+namespace board = boards::qemu_mps2;
 
 namespace target {
 namespace {
@@ -168,7 +168,7 @@ class Measurement {
 }  // namespace target
 
 int main() {
-  const firmware::qemu_mps2::Arguments arguments;
+  const boards::qemu_mps2::Arguments arguments;
   if (arguments.count() != 2) {
     return 2;
   }

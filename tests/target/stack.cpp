@@ -14,7 +14,7 @@
 #include "tests/target/model/paper_model.hpp"
 #include "tests/target/signals.hpp"
 
-namespace board = firmware::qemu_mps2;
+namespace board = boards::qemu_mps2;
 
 namespace target {
 namespace {
@@ -82,6 +82,6 @@ int run(const char* path) {
 }  // namespace target
 
 int main() {
-  const firmware::qemu_mps2::Arguments arguments;
+  const boards::qemu_mps2::Arguments arguments;
   return arguments.count() == 2 ? target::run(arguments[1]) : 2;
 }

@@ -5,7 +5,7 @@
 
 #include "lifemodel/extension/extended_block.hpp"
 
-namespace board {
+namespace boards::b_g431b_esc1 {
 
 Room<Application> application_room;
 
@@ -27,4 +27,4 @@ App& make_application(Hardware& hardware, const app::Config& config) {
   return application_room.make(hardware, config, configured()).app();
 }
 
-}  // namespace board
+}  // namespace boards::b_g431b_esc1

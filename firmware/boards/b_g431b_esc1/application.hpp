@@ -10,7 +10,7 @@
 #include "firmware/storage/flash_store.hpp"
 #include "lifemodel/extension/needs.hpp"
 
-namespace board {
+namespace boards::b_g431b_esc1 {
 
 /// The motor of the board pulls one tendon.
 inline constexpr std::size_t kTendons = 1;
@@ -65,4 +65,4 @@ inline Application& application() {
   return application_room.get();
 }
 
-}  // namespace board
+}  // namespace boards::b_g431b_esc1

@@ -5,7 +5,7 @@
 #include "firmware/boards/b_g431b_esc1/registers.hpp"
 #include "hal/stm32g4/flash_memory.hpp"
 
-namespace board {
+namespace boards::b_g431b_esc1 {
 
 /// The flash where the bus sees it.
 class FlashArray {
@@ -49,4 +49,4 @@ class BoardFlash {
                                                                              array_};
 };
 
-}  // namespace board
+}  // namespace boards::b_g431b_esc1

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace board {
+namespace boards::b_g431b_esc1 {
 
 inline constexpr std::uint32_t kLoop_Hz = 10'000;
 inline constexpr std::uint32_t kLoopPeriod_us = 1'000'000 / kLoop_Hz;
@@ -28,4 +28,4 @@ void isr_period(Devices& devices, App& app) {
   app.isr_sample();
 }
 
-}  // namespace board
+}  // namespace boards::b_g431b_esc1

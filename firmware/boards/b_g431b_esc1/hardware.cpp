@@ -9,7 +9,7 @@
 // Defined by the linker script.
 extern "C" std::uint32_t stack_guard[];
 
-namespace board {
+namespace boards::b_g431b_esc1 {
 
 hal::Error Hardware::start() {
   hal::stm32g4::ClockTree<Register> tree(registers::rcc(), registers::pwr(), registers::flash());
@@ -66,4 +66,4 @@ void guard_stack() {
   hal::stm32g4::set_bits(registers::system_control().shcsr, bit(16));
 }
 
-}  // namespace board
+}  // namespace boards::b_g431b_esc1

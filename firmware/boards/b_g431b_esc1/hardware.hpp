@@ -16,7 +16,7 @@
 #include "hal/stm32g4/timers.hpp"
 #include "hal/stm32g4/watchdog.hpp"
 
-namespace board {
+namespace boards::b_g431b_esc1 {
 
 /// Pages of 2 KiB from the start of the flash: 43 of code, one with the node's own settings, 20 of
 /// the store. The linker script has the first.
@@ -76,4 +76,4 @@ struct Hardware {
 /// Makes the lowest bytes of the stack, which lies lowest in its memory, fault.
 void guard_stack();
 
-}  // namespace board
+}  // namespace boards::b_g431b_esc1

@@ -4,7 +4,7 @@
 
 #include "hal/stm32g4/core.hpp"
 
-namespace board {
+namespace boards::b_g431b_esc1 {
 
 /// The control loop interrupts settling, and settling the idle loop.
 inline constexpr std::uint32_t kLoopPriority = hal::stm32g4::core::priority(1);
@@ -40,4 +40,4 @@ void isr_settle();              ///< PendSV: counts cycles below the control loo
 void isr_fault();               ///< faults, and what nobody expects: fail_safe() on a fresh stack
 }
 
-}  // namespace board
+}  // namespace boards::b_g431b_esc1

@@ -7,7 +7,7 @@
 #include "firmware/boards/b_g431b_esc1/interrupts.hpp"
 #include "firmware/boards/b_g431b_esc1/node_page.hpp"
 
-namespace board {
+namespace boards::b_g431b_esc1 {
 
 extern "C" void isr_settle() {
   while (application().app().settle()) {
@@ -80,8 +80,8 @@ protocol::detail::Timing timing_of(const hal::stm32g4::SampleTiming& timing) {
 }
 
 }  // namespace
-}  // namespace board
+}  // namespace boards::b_g431b_esc1
 
 int main() {
-  board::run();
+  boards::b_g431b_esc1::run();
 }

@@ -10,7 +10,7 @@
 #include "firmware/app/config.hpp"
 #include "lifemodel/support/bytes.hpp"
 
-namespace board {
+namespace boards::b_g431b_esc1 {
 
 /// Settings of one node, written once with the firmware by make_node_page.py: little-endian words
 /// magic "TLND", version 1, node id 1 .. 127 with bit 8 set where the termination stays open, then
@@ -45,4 +45,4 @@ constexpr std::optional<NodeSettings> decode_node(std::span<const std::byte, kNo
 /// What a board without settings is: the last node id, terminated, and nobody has authority.
 inline constexpr NodeSettings kNoSettings{127, {}, true};
 
-}  // namespace board
+}  // namespace boards::b_g431b_esc1

@@ -4,7 +4,7 @@
 #include "hal/stm32g4/pins.hpp"
 
 /// Lines of the B-G431B-ESC1, UM2516; README.md has the table with the connectors.
-namespace board::pins {
+namespace boards::b_g431b_esc1::pins {
 
 using Pin = hal::stm32g4::Pin<registers::Register>;
 
@@ -38,4 +38,4 @@ inline Pin can_termination() {
 /// DS12589, table of alternate functions: FDCAN1 on PA11 and PB9.
 inline constexpr std::uint32_t kCanFunction = 9;
 
-}  // namespace board::pins
+}  // namespace boards::b_g431b_esc1::pins

@@ -7,7 +7,7 @@
 
 // This file and all that it reaches lie in RAM, so that no sample and no emergency stop is lost
 // while the flash is busy; see the linker script.
-namespace board {
+namespace boards::b_g431b_esc1 {
 
 extern "C" void isr_control() {
   isr_period(hardware(), application().app());
@@ -67,4 +67,4 @@ extern "C" [[gnu::naked]] void isr_fault() {
       ".ltorg\n");
 }
 
-}  // namespace board
+}  // namespace boards::b_g431b_esc1

@@ -13,7 +13,7 @@
 #include "hal/stm32g4/watchdog.hpp"
 
 /// Where the register files lie: RM0440 2.2.2, memory map of category 2 devices.
-namespace board::registers::addresses {
+namespace boards::b_g431b_esc1::registers::addresses {
 
 inline constexpr std::uintptr_t kTim2 = 0x40000000;
 inline constexpr std::uintptr_t kIwdg = 0x40003000;
@@ -37,10 +37,10 @@ inline constexpr std::uintptr_t kInterruptController = 0xE000E100;
 
 inline constexpr std::uintptr_t kFlashArray = 0x08000000;
 
-}  // namespace board::registers::addresses
+}  // namespace boards::b_g431b_esc1::registers::addresses
 
 /// The register files of the device, at their addresses.
-namespace board::registers {
+namespace boards::b_g431b_esc1::registers {
 
 using hal::stm32g4::Register;
 
@@ -107,4 +107,4 @@ inline auto& interrupts() {
   return at<hal::stm32g4::InterruptRegisters>(addresses::kInterruptController);
 }
 
-}  // namespace board::registers
+}  // namespace boards::b_g431b_esc1::registers

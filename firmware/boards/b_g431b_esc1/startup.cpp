@@ -20,7 +20,7 @@ extern const std::uint32_t data_load[], ram_code_load[];
 // C++ allows nobody to call main by its own name.
 extern "C" int run_program() __asm__("main");
 
-namespace board {
+namespace boards::b_g431b_esc1 {
 namespace {
 
 constexpr std::size_t kNmi = 2;
@@ -70,4 +70,4 @@ extern "C" [[noreturn]] void isr_reset() {
   fail_safe();
 }
 
-}  // namespace board
+}  // namespace boards::b_g431b_esc1

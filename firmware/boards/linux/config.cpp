@@ -11,7 +11,7 @@
 #include "hal/files/input_file.hpp"
 #include "hal/files/toml_table.hpp"
 
-namespace board {
+namespace boards::linux_controller {
 namespace {
 
 namespace fs = std::filesystem;
@@ -310,4 +310,4 @@ Config read_config(const fs::path& path) {
   return parse_config(text, path.string(), path.parent_path());
 }
 
-}  // namespace board
+}  // namespace boards::linux_controller

@@ -13,7 +13,7 @@
 
 #include "firmware/protocol/messages.hpp"
 
-namespace board {
+namespace boards::linux_controller {
 
 /// An interface name that stands for no bus: frames go into a log.
 inline constexpr std::string_view kNoBus = "none";
@@ -116,4 +116,4 @@ Config parse_config(std::string_view text, std::string_view name,
 /// The same of a file of at most 1 MiB; relative paths start at its folder.
 Config read_config(const std::filesystem::path& path);
 
-}  // namespace board
+}  // namespace boards::linux_controller

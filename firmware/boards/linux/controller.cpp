@@ -27,7 +27,7 @@
 #include "hal/linux/loop.hpp"
 #include "hal/linux/service_manager.hpp"
 
-namespace board {
+namespace boards::linux_controller {
 namespace {
 
 /// Opens the store of a configuration, and warns of files that were found damaged. Throws
@@ -372,4 +372,4 @@ Report run(const Setup& setup, const std::atomic<bool>& stop) {
   }
 }
 
-}  // namespace board
+}  // namespace boards::linux_controller

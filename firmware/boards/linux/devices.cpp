@@ -6,7 +6,7 @@
 
 #include "hal/files/candump.hpp"
 
-namespace board {
+namespace boards::linux_controller {
 namespace {
 
 using hal::linux_os::CanFilter;
@@ -71,4 +71,4 @@ void BoardCan::finish() {
   }
 }
 
-}  // namespace board
+}  // namespace boards::linux_controller

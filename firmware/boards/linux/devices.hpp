@@ -20,7 +20,7 @@
 #include "hal/linux/service_manager.hpp"
 #include "hal/linux/socketcan.hpp"
 
-namespace board {
+namespace boards::linux_controller {
 
 /// The clock of the machine, or a virtual one that only advance() moves.
 class BoardClock {
@@ -169,4 +169,4 @@ class SettleTurn {
 };
 static_assert(hal::Hold<SettleTurn>);
 
-}  // namespace board
+}  // namespace boards::linux_controller

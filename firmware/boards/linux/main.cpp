@@ -56,29 +56,29 @@ void add_options(CLI::App& app, Arguments& arguments) {
       "Example: tendonlife_controller --config /etc/tendonlife/controller.toml --check");
 }
 
-void warn_of_missing_lines(const board::Config& config) {
+void warn_of_missing_lines(const boards::linux_controller::Config& config) {
   if (!config.gpio) {
     std::cerr << "tendonlife_controller: no lines are configured: there is no emergency stop\n";
   }
 }
 
-void write(const board::Report& report, const std::string& path) {
-  std::cout << board::to_text(report);
+void write(const boards::linux_controller::Report& report, const std::string& path) {
+  std::cout << boards::linux_controller::to_text(report);
   if (!path.empty()) {
     hal::files::OutputFile out(path);
-    out.write(board::to_json(report));
+    out.write(boards::linux_controller::to_json(report));
     out.commit();
   }
 }
 
 int control(const Arguments& arguments) {
-  const board::Setup setup =
-      board::read_setup(board::read_config(arguments.config), arguments.virtual_clock);
+  const boards::linux_controller::Setup setup = boards::linux_controller::read_setup(
+      boards::linux_controller::read_config(arguments.config), arguments.virtual_clock);
   if (arguments.check) {
     return 0;
   }
   warn_of_missing_lines(setup.config);
-  const board::Report report = board::run(setup, stop_asked);
+  const boards::linux_controller::Report report = boards::linux_controller::run(setup, stop_asked);
   write(report, arguments.report);
   if (report.saved != hal::Error::none) {
     std::cerr << "the lives could not be saved: "

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <string_view>
 
-namespace board {
+namespace boards::linux_controller {
 namespace {
 
 using Json = nlohmann::ordered_json;
@@ -103,4 +103,4 @@ std::string to_text(const Report& report) {
   return text;
 }
 
-}  // namespace board
+}  // namespace boards::linux_controller

@@ -10,7 +10,7 @@
 #include "hal/linux/loop.hpp"
 #include "hal/linux/socketcan.hpp"
 
-namespace board {
+namespace boards::linux_controller {
 
 /// How a run ended.
 struct Report {
@@ -34,4 +34,4 @@ std::string to_json(const Report& report);
 /// The same for people, one line a tendon.
 std::string to_text(const Report& report);
 
-}  // namespace board
+}  // namespace boards::linux_controller

@@ -14,7 +14,7 @@
 #include "lifemodel/pack/pack.hpp"
 #include "lifemodel/pack/samples.hpp"
 
-namespace board {
+namespace boards::linux_controller {
 namespace {
 
 namespace fs = std::filesystem;
@@ -256,4 +256,4 @@ CurrentSensor::Source CurrentSensor::open(const Setup& setup) {
   throw std::logic_error("a profile has no channels of IIO");
 }
 
-}  // namespace board
+}  // namespace boards::linux_controller

@@ -21,7 +21,7 @@
 #include "lifemodel/extension/needs.hpp"
 #include "lifemodel/extension/sample.hpp"
 
-namespace board {
+namespace boards::linux_controller {
 
 /// The samples of a profile, one for each period of the loop. Periods without a row, and values
 /// that the sample cannot hold, are holes.
@@ -173,4 +173,4 @@ class DriveSensor {
   hal::linux_os::MonotonicClock clock_;
 };
 
-}  // namespace board
+}  // namespace boards::linux_controller

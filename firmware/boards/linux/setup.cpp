@@ -14,7 +14,7 @@
 #include "lifemodel/extension/extended_block.hpp"
 #include "lifemodel/extension/needs.hpp"
 
-namespace board {
+namespace boards::linux_controller {
 namespace {
 
 namespace fs = std::filesystem;
@@ -173,4 +173,4 @@ Setup read_setup(const Config& config, bool virtual_clock) {
   return setup;
 }
 
-}  // namespace board
+}  // namespace boards::linux_controller

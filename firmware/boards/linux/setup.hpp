@@ -9,7 +9,7 @@
 #include "firmware/boards/linux/config.hpp"
 #include "lifemodel/extension/extended_block.hpp"
 
-namespace board {
+namespace boards::linux_controller {
 
 /// Reads the key of a node: 32 hexadecimal digits in a regular file that only its owner may read or
 /// write, as OpenSSH asks of private keys. Throws hal::files::InputError.
@@ -36,4 +36,4 @@ struct Setup {
 /// drive that the parameters do not have, or an extension what is not measured.
 Setup read_setup(const Config& config, bool virtual_clock);
 
-}  // namespace board
+}  // namespace boards::linux_controller

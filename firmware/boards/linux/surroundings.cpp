@@ -5,7 +5,7 @@
 
 #include "lifemodel/pack/samples.hpp"
 
-namespace board {
+namespace boards::linux_controller {
 namespace {
 
 using hal::linux_os::CanFilter;
@@ -142,4 +142,4 @@ lifemodel::extension::Measured measured_by(const TendonConfig& tendon) {
           has(Covariate::sheath_temperature), has(Covariate::winding_temperature)};
 }
 
-}  // namespace board
+}  // namespace boards::linux_controller

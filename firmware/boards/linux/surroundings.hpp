@@ -18,7 +18,7 @@
 #include "lifemodel/extension/needs.hpp"
 #include "lifemodel/extension/sample.hpp"
 
-namespace board {
+namespace boards::linux_controller {
 
 /// The number in a frame of others; nothing where the frame is another or too short.
 std::optional<double> value_in(const BusQuantity& quantity, const hal::CanFrame& frame);
@@ -92,4 +92,4 @@ std::vector<hal::linux_os::CanFilter> filters_of(const Config& config);
 /// What a controller with this configuration measures besides motor current.
 lifemodel::extension::Measured measured_by(const TendonConfig& tendon);
 
-}  // namespace board
+}  // namespace boards::linux_controller

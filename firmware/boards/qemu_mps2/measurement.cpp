@@ -2,7 +2,7 @@
 
 #include "firmware/boards/qemu_mps2/registers.hpp"
 
-namespace firmware::qemu_mps2 {
+namespace boards::qemu_mps2 {
 namespace {
 
 constexpr std::uint32_t kReload = 0xffffff;
@@ -42,4 +42,4 @@ std::uint32_t stack_bytes(const Call& call) {
   return paint_gone_after(call.arguments[0], call.arguments[1], call.arguments[2], call.function);
 }
 
-}  // namespace firmware::qemu_mps2
+}  // namespace boards::qemu_mps2

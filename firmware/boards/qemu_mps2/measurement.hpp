@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <type_traits>
 
-namespace firmware::qemu_mps2 {
+namespace boards::qemu_mps2 {
 
 /// A call of a function whose at most three arguments are one register each, to be measured.
 struct Call {
@@ -37,4 +37,4 @@ class InstructionCounter {
 /// Space that a frame holds but never writes is not seen.
 [[nodiscard]] std::uint32_t stack_bytes(const Call& call);
 
-}  // namespace firmware::qemu_mps2
+}  // namespace boards::qemu_mps2

@@ -6,7 +6,7 @@
 
 /// Core registers, ARMv7-M Architecture Reference Manual (DDI 0403E), B3.2.2, B3.3.2, B3.4.3
 /// and B3.5.4.
-namespace firmware::qemu_mps2::registers {
+namespace boards::qemu_mps2::registers {
 
 class Register {
  public:
@@ -34,10 +34,10 @@ inline constexpr Register kMpuRegionNumber{0xE000ED98};
 inline constexpr Register kMpuRegionBase{0xE000ED9C};
 inline constexpr Register kMpuRegionAttributes{0xE000EDA0};
 
-}  // namespace firmware::qemu_mps2::registers
+}  // namespace boards::qemu_mps2::registers
 
 /// UART 0 of the AN386 image, which QEMU hands to the host by -serial.
-namespace firmware::qemu_mps2 {
+namespace boards::qemu_mps2 {
 
 inline constexpr std::uint32_t kClock_Hz = 25'000'000;
 inline constexpr std::uint32_t kUart0_bits_per_s = 1'000'000;
@@ -49,4 +49,4 @@ inline hal::qemu_mps2::UartRegisters& uart0_registers() {
   return *reinterpret_cast<hal::qemu_mps2::UartRegisters*>(kBase);
 }
 
-}  // namespace firmware::qemu_mps2
+}  // namespace boards::qemu_mps2

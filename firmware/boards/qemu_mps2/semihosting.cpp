@@ -2,7 +2,7 @@
 
 #include <array>
 
-namespace firmware::qemu_mps2 {
+namespace boards::qemu_mps2 {
 namespace {
 
 enum class Operation : std::uint32_t {
@@ -84,4 +84,4 @@ bool HostFile::write(std::span<const std::byte> bytes) {
   return call(Operation::write, block.data()) == 0;
 }
 
-}  // namespace firmware::qemu_mps2
+}  // namespace boards::qemu_mps2

@@ -6,7 +6,7 @@
 #include <span>
 
 /// The services of the host that QEMU runs on; Arm, Semihosting for AArch32 and AArch64.
-namespace firmware::qemu_mps2 {
+namespace boards::qemu_mps2 {
 
 /// Ends QEMU with this exit code, 0 .. 255.
 extern "C" [[noreturn]] void exit(int code);
@@ -76,4 +76,4 @@ class Arguments {
   std::size_t count_ = 0;
 };
 
-}  // namespace firmware::qemu_mps2
+}  // namespace boards::qemu_mps2

@@ -8,7 +8,7 @@
 #include "firmware/boards/qemu_mps2/registers.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
 
-namespace firmware::qemu_mps2 {
+namespace boards::qemu_mps2 {
 namespace {
 
 void write_hex(const char* label, std::uint32_t value) {
@@ -48,7 +48,7 @@ extern "C" [[gnu::weak, gnu::alias("fault")]] void pend_sv() noexcept;
 extern "C" [[gnu::weak, gnu::alias("fault")]] void sys_tick() noexcept;
 extern "C" [[gnu::weak, gnu::alias("fault")]] void uart0_receive() noexcept;
 
-}  // namespace firmware::qemu_mps2
+}  // namespace boards::qemu_mps2
 
 // Defined by the linker script.
 extern "C" {
@@ -60,7 +60,7 @@ extern const std::uint32_t data_load[];
 // C++ allows nobody to call main by its own name.
 extern "C" int run_program() __asm__("main");
 
-namespace firmware::qemu_mps2 {
+namespace boards::qemu_mps2 {
 namespace {
 
 struct VectorTable {
@@ -109,4 +109,4 @@ extern "C" [[gnu::section(".vectors"), gnu::used]] constinit const VectorTable v
      pend_sv, sys_tick},
     interrupts()};
 
-}  // namespace firmware::qemu_mps2
+}  // namespace boards::qemu_mps2

@@ -1,6 +1,6 @@
 #pragma once
 
-namespace firmware::qemu_mps2 {
+namespace boards::qemu_mps2 {
 
 /// What the program exits with after a fault or an exception that nobody expected.
 inline constexpr int kFaultExitCode = 127;
@@ -14,4 +14,4 @@ extern "C" void pend_sv() noexcept;
 extern "C" void sys_tick() noexcept;
 extern "C" void uart0_receive() noexcept;
 
-}  // namespace firmware::qemu_mps2
+}  // namespace boards::qemu_mps2

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace firmware::qemu_mps2 {
+namespace boards::qemu_mps2 {
 
 /// Text of bounded length, put together without the C library. What does not fit is cut off.
 template <std::size_t kCapacity>
@@ -54,4 +54,4 @@ class Text {
   std::array<char, kCapacity + 1> text_{};
 };
 
-}  // namespace firmware::qemu_mps2
+}  // namespace boards::qemu_mps2

@@ -53,9 +53,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::memcpy(words.data(), data, sizeof words);
     check_message(words);
   }
-  if (size == board::kNodeBytes) {
-    const auto bytes = std::as_bytes(std::span<const std::uint8_t, board::kNodeBytes>(data, size));
-    const auto settings = board::decode_node(bytes);
+  if (size == boards::b_g431b_esc1::kNodeBytes) {
+    const auto bytes =
+        std::as_bytes(std::span<const std::uint8_t, boards::b_g431b_esc1::kNodeBytes>(data, size));
+    const auto settings = boards::b_g431b_esc1::decode_node(bytes);
     require(!settings || (settings->node >= 1 && settings->node <= 127), "a node of CANopen");
   }
   return 0;

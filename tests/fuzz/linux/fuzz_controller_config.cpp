@@ -12,19 +12,22 @@ using host_sim::fuzz::require;
 
 namespace {
 
-void require_whole(const board::Config& config) {
+void require_whole(const boards::linux_controller::Config& config) {
   require(config.node >= 1 && config.node <= 127);
   require(config.serial.size() <= 12);
   require(!config.can.interface.empty());
-  require(config.can.log.empty() || config.can.interface == board::kNoBus);
+  require(config.can.log.empty() || config.can.interface == boards::linux_controller::kNoBus);
   require(config.loop.period_us >= 50 && config.loop.period_us <= 1'000'000);
   require(config.loop.priority >= 1 && config.loop.priority <= 98);
   require(!config.store.empty());
-  require(!config.tendons.empty() && config.tendons.size() <= board::kMostTendons);
-  for (const board::TendonConfig& tendon : config.tendons) {
+  require(!config.tendons.empty() &&
+          config.tendons.size() <= boards::linux_controller::kMostTendons);
+  for (const boards::linux_controller::TendonConfig& tendon : config.tendons) {
     require(!tendon.parameters.empty());
-    require(tendon.profile.empty() == (config.sensor.kind != board::SensorKind::profile));
-    require(tendon.channel.empty() == (config.sensor.kind == board::SensorKind::profile));
+    require(tendon.profile.empty() ==
+            (config.sensor.kind != boards::linux_controller::SensorKind::profile));
+    require(tendon.channel.empty() ==
+            (config.sensor.kind == boards::linux_controller::SensorKind::profile));
     require(tendon.channel.find('/') == std::string::npos);
   }
   if (config.gpio) {
@@ -39,7 +42,7 @@ void require_whole(const board::Config& config) {
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view text(reinterpret_cast<const char*>(data), size);
   try {
-    require_whole(board::parse_config(text, "fuzz", "/folder"));
+    require_whole(boards::linux_controller::parse_config(text, "fuzz", "/folder"));
   } catch (const hal::files::InputError& error) {
     host_sim::fuzz::require_one_line(error.what());
   }

@@ -11,7 +11,7 @@
 namespace {
 
 using namespace hal::stm32g4;
-namespace addresses = board::registers::addresses;
+namespace addresses = boards::b_g431b_esc1::registers::addresses;
 
 constexpr std::uint32_t all_but(std::uint64_t mask) {
   return ~static_cast<std::uint32_t>(mask);

@@ -6,7 +6,7 @@
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
 #include "firmware/boards/qemu_mps2/text.hpp"
 
-namespace board = firmware::qemu_mps2;
+namespace board = boards::qemu_mps2;
 
 // nops.S
 extern "C" void run_nops(std::uint32_t count);
@@ -19,7 +19,7 @@ int failures = 0;
 void expect(const char* what, std::uint32_t n, std::uint32_t expected, std::uint32_t counted) {
   if (counted != expected) {
     ++failures;
-    firmware::qemu_mps2::Text<120> line;
+    boards::qemu_mps2::Text<120> line;
     line << what << "(" << n << "): expected " << expected << ", counted " << counted << "\n";
     board::write(line.c_str());
   }

@@ -6,7 +6,7 @@
 
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
 
-namespace board = firmware::qemu_mps2;
+namespace board = boards::qemu_mps2;
 
 namespace {
 
@@ -37,7 +37,7 @@ bool read_file(const char* path) {
 }  // namespace
 
 int main() {
-  const firmware::qemu_mps2::Arguments arguments;
+  const boards::qemu_mps2::Arguments arguments;
   if (arguments.count() != 2) {
     board::write("expected one argument\n");
     return 2;

@@ -6,7 +6,7 @@
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
 #include "firmware/boards/qemu_mps2/text.hpp"
 
-namespace board = firmware::qemu_mps2;
+namespace board = boards::qemu_mps2;
 
 // pushes.S
 extern "C" void push_nothing(std::uint32_t);
@@ -19,7 +19,7 @@ int failures = 0;
 void expect(const char* what, std::uint32_t expected, std::uint32_t measured) {
   if (measured != expected) {
     ++failures;
-    firmware::qemu_mps2::Text<120> line;
+    boards::qemu_mps2::Text<120> line;
     line << what << ": expected " << expected << ", measured " << measured << "\n";
     board::write(line.c_str());
   }

@@ -19,7 +19,7 @@
 #include "tests/target/model/paper_model.hpp"
 #include "tests/target/signals.hpp"
 
-namespace board = firmware::qemu_mps2;
+namespace board = boards::qemu_mps2;
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include "firmware/boards/qemu_mps2/image/virtual_run.hpp"
 #include "tests/target/firmware/host_files.hpp"
 
-namespace board = firmware::qemu_mps2;
+namespace board = boards::qemu_mps2;
 
 int main(int argc, char** argv) {
   const std::span words(argv, static_cast<std::size_t>(argc));

@@ -12,7 +12,7 @@
 
 namespace firmware_test {
 
-/// A file of the host with the members of firmware::qemu_mps2::HostFile.
+/// A file of the host with the members of boards::qemu_mps2::HostFile.
 class HostFile {
  public:
   enum class Mode : int {

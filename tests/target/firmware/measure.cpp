@@ -15,7 +15,7 @@
 #include "firmware/boards/qemu_mps2/text.hpp"
 #include "tests/target/firmware/entry/entry.hpp"
 
-namespace board = firmware::qemu_mps2;
+namespace board = boards::qemu_mps2;
 
 namespace firmware_test {
 namespace {
@@ -75,7 +75,7 @@ class CountedApp {
 struct CountedMachine {
   Machine& machine;
   CountedApp app{machine.app};
-  firmware::qemu_mps2::PlayedCurrent& sensor = machine.sensor;
+  boards::qemu_mps2::PlayedCurrent& sensor = machine.sensor;
   hal::qemu_mps2::InputLine& emergency_stop = machine.emergency_stop;
 };
 

@@ -21,7 +21,7 @@
 #include "tests/target/firmware/host_files.hpp"
 #include "tests/target/firmware/scenarios.hpp"
 
-namespace board = firmware::qemu_mps2;
+namespace board = boards::qemu_mps2;
 
 namespace firmware_test {
 namespace {

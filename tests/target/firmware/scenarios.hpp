@@ -164,8 +164,8 @@ class Tester {
   std::uint32_t counter_ = 0;
 };
 
-using firmware::qemu_mps2::Event;
-using firmware::qemu_mps2::EventKind;
+using boards::qemu_mps2::Event;
+using boards::qemu_mps2::EventKind;
 
 /// What the host does at a moment: lines it types, and requests it hands to the tester.
 struct Deed {

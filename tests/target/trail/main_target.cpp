@@ -12,7 +12,7 @@
 
 namespace {
 
-using firmware::qemu_mps2::HostFile;
+using boards::qemu_mps2::HostFile;
 
 class Files {
  public:
@@ -42,7 +42,7 @@ class Files {
 }  // namespace
 
 int main() {
-  const firmware::qemu_mps2::Arguments arguments;
+  const boards::qemu_mps2::Arguments arguments;
   if (arguments.count() != 3) {
     return 2;
   }

@@ -38,7 +38,7 @@ class Trail {
  private:
   using Estimator = lifemodel::Estimator<2>;
   using Tension = lifemodel::Tension;
-  using Line = firmware::qemu_mps2::Text<240>;
+  using Line = boards::qemu_mps2::Text<240>;
 
   void signal(const Signal& signal) {
     Estimator estimator(paper_parameters<2>());

@@ -6,7 +6,7 @@
 #include "firmware/boards/qemu_mps2/registers.hpp"
 #include "firmware/boards/qemu_mps2/semihosting.hpp"
 
-namespace board = firmware::qemu_mps2;
+namespace board = boards::qemu_mps2;
 
 namespace {
 

@@ -11,7 +11,7 @@
 #include "lifemodel/extension/sample.hpp"
 #include "lifemodel/numeric/sine.hpp"
 
-namespace firmware::qemu_mps2 {
+namespace boards::qemu_mps2 {
 
 /// Played motor currents in surroundings that follow a rule: the rotor swings by 1.5 turns either
 /// way, a period in 1,000 samples, and the winding warms from 20 degrees by 1 a second at 1 kHz.
@@ -55,4 +55,4 @@ class SwingingDrive {
   std::uint32_t samples_ = 0;
 };
 
-}  // namespace firmware::qemu_mps2
+}  // namespace boards::qemu_mps2

@@ -15,7 +15,7 @@
 #include "hal/slcan/port.hpp"
 #include "lifemodel/extension/needs.hpp"
 
-namespace firmware::qemu_mps2 {
+namespace boards::qemu_mps2 {
 
 /// Makes the one T of the program, in room of its own and not on the stack. It is never destroyed.
 /// @pre called once for each T
@@ -101,4 +101,4 @@ class Machine : public MachineDevices<Stream, Clock, Backing, Hold, SensorT> {
   App& app = wired_.app();
 };
 
-}  // namespace firmware::qemu_mps2
+}  // namespace boards::qemu_mps2

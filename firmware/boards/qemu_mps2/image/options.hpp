@@ -9,7 +9,7 @@
 #include "firmware/app/config.hpp"
 #include "hal/slcan/line.hpp"
 
-namespace firmware::qemu_mps2 {
+namespace boards::qemu_mps2 {
 
 /// What went wrong, and with what: an option, or null for the run itself. Nothing did where `what`
 /// is null.
@@ -124,4 +124,4 @@ class OptionReader {
   Options options_;
 };
 
-}  // namespace firmware::qemu_mps2
+}  // namespace boards::qemu_mps2

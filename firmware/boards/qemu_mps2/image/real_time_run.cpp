@@ -12,7 +12,7 @@
 #include "firmware/boards/qemu_mps2/startup.hpp"
 #include "hal/qemu_mps2/system_timer.hpp"
 
-namespace firmware::qemu_mps2 {
+namespace boards::qemu_mps2 {
 /// Priorities of the interrupts, most urgent first; the hardware has the high three bits at least.
 constexpr std::uint32_t kSamplePriority = 0x00;
 constexpr std::uint32_t kReceivePriority = 0x40;
@@ -157,4 +157,4 @@ Failure run_in_real_time(const Options& options) {
   return write_summary<HostFile>(options, board.machine);
 }
 
-}  // namespace firmware::qemu_mps2
+}  // namespace boards::qemu_mps2

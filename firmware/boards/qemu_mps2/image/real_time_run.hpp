@@ -2,11 +2,11 @@
 
 #include "firmware/boards/qemu_mps2/image/options.hpp"
 
-namespace firmware::qemu_mps2 {
+namespace boards::qemu_mps2 {
 
 /// Plays the samples again and again: SysTick samples, PendSV settles, the idle loop does the rest.
 /// The host on UART 0 opens the channel, hears the node and may command it. Ends after
 /// options.seconds.
 Failure run_in_real_time(const Options& options);
 
-}  // namespace firmware::qemu_mps2
+}  // namespace boards::qemu_mps2

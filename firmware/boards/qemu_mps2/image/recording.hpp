@@ -12,7 +12,7 @@
 #include "lifemodel/support/bytes.hpp"
 
 /// Files that a recording is made of. All words are little-endian.
-namespace firmware::qemu_mps2 {
+namespace boards::qemu_mps2 {
 
 inline constexpr std::size_t kTendons = 2;
 
@@ -163,4 +163,4 @@ class Script {
   bool ended_;
 };
 
-}  // namespace firmware::qemu_mps2
+}  // namespace boards::qemu_mps2

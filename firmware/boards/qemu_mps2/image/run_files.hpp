@@ -15,7 +15,7 @@
 #include "lifemodel/block/parameter_block.hpp"
 #include "lifemodel/damage/damage.hpp"
 
-namespace firmware::qemu_mps2 {
+namespace boards::qemu_mps2 {
 
 /// Keeps a MemoryFlash in a file, each change at once, so that the end of the emulator is a power
 /// cut. Without a file it keeps nothing. (hal::qemu_mps2::Backing)
@@ -175,4 +175,4 @@ Failure write_summary(const Options& options, const MachineT& machine) {
   return {};
 }
 
-}  // namespace firmware::qemu_mps2
+}  // namespace boards::qemu_mps2

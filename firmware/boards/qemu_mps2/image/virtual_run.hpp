@@ -16,7 +16,7 @@
 #include "hal/slcan/port.hpp"
 #include "lifemodel/support/bytes.hpp"
 
-namespace firmware::qemu_mps2 {
+namespace boards::qemu_mps2 {
 
 /// A serial line with a scripted host at the other end: what the node writes is passed to `Line`,
 /// what it reads is what the script types.
@@ -183,4 +183,4 @@ Failure run_in_virtual_time(const Options& options, Line& line) {
   return play_profile<File, SensorT>(options, line, script);
 }
 
-}  // namespace firmware::qemu_mps2
+}  // namespace boards::qemu_mps2

@@ -18,9 +18,9 @@ struct NullLine {
   static std::size_t try_write(std::span<const std::byte> in) { return in.size(); }
 };
 
-using Host = firmware::qemu_mps2::ScriptedLine<NullLine>;
+using Host = boards::qemu_mps2::ScriptedLine<NullLine>;
 using Machine =
-    firmware::qemu_mps2::Machine<Host, hal::qemu_mps2::VirtualClock, hal::qemu_mps2::NoBacking>;
+    boards::qemu_mps2::Machine<Host, hal::qemu_mps2::VirtualClock, hal::qemu_mps2::NoBacking>;
 using App = Machine::App;
 
 extern "C" {
