@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <span>
+#include <vector>
 
 #include "firmware/protocol/uds/server.hpp"
 #include "tests/protocol/services/model_device.hpp"
@@ -48,6 +49,7 @@ class Session {
     const std::size_t lines = device_.lines.size();
     const std::size_t size = server_.handle(request, now_, response_);
     require_answer(request, size);
+    note_transfer(request, size);
     require(device_.lines.size() <= lines + 2);
     require_lifetime(before);
     if (!is_signed) {
@@ -74,6 +76,9 @@ class Session {
         kKey, kNode,
         {.routine = routine,
          .arguments = request.subspan(kHead, request.size() - kHead - uds::kProofBytes),
+         .transferred = routine == uds::kLoadTransferred.routine
+                            ? std::span<const std::byte>(transferred_)
+                            : std::span<const std::byte>{},
          .storage_counter = counter},
         nonce);
     std::ranges::copy(code, proof.begin() + 4);
@@ -89,6 +94,23 @@ class Session {
     }
   }
 
+  /// What the node must have of a block, from what it has taken.
+  void note_transfer(std::span<const std::byte> request, std::size_t size) {
+    if (size == 0 || response_[0] == std::byte{0x7f}) {
+      return;
+    }
+    if (request[0] == std::byte{uds::kRequestDownload}) {
+      transferred_.clear();
+      part_ = std::byte{0};
+    } else if (request[0] == std::byte{uds::kTransferData} &&
+               (request[1] != part_ || transferred_.empty())) {
+      const auto bytes = request.subspan(2);
+      transferred_.insert(transferred_.end(), bytes.begin(), bytes.end());
+      part_ = request[1];
+      require(transferred_.size() <= lifemodel::kMostExtendedBytes);
+    }
+  }
+
   void require_lifetime(const ModelLife& before) const {
     for (std::size_t i = 0; i < before.records.size(); ++i) {
       require(device_.life.records[i].lifetime_damage == before.records[i].lifetime_damage);
@@ -100,6 +122,8 @@ class Session {
   ModelDevice device_{2};
   uds::Server<ModelDevice> server_{device_, kNode, kKey};
   Message response_{};
+  std::vector<std::byte> transferred_;
+  std::byte part_{};
 };
 
 }  // namespace

@@ -58,6 +58,14 @@ void write_uds(const fs::path& folder) {
   write(folder / "open_twice", request(open, true) + request(open, true));
   write(folder / "load", request(load, true) + request(hex("22 10 00"), false));
   write(folder / "load_unsigned", request(load, false));
+  const Bytes block = paper_block();
+  const Bytes parts = request(hex("34 00 21 00 00 54"), false) +
+                      request(hex("36 01") + Bytes(block.begin(), block.begin() + 60), false) +
+                      request(hex("36 02") + Bytes(block.begin() + 60, block.end()), false) +
+                      request(hex("37"), false);
+  const Bytes load_parts = start("31 01 02 03", hex("00"));
+  write(folder / "transfer", parts + request(load_parts, true) + request(hex("22 02 60"), false));
+  write(folder / "transfer_unsigned", parts + request(load_parts, false));
   write(folder / "lock_out", request(open, false) + request(open, false) + request(open, false) +
                                  request(open, true) + request(hex("22 02 42"), false));
 }
