@@ -65,6 +65,17 @@ TEST_F(Boot, LetsTheDriveGoAfterTheControlLoopCameInTime) {
   EXPECT_EQ(board.resets.size(), 0u);
 }
 
+/// What memory has when the power comes says nothing.
+TEST_F(Boot, WhateverIsInMemory) {
+  for (std::uint32_t seed = 2; seed < 7; ++seed) {
+    Board board(contents, seed);
+    board.power_on();
+    EXPECT_TRUE(board.run_until([&] { return board.drive_enabled(); }, 200 * kMillisecond)) << seed;
+    EXPECT_THAT(board.broken_rules(), IsEmpty()) << seed;
+    EXPECT_THAT(board.resets, IsEmpty()) << seed;
+  }
+}
+
 TEST_F(Boot, WithoutACrystalOnTheInternalOscillator) {
   Board board(contents);
   board.clocks.fit_crystal(false);

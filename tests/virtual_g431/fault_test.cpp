@@ -180,6 +180,35 @@ TEST_F(Fault, StackRunsOver) {
   EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 
+/// The control loop goes on, but nobody looks after bus, store and watchdog.
+TEST_F(Fault, IdleLoopStandsStill) {
+  Board board(contents);
+  start(board);
+  ASSERT_TRUE(board.run_until([&] { return board.core->in_thread(); }, kMillisecond, kMicrosecond));
+  board.core->hang_at(0x10000000);
+  const Ticks hung_at = board.agenda.now();
+  board.run(kSecond);
+  EXPECT_LT(drive_off(board, hung_at), 255 * kMillisecond);
+  EXPECT_GT(drive_off(board, hung_at), 240 * kMillisecond);
+  ASSERT_THAT(board.resets, SizeIs(1));
+  EXPECT_EQ(board.resets[0].cause, ResetCause::watchdog);
+  EXPECT_TRUE(board.drive_enabled());
+  EXPECT_THAT(board.broken_rules(), IsEmpty());
+}
+
+TEST_F(Fault, CodeIsDamaged) {
+  Board board(contents);
+  start(board);
+  const Ticks met_at = board.agenda.now();
+  board.flash.meet_damage(0x1000);
+  board.run(kSecond);
+  EXPECT_LT(drive_off(board, met_at), 20 * kMicrosecond);
+  EXPECT_LT(brake_on(board, met_at), 20 * kMicrosecond);
+  ASSERT_THAT(board.resets, SizeIs(1));
+  EXPECT_EQ(board.resets[0].cause, ResetCause::software);
+  EXPECT_THAT(board.broken_rules(), IsEmpty());
+}
+
 /// The brake does not open: the drive stays off, and the watchdog starts it over and over.
 TEST_F(Fault, BrakeLineIsShorted) {
   Board board(contents);

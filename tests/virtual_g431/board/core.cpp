@@ -94,6 +94,20 @@ std::uint32_t Core::stack_pointer() {
 void Core::set_stack_pointer(std::uint32_t value) {
   write_register(UC_ARM_REG_SP, value);
 }
+void Core::hang_at(std::uint32_t address) {
+  constexpr std::array<std::uint8_t, 2> kJumpToItself{0xFE, 0xE7};
+  const Memory* memory = memory_at(address, 2);
+  if (memory == nullptr || !active_.empty()) {
+    throw std::runtime_error("no thread, or no memory at " + hex(address));
+  }
+  for (std::size_t i = 0; i + 2 <= memory->size; i += 2) {
+    if (std::memcmp(memory->bytes + i, kJumpToItself.data(), 2) == 0) {
+      sleeping_ = false;
+      return write_register(UC_ARM_REG_PC, (memory->base + static_cast<std::uint32_t>(i)) | 1);
+    }
+  }
+  throw std::runtime_error("no jump to itself");
+}
 Core::Memory* Core::memory_at(std::uint32_t address, std::size_t size) {
   for (Memory& memory : memories_) {
     if (address >= memory.base && address - memory.base + size <= memory.size) {

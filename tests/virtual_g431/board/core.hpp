@@ -75,6 +75,8 @@ class Core {
   [[nodiscard]] bool in_thread() const { return active_.empty(); }
   [[nodiscard]] std::uint32_t stack_pointer();
   void set_stack_pointer(std::uint32_t value);
+  /// The thread goes on at a jump to itself, which is looked for in the memory at `address`.
+  void hang_at(std::uint32_t address);
   /// The region that the protection unit shuts for all, as start and size; size 0 without one.
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> guarded() const;
   /// Watches the guarded region, which slows every access down.

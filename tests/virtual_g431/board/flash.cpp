@@ -148,9 +148,8 @@ void Flash::finish() {
 }
 
 std::uint32_t Flash::load(std::uint32_t offset, unsigned size) {
-  const std::uint32_t unit = offset / 8;
-  if (contents_.damaged.test(unit) && (eccr_ & bit(31)) == 0) {
-    eccr_ = bit(31) | unit;
+  if (contents_.damaged.test(offset / 8)) {
+    meet_damage(offset);
   }
   std::uint32_t value = 0;
   std::memcpy(&value, &contents_.bytes[offset], size);

@@ -54,6 +54,14 @@ class Flash : public Peripheral {
   [[nodiscard]] bool nmi() const { return (eccr_ & bit(31)) != 0; }
   [[nodiscard]] std::uint32_t wait_states() const { return acr_ & 15; }
 
+  /// A double word is read that its error code contradicts, as `load` does with those of the store;
+  /// of code, which the core reads by itself, a test says when.
+  void meet_damage(std::uint32_t offset) {
+    if ((eccr_ & bit(31)) == 0) {
+      eccr_ = bit(31) | offset / 8;
+    }
+  }
+
   /// The power goes: what is under way is torn, by a share of 0 .. 1 of its bits.
   void tear(double share, std::mt19937& random);
   /// The same on a copy, while the operation goes on.
