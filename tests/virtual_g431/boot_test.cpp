@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "firmware/protocol/e2e.hpp"
+#include "firmware/protocol/uds/table.hpp"
 #include "tests/virtual_g431/image.hpp"
+#include "tests/virtual_g431/tester.hpp"
 
 namespace virtual_g431 {
 namespace {
@@ -106,6 +107,11 @@ TEST_F(Boot, WithATornNodePageIsNode127) {
   board.run(kSecond);
   EXPECT_GE(sent<protocol::LifeStatus>(board, 127).size(), 9u);
   EXPECT_THAT(sent<protocol::LifeStatus>(board), IsEmpty());
+  // Nobody has authority over it, whatever the proof.
+  Bytes epoch = bytes({0x31, 0x01, 0x02, 0x01, 0x00});
+  epoch.resize(epoch.size() + protocol::uds::kProofBytes);
+  EXPECT_EQ(Tester(board, 127).ask(epoch), bytes({0x7F, 0x31, 0x33}));
+  EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include <gmock/gmock.h>
 
+#include "firmware/protocol/e2e.hpp"
 #include "tests/virtual_g431/reference.hpp"
 #include "tests/virtual_g431/tester.hpp"
 
@@ -96,6 +97,33 @@ TEST_F(OnTheBus, IsAloneForAWhile) {
   const auto before = sent<protocol::LifeStatus>(board).size();
   board.run(kSecond);
   EXPECT_GE(sent<protocol::LifeStatus>(board).size(), before + 9);
+  EXPECT_THAT(board.broken_rules(), IsEmpty());
+}
+
+/// A burst of nine pages comes each 10 ms, in place of one each 100 ms.
+TEST_F(OnTheBus, ACommandNeedsItsProtection) {
+  const auto pages_in_150_ms = [this] {
+    const std::size_t from = board.can.heard.size();
+    board.run(150 * kMillisecond);
+    std::size_t pages = 0;
+    for (std::size_t i = from; i < board.can.heard.size(); ++i) {
+      pages += board.can.heard[i].frame.id == 0x280u + kNode ? 1u : 0u;
+    }
+    return pages;
+  };
+  protocol::e2e::Protector commands(protocol::e2e::stream_of<protocol::Command>(kNode));
+  hal::CanFrame burst = protocol::encode(kNode, protocol::Command{protocol::CommandCode::burst, 9});
+  commands.protect(burst);
+  hal::CanFrame damaged = burst;
+  damaged.data[3] ^= std::byte{1};
+  board.can.send(damaged);
+  EXPECT_LE(pages_in_150_ms(), 2u);
+  hal::CanFrame other = burst;
+  other.id += 1;
+  board.can.send(other);
+  EXPECT_LE(pages_in_150_ms(), 2u);
+  board.can.send(burst);
+  EXPECT_GE(pages_in_150_ms(), 9u);
   EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 

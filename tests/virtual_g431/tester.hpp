@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "firmware/app/config.hpp"
 #include "firmware/protocol/authority/gate.hpp"
 #include "firmware/protocol/isotp/link.hpp"
 #include "lifemodel/support/bytes.hpp"
