@@ -79,6 +79,51 @@ END
 python3 "$bench/make_profile.py" drive 1 100 > "$files/drive.csv"
 write_config "$config" 1000 "$files" "$bench/drive.block:$files/drive.csv"
 expect 0 "" --config "$config" --check
+
+# A block that was loaded over the bus, put into the file of the store (file_generations.hpp).
+load() {
+  python3 - "$files/store/life" "$1" << 'END'
+import struct
+import sys
+import zlib
+
+path, block = sys.argv[1], open(sys.argv[2], "rb").read()
+life = bytearray(open(path, "rb").read())
+assert struct.unpack_from("<II", life) == (0x46534C54, 2)
+life[16] |= 2
+struct.pack_into(f"<I{len(block)}s", life, 16 + 4 + 64, len(block), block)
+struct.pack_into("<I", life, len(life) - 4, zlib.crc32(life[:-4]))
+open(path, "wb").write(life)
+END
+}
+# rest_and_play CONFIGURED PROFILE WARNING [LOADED]
+rest_and_play() {
+  rm -rf "$files/store"
+  write_config "$config" 1000 "$files" "$1:$files/rest.csv"
+  expect 0 "" --config "$config" --virtual-clock
+  [ $# -lt 4 ] || load "$4"
+  write_config "$config" 1000 "$files" "$1:$2"
+  expect 0 "$3" --config "$config" --virtual-clock --report "$files/played.json"
+  sed -n 's/.*"damage": "\(.*\)".*/\1/p' "$files/played.json" | grep '[1-9a-f]'
+}
+printf '%s\n' \
+  time_s,motor_current_A,tendon_velocity_m_s,motor_angle_rad,sheath_temperature_C,winding_temperature_C \
+  0,1,0,0,20,20 0.001,1,0,0,20,20 > "$files/rest.csv"
+python3 "$bench/make_profile.py" drive 1 5000 > "$files/drive.csv"
+python3 "$bench/make_profile.py" motor_current_A 1 5000 > "$files/alone.csv"
+# It counts with its extension, as if it were configured; where that cannot be, the configured one does.
+loaded="$(rest_and_play "$bench/current.block" "$files/drive.csv" "" "$bench/drive.block")"
+configured="$(rest_and_play "$bench/drive.block" "$files/drive.csv" "")"
+[ "$loaded" = "$configured" ] || fail "the loaded model counts $loaded, configured $configured"
+refused="the parameters that were loaded for tendon 0 are refused: an effect needs what is not measured"
+kept="$(rest_and_play "$bench/current.block" "$files/alone.csv" "$refused" "$bench/drive.block")"
+configured="$(rest_and_play "$bench/current.block" "$files/alone.csv" "")"
+[ "$kept" = "$configured" ] || fail "beside a refused model $kept is counted, alone $configured"
+head -c 100 "$bench/drive.block" > "$files/short.block"
+rest_and_play "$bench/current.block" "$files/drive.csv" "the extension does not hold" \
+  "$files/short.block" > /dev/null
+rm -rf "$files/store"
+
 expect_config 1 "no such network interface; accepted: a CAN interface; there are: " \
   '/^log/d; s/"none"/"tl-none"/; s/"tl-none"$/"tl-none"/; /chip/s/tl-none/none/'
 expect_config 1 "no such gpiochip" \
