@@ -190,6 +190,7 @@ TEST_F(PowerCut, NoPeriodIsLateWhileAPageIsErased) {
   board.converters.signal = load;
   std::uint32_t erases = 0;
   Ticks opened_at = 0;
+  board.core->watch_reads_of_code();
   board.flash.on_begin = [&](const Flash::Operation& operation) {
     erases += operation.erases ? 1 : 0;
     if (operation.erases && opened_at == 0 && board.drive_enabled()) {

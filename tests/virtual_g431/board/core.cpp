@@ -218,6 +218,14 @@ void Core::guard_hook(uc_struct* engine, int, std::uint64_t address, int, std::i
   }
 }
 
+void Core::code_hook(uc_struct*, int, std::uint64_t address, int, std::int64_t, void* self) {
+  auto& core = *static_cast<Core*>(self);
+  if (core.device_.flash_busy()) {
+    core.rules_.broken("read of code while the flash is busy, at " +
+                       hex(static_cast<std::uint32_t>(address)));
+  }
+}
+
 void Core::exception_hook(uc_struct* engine, std::uint32_t number, void* self) {
   auto& core = *static_cast<Core*>(self);
   constexpr std::uint32_t kExceptionReturn = 8;
@@ -422,6 +430,13 @@ void Core::enforce_guard() {
     check(uc_ctl_remove_cache(engine_, 0x08000000, 0x08015000), "cache");
     check(uc_ctl_remove_cache(engine_, 0x10000000, 0x10003000), "cache");
   }
+}
+
+void Core::watch_reads_of_code() {
+  uc_hook handle = 0;
+  check(uc_hook_add(engine_, &handle, UC_HOOK_MEM_READ, reinterpret_cast<void*>(&code_hook), this,
+                    kVectors, kFlashEnd - 1),
+        "reads");
 }
 
 std::uint32_t Core::system_read(std::uint32_t offset) {

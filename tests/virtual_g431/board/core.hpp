@@ -81,6 +81,9 @@ class Core {
   [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> guarded() const;
   /// Watches the guarded region, which slows every access down.
   void enforce_guard();
+  /// Reads of the code's pages while the flash is busy break a rule: they would stall. Slow too;
+  /// before the power comes.
+  void watch_reads_of_code();
 
  private:
   struct Active {
@@ -100,6 +103,8 @@ class Core {
   static void block_hook(uc_struct*, std::uint64_t address, std::uint32_t size, void* self);
   static bool fault_hook(uc_struct*, int type, std::uint64_t address, int size, std::int64_t value,
                          void* self);
+  static void code_hook(uc_struct*, int type, std::uint64_t address, int size, std::int64_t value,
+                        void* self);
   static void guard_hook(uc_struct*, int type, std::uint64_t address, int size, std::int64_t value,
                          void* self);
   static void exception_hook(uc_struct*, std::uint32_t number, void* self);
