@@ -97,7 +97,8 @@ class Journal {
            event == storage::Event::nonce_expired;
   }
   static constexpr bool is_judged(storage::Event event) {
-    return is_failure(event) || event == storage::Event::counter_rolled_back;
+    return is_failure(event) || event == storage::Event::counter_rolled_back ||
+           event == storage::Event::parameters_refused;
   }
   bool write(storage::Event event, std::uint8_t tendon, std::uint32_t detail) {
     if (device_.log(event, tendon, detail) == hal::Error::none) {

@@ -139,6 +139,17 @@ TEST_F(TransferTest, OfWhatTheNodeCannotEvaluateIsRefusedWithTheReason) {
   EXPECT_EQ(ask(hex("22 02 60")), hex("62 02 60 01 00 00 00 00 00 00 00"));
 }
 
+TEST_F(TransferTest, ThatIsRefusedHasALineEachTime) {
+  device_.refused_effects = 1u << 11;
+  const Bytes block = extended_block();
+  for (std::size_t lines = 1; lines < 4; ++lines) {
+    transfer(1, block);
+    EXPECT_EQ(ask(start_request(load_order(block))), hex("7f 31 31"));
+    EXPECT_EQ(device_.lines.size(), lines);
+  }
+  EXPECT_EQ(server_->gate().failures(), 0u);
+}
+
 TEST_F(TransferTest, OfAnExtensionThatDoesNotHoldIsRefused) {
   Bytes block = extended_block();
   block[100] ^= std::byte{1};
