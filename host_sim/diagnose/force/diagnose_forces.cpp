@@ -82,7 +82,7 @@ class Report {
     add_effects(findings);
     findings.steps = steps();
     if (!search_.judged().empty() && !few()) {
-      findings.gain = gain_of({search_.model().fit, search_.model().held_N2, std::nullopt});
+      findings.gain = gain_of({search_.model().fit, search_.model().held.plain_N2, std::nullopt});
     }
     findings.remainder =
         Remainder{.share = share_left(),
@@ -107,13 +107,25 @@ class Report {
       constexpr double kChance = 0.01;
       return remainder_.p < kChance ? Verdict::unknown : Verdict::none;
     }
-    if (judged.size() == 1 && judged.front().term == ForceTerm::load &&
+    if (judged.size() == 1 && judged.front().term == ForceTerm::load && one_pose() &&
         share_left() > kMostBesideLoad) {
       return Verdict::unknown;
     }
     return std::ranges::any_of(judged, [&](const Judged& one) { return stands(one); })
                ? Verdict::named
                : Verdict::ambiguous;
+  }
+
+  [[nodiscard]] bool one_pose() const {
+    constexpr double kSame_rad = 0.02;
+    double least_rad = HUGE_VAL;
+    double most_rad = -HUGE_VAL;
+    for (const ForceRecord& record : data_.records()) {
+      const auto [low, high] = std::ranges::minmax(record.bend_angle_rad);
+      least_rad = std::min(least_rad, low);
+      most_rad = std::max(most_rad, high);
+    }
+    return most_rad - least_rad < kSame_rad;
   }
 
   /// Of the squared error of the nominal model.
@@ -206,20 +218,20 @@ class Report {
     std::vector<Step> steps;
     const std::vector<ForceSearch::Candidate> stairs = search_.stairs();
     for (std::size_t i = 0; i < stairs.size(); ++i) {
-      const double rmse_N = data_.rmse_N(stairs[i].held_N2);
+      const double rmse_N = data_.rmse_N(stairs[i].held.plain_N2);
       Step step{.effect = {},
                 .output_rmse_N = output_rmse_of({stairs[i].fit, {}, std::nullopt}),
                 .input_rmse_N = rmse_N,
                 .log_predictive_density = density(rmse_N),
                 .sessions = static_cast<int>(data_.records().size())};
       if (i > 0) {
-        const std::vector<double>& before_N2 = stairs[i - 1].held_N2;
+        const std::vector<double>& before_N2 = stairs[i - 1].held.beside_scatter_N2;
         step.effect =
             effect_of(stairs[i].fit.terms.back(), stairs[i].fit, data_.half_widths(stairs[i].fit));
-        step.effect.probability =
-            probability_of(paired_gain(before_N2, stairs[i].held_N2), data_.records().size());
+        step.effect.probability = probability_of(data_.gain_of(stairs[i - 1].held, stairs[i].held),
+                                                 data_.records().size());
         for (std::size_t j = 0; j < before_N2.size(); ++j) {
-          step.sessions_better += stairs[i].held_N2[j] < before_N2[j] ? 1 : 0;
+          step.sessions_better += stairs[i].held.beside_scatter_N2[j] < before_N2[j] ? 1 : 0;
         }
       }
       steps.push_back(std::move(step));
@@ -243,7 +255,7 @@ class Report {
     Findings& findings = diagnosis.findings;
     const bool named = findings.verdict == Verdict::named;
     const ForceSearch::Candidate& by = named ? search_.model() : search_.nominal();
-    extended_ = {by.fit, by.held_N2, std::nullopt};
+    extended_ = {by.fit, by.held.plain_N2, std::nullopt};
     if (findings.verdict != Verdict::none && !few()) {
       extended_ = corrected(std::move(extended_));
     }
@@ -256,7 +268,7 @@ class Report {
       }
     }
     if (written.fit.terms != extended_.fit.terms) {
-      written.held_N2 = data_.held_out_N2(written.fit);
+      written.held_N2 = data_.held_out(written.fit).plain_N2;
       written = corrected(std::move(written));
     }
     for (std::size_t i = 0; i < written.fit.terms.size(); ++i) {
@@ -272,7 +284,7 @@ class Report {
       findings.correction =
           Correction{.covariate = std::string(covariates_[extended_.correction->covariate].name),
                      .knots = extended_.correction->table.knots.size(),
-                     .before_N = data_.rmse_N(by.held_N2),
+                     .before_N = data_.rmse_N(by.held.plain_N2),
                      .after_N = data_.rmse_N(extended_.held_N2)};
       findings.prose += correction_prose(*findings.correction);
     }
@@ -314,10 +326,14 @@ class Report {
     const std::vector<double> half = data_.half_widths(model);
     const double gain = model.parameters[0];
     const double friction = model.parameters[1];
+    const double gain_sd = data_.covariance().log_gain_sd();
+    const double friction_sd = data_.covariance().friction_sd();
     diagnosis.findings.refitted = {
         {"friction_coefficient", "1", friction, friction - half[1], friction + half[1]},
         {"log_gain", "1", -std::log(gain), -std::log(gain) - half[0] / gain,
-         -std::log(gain) + half[0] / gain}};
+         -std::log(gain) + half[0] / gain},
+        {"session_gain_sd", "1", gain_sd, gain_sd, gain_sd},
+        {"session_friction_sd", "1", friction_sd, friction_sd, friction_sd}};
     diagnosis.friction_coefficient =
         written_friction(friction, diagnosis.findings.extensions, data_.scales());
     diagnosis.log_gain = -std::log(gain);
@@ -486,7 +502,7 @@ std::string correction_prose(const Correction& correction) {
 TensionDiagnosis diagnose_forces(const std::vector<ForceRecord>& records,
                                  const NominalModel& nominal, const reference::Constants& constants,
                                  const DiagnoseOptions& options) {
-  const ForceData data(records);
+  ForceData data(records);
   ForceSearch search(data, nominal.sheath ? nominal.sheath->friction_coefficient : 0.1,
                      options.without, options.threads);
   search.run();

@@ -75,7 +75,8 @@ double ForceData::square_of(const ForceTerms& terms, std::span<const double> par
   double square_N2 = 0;
   for (std::size_t j = 0; j < records_.size(); ++j) {
     if (!is_held_out(j, fold)) {
-      square_N2 += vector_of(residuals_N(j, terms, parameters)).squaredNorm();
+      const std::vector<double> left_N = residuals_N(j, terms, parameters);
+      square_N2 += covariance_.product(j, vector_of(left_N), vector_of(left_N))(0, 0);
     }
   }
   return square_N2;
@@ -98,13 +99,14 @@ ForceData::Normal ForceData::normal_of(const ForceTerms& terms, std::span<const 
       const ForceParameter& parameter = all[static_cast<std::size_t>(k)];
       std::vector<double> moved(parameters.begin(), parameters.end());
       double& value = moved[static_cast<std::size_t>(k)];
-      double step = 1e-5 * std::max(std::abs(value), std::abs(parameter.starts.front()));
+      double step =
+          parameter.difference * std::max(std::abs(value), std::abs(parameter.starts.front()));
       step = value + step > parameter.maximum ? -step : step;
       value += step;
       jacobian.col(k) = (vector_of(at) - vector_of(residuals_N(j, terms, moved))) / step;
     }
-    normal.matrix += jacobian.transpose() * jacobian;
-    normal.of_records.emplace_back(jacobian.transpose() * vector_of(at));
+    normal.matrix += covariance_.product(j, jacobian, jacobian);
+    normal.of_records.emplace_back(covariance_.product(j, jacobian, vector_of(at)));
     normal.gradient += normal.of_records.back();
   }
   return normal;
@@ -151,7 +153,7 @@ ForceFit ForceData::fit(const ForceTerms& terms, std::vector<double> start, int 
   return best;
 }
 
-ForceFit ForceData::with(const ForceFit& from, ForceTerm more) const {
+ForceFit ForceData::started(const ForceFit& from, ForceTerm more) const {
   ForceTerms terms = from.terms;
   terms.push_back(more);
   const auto added = parameters_of(more, scales_);
@@ -170,7 +172,11 @@ ForceFit ForceData::with(const ForceFit& from, ForceTerm more) const {
       best = std::move(found);
     }
   }
-  return fit(terms, std::move(best.parameters), kIterations);
+  return best;
+}
+
+ForceFit ForceData::finished(const ForceFit& from) const {
+  return fit(from.terms, from.parameters, kIterations);
 }
 
 ForceFit ForceData::without(const ForceFit& from, std::size_t place) const {
@@ -198,15 +204,27 @@ std::vector<ForceFit> ForceData::fold_fits(const ForceFit& whole) const {
   return seen;
 }
 
-std::vector<double> ForceData::held_out_N2(const ForceFit& whole) const {
-  std::vector<double> means(records_.size());
+HeldOut ForceData::held_out(const ForceFit& whole) const {
+  HeldOut held;
   const std::vector<ForceFit> seen = fold_fits(whole);
   for (std::size_t j = 0; j < records_.size(); ++j) {
     const ForceFit& by = seen[j % kFolds];
-    means[j] = vector_of(residuals_N(j, by.terms, by.parameters)).squaredNorm() /
-               std::max(counts_[j], 1.0);
+    const std::vector<double> left_N = residuals_N(j, by.terms, by.parameters);
+    const double count = std::max(counts_[j], 1.0);
+    held.plain_N2.push_back(vector_of(left_N).squaredNorm() / count);
+    held.residuals_N.push_back(left_N);
+    held.beside_scatter_N2.push_back(
+        covariance_.product(j, vector_of(left_N), vector_of(left_N))(0, 0) / count);
   }
-  return means;
+  return held;
+}
+
+void ForceData::learn_covariance(const ForceFit& nominal, const ForceFit& model) {
+  std::vector<std::vector<double>> left_N;
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    left_N.push_back(residuals_N(j, model.terms, model.parameters));
+  }
+  covariance_ = ForceCovariance(records_, scales_, nominal.parameters, left_N);
 }
 
 double ForceData::rmse_N(std::span<const double> means_N2) const {
@@ -250,6 +268,36 @@ bool ForceData::at_bound(const ForceFit& fit, std::size_t term) const {
     }
   }
   return false;
+}
+
+PairedGain ForceData::gain_of(const HeldOut& before, const HeldOut& after) const {
+  const double count = static_cast<double>(records_.size());
+  PairedGain gain = paired_gain(before.beside_scatter_N2, after.beside_scatter_N2);
+  gain.mean = std::max(gain.mean, std::log(rmse_N(before.plain_N2) / rmse_N(after.plain_N2)));
+  double along = 0;
+  double size = 0;
+  std::vector<Eigen::Vector2d> sessions;
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    const Eigen::VectorXd left_N = vector_of(before.residuals_N[j]);
+    const Eigen::VectorXd taken_N = left_N - vector_of(after.residuals_N[j]);
+    const double noise_N2 = std::max(after.beside_scatter_N2[j], 1e-300);
+    sessions.emplace_back(covariance_.product(j, taken_N, left_N)(0, 0) / noise_N2,
+                          covariance_.product(j, taken_N, taken_N)(0, 0) / noise_N2);
+    along += sessions.back()(0);
+    size += sessions.back()(1);
+  }
+  if (count < 2 || size <= 0) {
+    return {gain.mean, 0};
+  }
+  const double slope = along / size;
+  double square = 0;
+  for (const Eigen::Vector2d& session : sessions) {
+    square += std::pow(session(0) - slope * session(1), 2);
+  }
+  constexpr double kEven = 0.5;  // of the slope, where both leave as much
+  const double error = std::sqrt(std::max(square, 1e-300) * count / (count - 1)) / size;
+  gain.z = (slope - kEven) / error;
+  return gain;
 }
 
 PairedGain paired_gain(std::span<const double> before_N2, std::span<const double> after_N2) {

@@ -3,6 +3,7 @@
 #include <span>
 #include <vector>
 
+#include "host_sim/diagnose/force/force_covariance.hpp"
 #include "host_sim/diagnose/force/force_model.hpp"
 
 namespace host_sim::diagnose {
@@ -11,8 +12,23 @@ namespace host_sim::diagnose {
 struct ForceFit {
   ForceTerms terms;
   std::vector<double> parameters;
-  double square_N2 = 0;  ///< sum of squared residuals of the records that it was fitted to
+  double square_N2 = 0;  ///< of the residuals of the records that it was fitted to, by the scatter
 };
+
+/// Mean squared residual of each record, by fits that never saw it.
+struct HeldOut {
+  std::vector<double> plain_N2;
+  std::vector<double> beside_scatter_N2;  ///< without what gain and friction of the session explain
+  std::vector<std::vector<double>> residuals_N;
+};
+
+/// How much less one model leaves than another, record by record: the mean of ln(rmse_b/rmse_a) and
+/// that mean over its standard error.
+struct PairedGain {
+  double mean = 0;
+  double z = 0;
+};
+PairedGain paired_gain(std::span<const double> before_N2, std::span<const double> after_N2);
 
 /// All records of a campaign and what a fit needs of them.
 class ForceData {
@@ -23,25 +39,37 @@ class ForceData {
   [[nodiscard]] const ForceScales& scales() const { return scales_; }
   [[nodiscard]] double samples() const { return samples_; }
 
+  /// From here on gain and friction of sessions scatter as this model leaves them to.
+  void learn_covariance(const ForceFit& nominal, const ForceFit& model);
+  [[nodiscard]] const ForceCovariance& covariance() const { return covariance_; }
+
   /// Residuals of a record in N, those of samples that do not count as 0.
   [[nodiscard]] std::vector<double> residuals_N(std::size_t record, const ForceTerms& terms,
                                                 std::span<const double> parameters) const;
 
-  /// Least squares within the bounds (Levenberg-Marquardt), from these parameters on.
+  /// Least squares beside the scatter of sessions, within the bounds (Levenberg-Marquardt), from
+  /// these parameters on.
   /// @param fold records of this number modulo kFolds stay out; none: all take part
   [[nodiscard]] ForceFit fit(const ForceTerms& terms, std::vector<double> start, int iterations,
                              int fold = -1) const;
 
-  /// With one term more, the best of all its starts.
-  [[nodiscard]] ForceFit with(const ForceFit& fit, ForceTerm more) const;
+  /// With one term more, the best of all its starts after a few iterations.
+  [[nodiscard]] ForceFit started(const ForceFit& fit, ForceTerm more) const;
+  /// The same with all iterations, or fewer where it is there before.
+  [[nodiscard]] ForceFit finished(const ForceFit& fit) const;
   /// Without one of its terms.
   [[nodiscard]] ForceFit without(const ForceFit& fit, std::size_t place) const;
 
   /// Fitted again without the records of each fold in turn.
   [[nodiscard]] std::vector<ForceFit> fold_fits(const ForceFit& fit) const;
 
-  /// Mean squared residual of each record, by fits that never saw it.
-  [[nodiscard]] std::vector<double> held_out_N2(const ForceFit& fit) const;
+  [[nodiscard]] HeldOut held_out(const ForceFit& fit) const;
+
+  /// How much less one model leaves than another on sessions that neither saw, beside the scatter.
+  /// What the other takes off a session is regressed on what is left there: sessions count by how
+  /// much the models differ in them, and z is how surely it takes off more than half of what it
+  /// would if it were the truth, which is where both leave as much.
+  [[nodiscard]] PairedGain gain_of(const HeldOut& before, const HeldOut& after) const;
 
   /// Root mean square over records of such means.
   [[nodiscard]] double rmse_N(std::span<const double> means_N2) const;
@@ -68,16 +96,9 @@ class ForceData {
 
   std::vector<ForceRecord> records_;
   ForceScales scales_;
+  ForceCovariance covariance_;
   std::vector<double> counts_;  ///< of samples that count, by record
   double samples_ = 0;
 };
-
-/// How much less one model leaves than another, record by record: the mean of ln(rmse_b/rmse_a) and
-/// that mean over its standard error.
-struct PairedGain {
-  double mean = 0;
-  double z = 0;
-};
-PairedGain paired_gain(std::span<const double> before_N2, std::span<const double> after_N2);
 
 }  // namespace host_sim::diagnose

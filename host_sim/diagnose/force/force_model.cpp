@@ -116,6 +116,9 @@ struct Values {
 
   [[nodiscard]] double position_factor(double turns) const {
     double factor = 1;
+    if (harmonics == decltype(harmonics){}) {
+      return factor;
+    }
     for (std::size_t harmonic = 1; harmonic <= kHarmonics; ++harmonic) {
       const double phase = 2 * std::numbers::pi * static_cast<double>(harmonic) * turns;
       factor += harmonics[2 * harmonic - 2] * std::sin(phase) +
@@ -220,7 +223,13 @@ std::vector<ForceParameter> parameters_of(ForceTerm term, const ForceScales& sca
               {"position_sine_2", "1", -1, 1, {0.01}},
               {"position_cosine_2", "1", -1, 1, {0.01}}};
     case ForceTerm::slack:
-      return {{"slack_m", "m", 0, 0.3 * stroke_m, {0.01 * stroke_m, 0.05 * stroke_m}}};
+      // Each sample is free or not: only the number of them shows a slope.
+      return {{"slack_m",
+               "m",
+               0,
+               0.3 * stroke_m,
+               {0.01 * stroke_m, 0.03 * stroke_m, 0.1 * stroke_m},
+               0.05}};
     case ForceTerm::compliance:
       return {{"stiffness_N_m",
                "N/m",
@@ -312,9 +321,12 @@ void predict_input(const ForceRecord& record, const ForceTerms& terms, const For
     } else {
       held_N = input_at(record, i, values, scales, slip);
     }
-    const double direction = std::tanh(record.velocity_m_s[i] / scales.turn_over_m_s);
-    input_N[i] = values.gain * held_N / (1 + values.gear_asymmetry * direction) +
-                 record.input_N_per_A * values.current_offset_A;
+    double efficiency = 1;
+    if (values.gear_asymmetry != 0) {
+      efficiency +=
+          values.gear_asymmetry * std::tanh(record.velocity_m_s[i] / scales.turn_over_m_s);
+    }
+    input_N[i] = values.gain * held_N / efficiency + record.input_N_per_A * values.current_offset_A;
   }
 }
 

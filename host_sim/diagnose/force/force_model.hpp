@@ -63,6 +63,7 @@ struct ForceParameter {
   double minimum = 0;
   double maximum = 0;
   std::vector<double> starts;
+  double difference = 1e-5;  ///< relative, that slopes are taken over
 };
 
 struct ForceTermDefinition {

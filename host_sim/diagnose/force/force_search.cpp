@@ -15,18 +15,21 @@ constexpr int kRounds = 3;  ///< of terms that take the place of others
 
 }  // namespace
 
-ForceSearch::ForceSearch(const ForceData& data, double friction, std::vector<std::string> without,
+ForceSearch::ForceSearch(ForceData& data, double friction, std::vector<std::string> without,
                          unsigned threads)
     : data_(data),
       without_(std::move(without)),
       threads_(threads),
       nominal_{data.fit({}, {1, friction}, kNominalIterations), {}} {
-  nominal_.held_N2 = data.held_out_N2(nominal_.fit);
+  nominal_.held = data.held_out(nominal_.fit);
   model_ = nominal_;
 }
 
 void ForceSearch::run() {
-  while (model_.fit.terms.size() < kMostForceTerms && grow()) {
+  for (int round = 0; round < 2; ++round) {
+    learn_covariance();
+    while (model_.fit.terms.size() < kMostForceTerms && grow()) {
+    }
   }
   for (int round = 0; round < kRounds; ++round) {
     while (prune()) {
@@ -34,6 +37,18 @@ void ForceSearch::run() {
     if (!exchange(round + 1 < kRounds)) {
       break;
     }
+  }
+}
+
+/// What was scatter to the nominal model may have a cause by the one that was found.
+void ForceSearch::learn_covariance() {
+  data_.learn_covariance(nominal_.fit, model_.fit);
+  for (Candidate* const one : {&nominal_, &model_}) {
+    one->fit = data_.fit(one->fit.terms, one->fit.parameters, kNominalIterations);
+    one->held = data_.held_out(one->fit);
+  }
+  for (Added& added : added_) {
+    added.grown.reset();
   }
 }
 
@@ -52,8 +67,8 @@ std::vector<ForceSearch::Candidate> ForceSearch::stairs() const {
       stairs.push_back(*added.grown);
     } else {
       all_so_far = false;
-      Candidate next{data_.with(stairs.back().fit, added.term), {}};
-      next.held_N2 = data_.held_out_N2(next.fit);
+      Candidate next{data_.finished(data_.started(stairs.back().fit, added.term)), {}};
+      next.held = data_.held_out(next.fit);
       stairs.push_back(std::move(next));
     }
   }
@@ -73,19 +88,25 @@ std::vector<ForceTerm> ForceSearch::outside() const {
   return terms;
 }
 
-/// The model with each of these more, the least squares first.
+/// The model with one of these more, those that start best, the least squares first.
 std::vector<ForceSearch::Candidate> ForceSearch::with_each(
     const ForceFit& from, const std::vector<ForceTerm>& terms) const {
+  constexpr std::size_t kFinished = 5;
+  const auto by_squares = [](const Candidate& one) { return one.fit.square_N2; };
   std::vector<Candidate> all(terms.size());
   statistics::parallel_for(
-      terms.size(), [&](std::size_t i) { all[i].fit = data_.with(from, terms[i]); }, threads_);
-  std::ranges::sort(all, {}, [](const Candidate& one) { return one.fit.square_N2; });
+      all.size(), [&](std::size_t i) { all[i].fit = data_.started(from, terms[i]); }, threads_);
+  std::ranges::sort(all, {}, by_squares);
+  all.resize(std::min(all.size(), kFinished));
+  statistics::parallel_for(
+      all.size(), [&](std::size_t i) { all[i].fit = data_.finished(all[i].fit); }, threads_);
+  std::ranges::sort(all, {}, by_squares);
   return all;
 }
 
 void ForceSearch::hold_out(std::vector<Candidate>& all) const {
   statistics::parallel_for(
-      all.size(), [&](std::size_t i) { all[i].held_N2 = data_.held_out_N2(all[i].fit); }, threads_);
+      all.size(), [&](std::size_t i) { all[i].held = data_.held_out(all[i].fit); }, threads_);
 }
 
 /// Adds the term of the least error on sessions that the fit never saw, if it is worth it.
@@ -95,9 +116,10 @@ bool ForceSearch::grow() {
   all.resize(std::min(all.size(), kTried));
   hold_out(all);
   const auto best = std::ranges::min_element(
-      all, {}, [&](const Candidate& one) { return data_.rmse_N(one.held_N2); });
-  if (best == all.end() || paired_gain(model_.held_N2, best->held_N2).z < kSeen ||
-      std::log(rmse_N() / data_.rmse_N(best->held_N2)) < kWorthTrying) {
+      all, {}, [&](const Candidate& one) { return data_.rmse_N(one.held.beside_scatter_N2); });
+  if (best == all.end() || data_.gain_of(model_.held, best->held).z < kSeen ||
+      std::log(data_.rmse_N(model_.held.beside_scatter_N2) /
+               data_.rmse_N(best->held.beside_scatter_N2)) < kWorthTrying) {
     return false;
   }
   model_ = std::move(*best);
@@ -115,7 +137,7 @@ bool ForceSearch::prune() {
   std::optional<std::size_t> least;
   for (std::size_t i = 0; i < all.size(); ++i) {
     judged_[i] = {.term = model_.fit.terms[i],
-                  .gain = paired_gain(all[i].held_N2, model_.held_N2),
+                  .gain = data_.gain_of(all[i].held, model_.held),
                   .without = all[i].fit,
                   .others = {}};
     if (!(judged_[i].stays() && !data_.at_bound(model_.fit, i)) &&
@@ -135,7 +157,7 @@ bool ForceSearch::prune() {
 bool ForceSearch::exchange(bool allowed) {
   for (std::size_t place = 0; place < judged_.size(); ++place) {
     for (Candidate& one : in_place_of(place)) {
-      const PairedGain lost = paired_gain(one.held_N2, model_.held_N2);
+      const PairedGain lost = data_.gain_of(one.held, model_.held);
       if (allowed && lost.mean < -kWorthTrying && lost.z < -kSeen) {
         added_.push_back({one.fit.terms.back(), std::nullopt});
         model_ = std::move(one);

@@ -34,20 +34,19 @@ class ForceSearch {
  public:
   struct Candidate {
     ForceFit fit;
-    std::vector<double> held_N2;  ///< mean squared residuals on sessions that the fit never saw
+    HeldOut held;
   };
 
   /// @param friction coefficient that the nominal model starts with
   /// @param without ids of effects that are left out
-  ForceSearch(const ForceData& data, double friction, std::vector<std::string> without,
-              unsigned threads);
+  ForceSearch(ForceData& data, double friction, std::vector<std::string> without, unsigned threads);
 
   void run();
 
   [[nodiscard]] const Candidate& nominal() const { return nominal_; }
   [[nodiscard]] const Candidate& model() const { return model_; }
-  [[nodiscard]] double nominal_rmse_N() const { return data_.rmse_N(nominal_.held_N2); }
-  [[nodiscard]] double rmse_N() const { return data_.rmse_N(model_.held_N2); }
+  [[nodiscard]] double nominal_rmse_N() const { return data_.rmse_N(nominal_.held.plain_N2); }
+  [[nodiscard]] double rmse_N() const { return data_.rmse_N(model_.held.plain_N2); }
   [[nodiscard]] const std::vector<Judged>& judged() const { return judged_; }
 
   /// From the nominal model on, one term more each: those that stay in the order in which they
@@ -60,6 +59,7 @@ class ForceSearch {
     std::optional<Candidate> grown;  ///< from the one added before; none: it took a place
   };
 
+  void learn_covariance();
   [[nodiscard]] std::vector<ForceTerm> outside() const;
   [[nodiscard]] std::vector<Candidate> with_each(const ForceFit& from,
                                                  const std::vector<ForceTerm>& terms) const;
@@ -69,7 +69,7 @@ class ForceSearch {
   bool exchange(bool allowed);
   [[nodiscard]] std::vector<Candidate> in_place_of(std::size_t place) const;
 
-  const ForceData& data_;
+  ForceData& data_;
   std::vector<std::string> without_;
   unsigned threads_;
   Candidate nominal_;

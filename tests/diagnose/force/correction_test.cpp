@@ -41,7 +41,7 @@ struct Corrected {
 Corrected corrected(const Joint& joint) {
   const ForceData data(measured(joint, 11));
   const ForceFit fit = data.fit({}, {1, 0.1}, 15);
-  const std::vector<double> held_N2 = data.held_out_N2(fit);
+  const std::vector<double> held_N2 = data.held_out(fit).plain_N2;
   Corrected result{data.rmse_N(held_N2), {}, 0};
   result.correction =
       correction_of(data, fit, held_N2, force_covariates(data.records()), joint.rotor_known);

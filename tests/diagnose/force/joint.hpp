@@ -17,8 +17,9 @@ struct Joint {
   double load_exponent = 0;  ///< by which that falls
   double preload_N = 0;
   double viscous_N_s_m = 0;
-  double cogging_N = 0;  ///< not in the catalogue of the forward model
-  double noise_N = 0.5;  ///< of either end
+  double cogging_N = 0;       ///< not in the catalogue of the forward model
+  double noise_N = 0.5;       ///< of either end
+  double relative_noise = 0;  ///< of the input, beside that
   double gain_scatter = 0.01;
   bool velocity_reversed = false;
   double spring_N = 0;       ///< at the end of the stroke, whichever way it goes
@@ -57,7 +58,8 @@ inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int 
                                        std::cos(2 * std::numbers::pi * 0.7 * t + j));
       record.input_N.push_back(
           gain * (load_N + friction_N + joint.cogging_N * std::sin(900 * x) + spring_N + shaped_N) +
-          joint.noise_N * normal(engine));
+          joint.noise_N * normal(engine) +
+          (joint.relative_noise > 0 ? joint.relative_noise * load_N * normal(engine) : 0));
       record.bend_angle_rad.push_back(std::numbers::pi);
       record.used.push_back(true);
     }

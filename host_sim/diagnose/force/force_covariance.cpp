@@ -1,0 +1,188 @@
+#include "host_sim/diagnose/force/force_covariance.hpp"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+namespace host_sim::diagnose {
+namespace {
+
+Eigen::Map<const Eigen::VectorXd> mapped(const std::vector<double>& values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
+Eigen::MatrixX2d directions_of(const ForceRecord& record, const ForceScales& scales,
+                               std::span<const double> parameters) {
+  constexpr double kStep = 1e-4;
+  std::vector<double> at_N;
+  std::vector<double> above_N;
+  const double gain = parameters[0];
+  const double friction = parameters[1];
+  predict_input(record, {}, scales, std::vector{gain, friction}, at_N);
+  predict_input(record, {}, scales, std::vector{gain, friction + kStep}, above_N);
+  Eigen::MatrixX2d directions_N(static_cast<Eigen::Index>(at_N.size()), 2);
+  directions_N.col(0) = mapped(at_N);
+  directions_N.col(1) = (mapped(above_N) - mapped(at_N)) / kStep;
+  for (std::size_t i = 0; i < at_N.size(); ++i) {
+    if (!record.used[i]) {
+      directions_N.row(static_cast<Eigen::Index>(i)).setZero();
+    }
+  }
+  return directions_N;
+}
+
+/// What scatters more has a cause: standard deviation of ln gain, and of friction over itself.
+constexpr double kMostLogGain = 0.03;
+constexpr double kMostFriction = 0.1;
+
+/// By how much fewer samples residuals count that go on from one to the next.
+double inflation_of(const Eigen::VectorXd& residuals) {
+  constexpr double kMost = 0.98;
+  const Eigen::Index count = residuals.size();
+  const double square = residuals.squaredNorm();
+  if (count < 2 || square == 0) {
+    return 1;
+  }
+  const double correlation =
+      std::clamp(residuals.head(count - 1).dot(residuals.tail(count - 1)) / square, 0.0, kMost);
+  return (1 + correlation) / (1 - correlation);
+}
+
+/// Gain and friction that one session has beside the model, how surely, and what they leave.
+struct Refit {
+  Eigen::Vector2d value;
+  Eigen::Vector2d variance;
+  Eigen::VectorXd left_N;
+  double inflation = 1;
+};
+
+Refit refit_of(const Eigen::MatrixX2d& directions_N, const Eigen::VectorXd& weights,
+               const Eigen::VectorXd& residuals_N) {
+  constexpr double kRidge = 1e-9;
+  const Eigen::MatrixX2d weighted_N = weights.asDiagonal() * directions_N;
+  Eigen::Matrix2d square = weighted_N.transpose() * directions_N;
+  square.diagonal() *= 1 + kRidge;
+  square.diagonal().array() += 1e-30;
+  const Eigen::Matrix2d inverse = square.inverse();
+  Refit refit;
+  refit.value = inverse * (weighted_N.transpose() * residuals_N);
+  refit.left_N = residuals_N - directions_N * refit.value;
+  refit.inflation = inflation_of(refit.left_N);
+  const double noise_N2 = (weights.array() * refit.left_N.array().square()).mean();
+  refit.variance = inverse.diagonal() * noise_N2 * refit.inflation;
+  return refit;
+}
+
+/// Variance of the noise of a sample: absolute, and in proportion to the output force.
+struct NoiseVariance {
+  double absolute_N2 = 0;
+  double relative = 0;
+
+  [[nodiscard]] double at_N2(double output_N) const {
+    return absolute_N2 + relative * output_N * output_N;
+  }
+};
+
+/// Of squares by weighted least squares, each by its own variance.
+NoiseVariance noise_of(std::span<const ForceRecord> records, const std::vector<Refit>& refits) {
+  constexpr int kRounds = 8;
+  constexpr double kLeastShare = 0.01;  // of all variance: some noise has no sample
+  double all_N2 = 0;
+  double samples = 0;
+  for (std::size_t j = 0; j < records.size(); ++j) {
+    all_N2 += refits[j].left_N.squaredNorm();
+    samples += static_cast<double>(std::ranges::count(records[j].used, true));
+  }
+  all_N2 = std::max(all_N2 / std::max(samples, 1.0), 1e-30);
+  NoiseVariance noise{all_N2, 0};
+  for (int round = 0; round < kRounds; ++round) {
+    Eigen::Matrix2d square = Eigen::Matrix2d::Zero();
+    Eigen::Vector2d product = Eigen::Vector2d::Zero();
+    for (std::size_t j = 0; j < records.size(); ++j) {
+      for (std::size_t i = 0; i < records[j].samples(); ++i) {
+        if (records[j].used[i]) {
+          const double output_N = records[j].output_N[i];
+          const Eigen::Vector2d row(1, output_N * output_N);
+          const double left_N = refits[j].left_N(static_cast<Eigen::Index>(i));
+          const double weight = 1 / std::pow(noise.at_N2(output_N), 2);
+          square += weight * row * row.transpose();
+          product += weight * left_N * left_N * row;
+        }
+      }
+    }
+    square.diagonal() *= 1 + 1e-12;
+    const Eigen::Vector2d solved = square.inverse() * product;
+    const bool grows = solved(1) > 0 && std::isfinite(solved(1));
+    const double least_N2 = kLeastShare * all_N2;
+    noise.relative = grows ? solved(1) : 0;
+    noise.absolute_N2 = !grows ? all_N2 : solved(0) > least_N2 ? solved(0) : least_N2;
+  }
+  return noise;
+}
+
+}  // namespace
+
+ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const ForceScales& scales,
+                                 std::span<const double> parameters,
+                                 const std::vector<std::vector<double>>& residuals_N) {
+  const auto sessions = static_cast<double>(records.size());
+  if (records.size() < 2) {
+    return;
+  }
+  std::vector<Refit> refits;
+  for (std::size_t j = 0; j < records.size(); ++j) {
+    directions_N_.push_back(directions_of(records[j], scales, parameters));
+    refits.push_back(refit_of(directions_N_.back(),
+                              Eigen::VectorXd::Ones(directions_N_.back().rows()),
+                              mapped(residuals_N[j])));
+  }
+  const NoiseVariance noise = noise_of(records, refits);
+  double sum = 0;
+  double samples = 0;
+  for (const ForceRecord& record : records) {
+    Eigen::VectorXd& weights = weights_.emplace_back(static_cast<Eigen::Index>(record.samples()));
+    for (std::size_t i = 0; i < record.samples(); ++i) {
+      weights(static_cast<Eigen::Index>(i)) = 1 / noise.at_N2(record.output_N[i]);
+    }
+    sum += weights.sum();
+    samples += static_cast<double>(record.samples());
+  }
+  Eigen::Array2d mean = Eigen::Array2d::Zero();
+  double noise_N2 = 0;
+  for (std::size_t j = 0; j < records.size(); ++j) {
+    weights_[j] *= samples / sum;
+    refits[j] = refit_of(directions_N_[j], weights_[j], mapped(residuals_N[j]));
+    mean += refits[j].value.array() / sessions;
+    noise_N2 += (weights_[j].array() * refits[j].left_N.array().square()).sum() *
+                refits[j].inflation / samples;
+  }
+  Eigen::Array2d variance = Eigen::Array2d::Zero();
+  for (const Refit& refit : refits) {
+    variance +=
+        (refit.value.array() - mean).square() / (sessions - 1) - refit.variance.array() / sessions;
+  }
+  const Eigen::Array2d most(kMostLogGain, kMostFriction * parameters[1]);
+  variance = variance.max(0).min(most.square());
+  log_gain_sd_ = std::sqrt(variance[0]);
+  friction_sd_ = std::sqrt(variance[1]);
+  const Eigen::Matrix2d root = (variance / std::max(noise_N2, 1e-30)).sqrt().matrix().asDiagonal();
+  for (std::size_t j = 0; j < records.size(); ++j) {
+    const Eigen::Matrix2d square =
+        directions_N_[j].transpose() * weights_[j].asDiagonal() * directions_N_[j];
+    shrinks_.push_back(root * (Eigen::Matrix2d::Identity() + root * square * root).inverse() *
+                       root);
+  }
+}
+
+Eigen::MatrixXd ForceCovariance::product(std::size_t record, const Eigen::MatrixXd& a,
+                                         const Eigen::MatrixXd& b) const {
+  if (record >= shrinks_.size()) {
+    return a.transpose() * b;
+  }
+  const Eigen::MatrixXd weighted = weights_[record].asDiagonal() * b;
+  const Eigen::MatrixX2d along_N = weights_[record].asDiagonal() * directions_N_[record];
+  return a.transpose() * weighted -
+         (a.transpose() * along_N) * shrinks_[record] * (along_N.transpose() * b);
+}
+
+}  // namespace host_sim::diagnose

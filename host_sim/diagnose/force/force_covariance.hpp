@@ -1,0 +1,41 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "host_sim/diagnose/force/force_model.hpp"
+
+namespace host_sim::diagnose {
+
+/// How residuals of the input force covary: noise of each sample that grows with the force, and
+/// within a session what gain and friction coefficient do that scatter between sessions.
+class ForceCovariance {
+ public:
+  /// The same noise everywhere and no scatter.
+  ForceCovariance() = default;
+
+  /// @param parameters of the nominal model: what gain and friction do to the force is taken there
+  /// @param residuals_N of the best model so far, by record, 0 where a sample does not count
+  ForceCovariance(std::span<const ForceRecord> records, const ForceScales& scales,
+                  std::span<const double> parameters,
+                  const std::vector<std::vector<double>>& residuals_N);
+
+  /// a' W b of the samples of one record; W is the inverse of the covariance, and in the mean over
+  /// all samples 1 where nothing scatters.
+  [[nodiscard]] Eigen::MatrixXd product(std::size_t record, const Eigen::MatrixXd& a,
+                                        const Eigen::MatrixXd& b) const;
+
+  [[nodiscard]] double log_gain_sd() const { return log_gain_sd_; }
+  [[nodiscard]] double friction_sd() const { return friction_sd_; }
+
+ private:
+  std::vector<Eigen::VectorXd> weights_;
+  std::vector<Eigen::MatrixX2d> directions_N_;  ///< dT_in/d ln gain and dT_in/d mu
+  std::vector<Eigen::Matrix2d> shrinks_;
+  double log_gain_sd_ = 0;
+  double friction_sd_ = 0;
+};
+
+}  // namespace host_sim::diagnose

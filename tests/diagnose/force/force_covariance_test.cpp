@@ -1,0 +1,127 @@
+#include "host_sim/diagnose/force/force_covariance.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+#include "host_sim/diagnose/force/force_fit.hpp"
+#include "tests/diagnose/force/joint.hpp"
+
+namespace host_sim::diagnose {
+namespace {
+
+/// Of what the joint itself leaves.
+ForceData learned(const Joint& joint, unsigned seed, int sessions = 40) {
+  ForceData data(measured(joint, seed, sessions));
+  const ForceFit fit = data.fit({}, {1, 0.01}, 15);
+  data.learn_covariance(fit, fit);
+  return data;
+}
+
+Eigen::VectorXd drawn(const ForceRecord& record, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> normal;
+  Eigen::VectorXd values(static_cast<Eigen::Index>(record.samples()));
+  for (double& value : values) {
+    value = normal(engine);
+  }
+  return values;
+}
+
+TEST(ForceCovariance, WithoutItSumsArePlain) {
+  const ForceData data(measured({}, 1));
+  const Eigen::VectorXd a = drawn(data.records()[0], 1);
+  const Eigen::VectorXd b = drawn(data.records()[0], 2);
+  EXPECT_DOUBLE_EQ(data.covariance().product(0, a, b)(0, 0), a.dot(b));
+}
+
+/// The scatter of 40 draws is known to a ninth; half of that of the joint is far off.
+TEST(ForceCovariance, LearnsHowGainsScatter) {
+  EXPECT_NEAR(learned({.gain_scatter = 0.02}, 2).covariance().log_gain_sd(), 0.02, 0.008);
+  EXPECT_NEAR(learned({.gain_scatter = 0.005}, 2).covariance().log_gain_sd(), 0.005, 0.002);
+  EXPECT_LT(learned({.gain_scatter = 0}, 2).covariance().log_gain_sd(), 0.001);
+  EXPECT_LT(learned({.gain_scatter = 0.02}, 2).covariance().friction_sd(), 0.002);
+}
+
+TEST(ForceCovariance, WhatScattersMoreThanAnyGainIsNotAllScatter) {
+  EXPECT_DOUBLE_EQ(learned({.gain_scatter = 0.3}, 3).covariance().log_gain_sd(), 0.03);
+}
+
+TEST(ForceCovariance, AGainOfTheSessionCostsLittleAndAllElseAsMuchAsBefore) {
+  const ForceData data = learned({.gain_scatter = 0.02}, 4);
+  const ForceRecord& record = data.records()[3];
+  const Eigen::Map<const Eigen::VectorXd> force_N(record.output_N.data(),
+                                                  static_cast<Eigen::Index>(record.samples()));
+  const Eigen::VectorXd gain = force_N / force_N.norm();
+  Eigen::VectorXd other = drawn(record, 5);
+  other -= gain * gain.dot(other);
+  other /= other.norm();
+  EXPECT_LT(data.covariance().product(3, gain, gain)(0, 0), 0.05);
+  EXPECT_NEAR(data.covariance().product(3, other, other)(0, 0), 1, 0.25);
+  EXPECT_NEAR(data.covariance().product(3, gain, other)(0, 0),
+              data.covariance().product(3, other, gain)(0, 0), 1e-12);
+}
+
+/// Noise of 5 % beside 0.1 N: at 40 N a sample says (2 N / 0.1 N)^2 less than near zero.
+TEST(ForceCovariance, ASampleCountsByItsNoise) {
+  const ForceData data = learned({.noise_N = 0.1, .relative_noise = 0.05, .gain_scatter = 0.01}, 6);
+  const ForceRecord& record = data.records()[0];
+  const auto size = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const auto of = [&](auto found) {
+    Eigen::VectorXd one = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(record.samples()));
+    one(found - record.output_N.begin()) = 1;
+    return data.covariance().product(0, one, one)(0, 0);
+  };
+  const double near_zero = of(std::ranges::min_element(record.output_N, size));
+  const double far = of(std::ranges::max_element(record.output_N, size));
+  EXPECT_GT(near_zero / far, 50);
+  EXPECT_GT(far, 0);
+}
+
+class GainOf : public testing::Test {
+ protected:
+  static constexpr int kSessions = 12;
+  const ForceData data{measured({}, 7, kSessions)};
+
+  /// Noise of 0.1 N and a signal of 1 N in as many sessions, times what is left of it.
+  [[nodiscard]] HeldOut left(int sessions, double share) const {
+    HeldOut held;
+    for (int j = 0; j < kSessions; ++j) {
+      const Eigen::VectorXd noise =
+          0.1 * drawn(data.records()[static_cast<std::size_t>(j)], static_cast<unsigned>(100 + j));
+      std::vector<double>& left_N = held.residuals_N.emplace_back();
+      for (Eigen::Index i = 0; i < noise.size(); ++i) {
+        const double signal_N = j < sessions ? std::sin(0.1 * static_cast<double>(i) + j) : 0;
+        left_N.push_back(noise(i) + share * signal_N);
+      }
+      const Eigen::Map<const Eigen::VectorXd> values(left_N.data(), noise.size());
+      held.plain_N2.push_back(values.squaredNorm() / static_cast<double>(noise.size()));
+      held.beside_scatter_N2.push_back(held.plain_N2.back());
+    }
+    return held;
+  }
+};
+
+TEST_F(GainOf, IsAsSureWhereFewSessionsShowAnEffect) {
+  EXPECT_GT(data.gain_of(left(kSessions, 1), left(kSessions, 0)).z, 20);
+  EXPECT_GT(data.gain_of(left(3, 1), left(3, 0)).z, 10);
+}
+
+TEST_F(GainOf, TurnsRoundWithTheModels) {
+  const PairedGain gain = data.gain_of(left(kSessions, 1), left(kSessions, 0));
+  const PairedGain loss = data.gain_of(left(kSessions, 0), left(kSessions, 1));
+  EXPECT_GT(gain.mean, 1.5);
+  EXPECT_LT(loss.mean, -1.5);
+  EXPECT_LT(loss.z, -20);
+}
+
+TEST_F(GainOf, IsNoneWhereBothLeaveAsMuch) {
+  EXPECT_EQ(data.gain_of(left(5, 1), left(5, 1)).z, 0);
+  EXPECT_LT(std::abs(data.gain_of(left(kSessions, 1), left(kSessions, -1)).z), 4);
+}
+
+}  // namespace
+}  // namespace host_sim::diagnose
