@@ -248,6 +248,7 @@ class App {
     emergencies_.set(Code::storage, !keeper_.ok());
     emergencies_.set(Code::deadline, liveness_.late(now, intake_.missed()));
     emergencies_.set(Code::parameters, !parameters_ok());
+    emergencies_.set(Code::settings, !config_.whole);
     emergencies_.set(Code::authority, endpoint_.server().gate().locked(now));
   }
 

@@ -18,6 +18,7 @@ struct Config {
   protocol::Node node = 1;
   Key key{};
   std::array<std::byte, 12> serial{};  ///< of the controller; shorter ones end in zeros
+  bool whole = true;  ///< false: where these are kept there was nothing that is whole
 };
 
 }  // namespace app

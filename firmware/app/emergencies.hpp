@@ -66,10 +66,11 @@ class Emergencies {
 
  private:
   /// The most urgent first.
-  static constexpr std::array kCodes{
-      Code::emergency_stop, Code::overload, Code::life_worn,  Code::life_replace,
-      Code::life_inspect,   Code::sensor,   Code::parameters, Code::record_damaged,
-      Code::storage,        Code::deadline, Code::bus,        Code::authority};
+  static constexpr std::array kCodes{Code::emergency_stop, Code::overload,     Code::life_worn,
+                                     Code::life_replace,   Code::life_inspect, Code::sensor,
+                                     Code::parameters,     Code::settings,     Code::record_damaged,
+                                     Code::storage,        Code::deadline,     Code::bus,
+                                     Code::authority};
   static_assert(kCodes.size() <= 32);
 
   static constexpr std::uint32_t bit_of(Code code) {
@@ -100,6 +101,7 @@ class Emergencies {
       case Code::storage:
       case Code::record_damaged:
       case Code::parameters:
+      case Code::settings:
       case Code::deadline:
       case Code::authority:
         return error_register::kManufacturer;

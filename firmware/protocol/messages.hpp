@@ -149,6 +149,7 @@ enum class EmergencyCode : std::uint16_t {
   storage = 0xff40,         ///< the record cannot be written
   record_damaged = 0xff41,  ///< no trustworthy record of the past was found
   parameters = 0xff50,      ///< a tendon has no valid parameter block
+  settings = 0xff51,        ///< the node has no whole settings: nobody has authority
   bus = 0xff60,             ///< the controller was off the bus
   deadline = 0xff70,        ///< the control loop was late
   authority = 0xff80,       ///< authentication failed repeatedly

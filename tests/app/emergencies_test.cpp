@@ -54,7 +54,8 @@ TEST(Emergencies, ThereIsRoomForEveryEventAtOnce) {
   const std::vector<Code> all{
       Code::emergency_stop, Code::life_inspect, Code::life_replace, Code::life_worn,
       Code::overload,       Code::sensor,       Code::storage,      Code::record_damaged,
-      Code::parameters,     Code::bus,          Code::deadline,     Code::authority};
+      Code::parameters,     Code::settings,     Code::bus,          Code::deadline,
+      Code::authority};
   for (int round = 0; round < 3; ++round) {
     for (const Code code : all) {
       emergencies.set(code, true);

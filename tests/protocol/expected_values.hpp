@@ -86,6 +86,8 @@ inline std::string label_of(EmergencyCode code) {
       return "record_damaged";
     case EmergencyCode::parameters:
       return "parameters";
+    case EmergencyCode::settings:
+      return "settings";
     case EmergencyCode::bus:
       return "bus";
     case EmergencyCode::deadline:

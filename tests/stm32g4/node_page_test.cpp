@@ -32,6 +32,8 @@ TEST(NodePage, IsRead) {
   ASSERT_TRUE(settings);
   EXPECT_EQ(settings->node, 5);
   EXPECT_TRUE(settings->terminated);
+  EXPECT_TRUE(settings->whole);
+  EXPECT_FALSE(boards::b_g431b_esc1::kNoSettings.whole);
   for (std::size_t i = 0; i < 16; ++i) {
     EXPECT_EQ(settings->key[i], static_cast<std::byte>(i));
   }

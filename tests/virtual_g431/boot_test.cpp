@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <vector>
 
 #include "firmware/protocol/uds/table.hpp"
 #include "tests/virtual_g431/image.hpp"
@@ -9,10 +10,16 @@
 namespace virtual_g431 {
 namespace {
 
+using ::testing::ElementsAre;
+using ::testing::Field;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-class Boot : public Image {};
+class Boot : public Image {
+ protected:
+  testing::Matcher<std::vector<protocol::Emergency>> reports_settings =
+      ElementsAre(Field(&protocol::Emergency::code, protocol::EmergencyCode::settings));
+};
 
 TEST_F(Boot, SpeaksByTheRules) {
   Board board(contents);
@@ -97,6 +104,7 @@ TEST_F(Boot, WithoutANodePageIsNode127) {
   EXPECT_GE(sent<protocol::LifeStatus>(board, 127).size(), 9u);
   EXPECT_THAT(sent<protocol::LifeStatus>(board), IsEmpty());
   EXPECT_TRUE(board.terminated());
+  EXPECT_THAT(sent<protocol::Emergency>(board, 127), reports_settings);
   EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 
@@ -107,6 +115,7 @@ TEST_F(Boot, WithATornNodePageIsNode127) {
   board.run(kSecond);
   EXPECT_GE(sent<protocol::LifeStatus>(board, 127).size(), 9u);
   EXPECT_THAT(sent<protocol::LifeStatus>(board), IsEmpty());
+  EXPECT_THAT(sent<protocol::Emergency>(board, 127), reports_settings);
   // Nobody has authority over it, whatever the proof.
   Bytes epoch = bytes({0x31, 0x01, 0x02, 0x01, 0x00});
   epoch.resize(epoch.size() + protocol::uds::kProofBytes);

@@ -68,7 +68,7 @@ protocol::detail::Timing timing_of(const hal::stm32g4::SampleTiming& timing) {
   const NodeSettings settings = read_settings(devices);
   // Without a bus the life is counted all the same.
   (void)devices.start_can(settings.node, settings.terminated);
-  App& app = make_application(devices, {settings.node, settings.key, unique_id()});
+  App& app = make_application(devices, {settings.node, settings.key, unique_id(), settings.whole});
   devices.interlock.isr_apply(false);
   app.start();
   enable_interrupts(devices);

@@ -24,6 +24,7 @@ struct NodeSettings {
   protocol::Node node;
   app::Key key;
   bool terminated;  ///< closes the 120 ohm of the bus
+  bool whole;       ///< false: there was no page, or it is damaged
 };
 
 /// Nothing where it is not whole.
@@ -37,12 +38,13 @@ constexpr std::optional<NodeSettings> decode_node(std::span<const std::byte, kNo
           lifemodel::ByteReader(bytes.last<4>()).u32()) {
     return std::nullopt;
   }
-  NodeSettings settings{static_cast<protocol::Node>(node), {}, (word & kOpenTermination) == 0};
+  NodeSettings settings{
+      static_cast<protocol::Node>(node), {}, (word & kOpenTermination) == 0, true};
   std::copy_n(bytes.begin() + 12, settings.key.size(), settings.key.begin());
   return settings;
 }
 
 /// What a board without settings is: the last node id, terminated, and nobody has authority.
-inline constexpr NodeSettings kNoSettings{127, {}, true};
+inline constexpr NodeSettings kNoSettings{127, {}, true, false};
 
 }  // namespace boards::b_g431b_esc1

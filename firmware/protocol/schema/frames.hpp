@@ -89,6 +89,7 @@ inline constexpr std::array kEmergencyCodes{
     name_of(EmergencyCode::storage, "storage"),
     name_of(EmergencyCode::record_damaged, "record_damaged"),
     name_of(EmergencyCode::parameters, "parameters"),
+    name_of(EmergencyCode::settings, "settings"),
     name_of(EmergencyCode::bus, "bus"),
     name_of(EmergencyCode::deadline, "deadline"),
     name_of(EmergencyCode::authority, "authority"),
