@@ -36,6 +36,7 @@ ForceData::ForceData(std::vector<ForceRecord> records)
     samples_ += counts_.back();
   }
   settle_turn_over();
+  settle_resolution();
 }
 
 /// As sharp as the friction that any drive has shows it.
@@ -57,6 +58,22 @@ void ForceData::settle_turn_over() {
     }
   }
   scales_ = best;
+}
+
+/// A place between two samples is anywhere between them.
+void ForceData::settle_resolution() {
+  double square_m2 = 0;
+  double reversals = 0;
+  for (const ForceRecord& record : records_) {
+    double before_m = 0;
+    for (std::size_t i = 1; i < record.samples(); ++i) {
+      const double moved_m = record.position_m[i] - record.position_m[i - 1];
+      square_m2 += moved_m * moved_m;
+      reversals += moved_m * before_m < 0 ? 1 : 0;
+      before_m = moved_m != 0 ? moved_m : before_m;
+    }
+  }
+  resolution_m_ = std::sqrt(square_m2 / std::max(samples_, 1.0) / 12 / std::max(reversals, 1.0));
 }
 
 std::vector<double> ForceData::residuals_N(std::size_t record, const ForceTerms& terms,
@@ -176,7 +193,32 @@ ForceFit ForceData::started(const ForceFit& from, ForceTerm more) const {
 }
 
 ForceFit ForceData::finished(const ForceFit& from) const {
-  return fit(from.terms, from.parameters, kIterations);
+  return beyond_steps(fit(from.terms, from.parameters, kIterations));
+}
+
+/// A slope over steps leads into the next valley: the best of those around is taken.
+ForceFit ForceData::beyond_steps(ForceFit best) const {
+  constexpr double kFactors[] = {0.5, 0.65, 0.8, 0.9, 0.96, 1.04, 1.1, 1.25, 1.5, 2};
+  const auto all = parameters_of(best.terms, scales_);
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (!all[k].stepped) {
+      continue;
+    }
+    ForceFit other = best;
+    for (const double factor : kFactors) {
+      std::vector<double> moved = best.parameters;
+      moved[k] = std::clamp(factor * moved[k], all[k].minimum, all[k].maximum);
+      const double square_N2 = square_of(best.terms, moved, -1);
+      if (square_N2 < other.square_N2) {
+        other.parameters = std::move(moved);
+        other.square_N2 = square_N2;
+      }
+    }
+    if (other.square_N2 < best.square_N2) {
+      best = fit(other.terms, std::move(other.parameters), kFirstIterations);
+    }
+  }
+  return best;
 }
 
 ForceFit ForceData::without(const ForceFit& from, std::size_t place) const {
@@ -246,10 +288,13 @@ std::vector<double> ForceData::half_widths(const ForceFit& fit) const {
       normal.matrix.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
   const double records = static_cast<double>(records_.size());
   const Eigen::MatrixXd covariance =
-      inverse * scatter * inverse * (records / std::max(records - 1, 1.0));
+      inverse * scatter * inverse * (records / std::max(records - static_cast<double>(count), 1.0));
+  const auto all = parameters_of(fit.terms, scales_);
   std::vector<double> half;
   for (Eigen::Index k = 0; k < count; ++k) {
-    half.push_back(statistics::kNormal95 * std::sqrt(std::max(covariance(k, k), 0.0)));
+    const double step_m = all[static_cast<std::size_t>(k)].stepped ? resolution_m_ : 0;
+    half.push_back(statistics::kNormal95 *
+                   std::sqrt(std::max(covariance(k, k), 0.0) + step_m * step_m));
   }
   return half;
 }

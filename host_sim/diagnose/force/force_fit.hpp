@@ -74,7 +74,8 @@ class ForceData {
   /// Root mean square over records of such means.
   [[nodiscard]] double rmse_N(std::span<const double> means_N2) const;
 
-  /// 95 % half-widths of the parameters, of records that scatter as wholes (sandwich).
+  /// 95 % half-widths of the parameters, of records that scatter as wholes (sandwich), and where a
+  /// parameter lies between samples of how far they are apart at all reversals.
   [[nodiscard]] std::vector<double> half_widths(const ForceFit& fit) const;
 
   /// Whether a parameter lies at a bound of physics, by more than its own zero.
@@ -88,6 +89,8 @@ class ForceData {
 
  private:
   void settle_turn_over();
+  void settle_resolution();
+  [[nodiscard]] ForceFit beyond_steps(ForceFit best) const;
   struct Normal;
   [[nodiscard]] Normal normal_of(const ForceTerms& terms, std::span<const double> parameters,
                                  int fold) const;
@@ -98,6 +101,7 @@ class ForceData {
   ForceScales scales_;
   ForceCovariance covariance_;
   std::vector<double> counts_;  ///< of samples that count, by record
+  double resolution_m_ = 0;     ///< standard deviation of a place between samples, of all reversals
   double samples_ = 0;
 };
 

@@ -223,13 +223,13 @@ std::vector<ForceParameter> parameters_of(ForceTerm term, const ForceScales& sca
               {"position_sine_2", "1", -1, 1, {0.01}},
               {"position_cosine_2", "1", -1, 1, {0.01}}};
     case ForceTerm::slack:
-      // Each sample is free or not: only the number of them shows a slope.
       return {{"slack_m",
                "m",
                0,
                0.3 * stroke_m,
                {0.01 * stroke_m, 0.03 * stroke_m, 0.1 * stroke_m},
-               0.05}};
+               0.05,
+               true}};
     case ForceTerm::compliance:
       return {{"stiffness_N_m",
                "N/m",

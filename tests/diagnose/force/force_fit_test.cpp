@@ -1,0 +1,54 @@
+#include "host_sim/diagnose/force/force_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+#include <utility>
+#include <vector>
+
+#include "tests/diagnose/force/joint.hpp"
+
+namespace host_sim::diagnose {
+namespace {
+
+/// A joint of a stroke of 0.1 m whose friction comes 0.1 .. 7 mm after each reversal.
+ForceData with_slack(double slack_m, unsigned seed) {
+  std::vector<ForceRecord> records = measured({.noise_N = 0.01}, seed);
+  const ForceScales scales = scales_of(records);
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> noise(0, 0.2);
+  for (ForceRecord& record : records) {
+    predict_input(record, {ForceTerm::slack}, scales, std::vector<double>{1, 0.1, slack_m},
+                  record.input_N);
+    for (double& input_N : record.input_N) {
+      input_N += noise(engine);
+    }
+  }
+  return ForceData(std::move(records));
+}
+
+class Slack : public testing::TestWithParam<double> {};
+
+/// Samples are up to 0.05 m * 2 pi * 1.4 Hz * 0.01 s = 4.4 mm apart, of which all reversals know a
+/// small part.
+TEST_P(Slack, IsFoundBetweenSamples) {
+  int inside = 0;
+  constexpr int kTimes = 4;
+  for (unsigned seed = 1; seed <= kTimes; ++seed) {
+    const ForceData data = with_slack(GetParam(), seed);
+    const ForceFit nominal = data.fit({}, {1, 0.1}, 15);
+    const ForceFit fit = data.finished(data.started(nominal, ForceTerm::slack));
+    const double half_m = data.half_widths(fit).back();
+    EXPECT_NEAR(fit.parameters.back(), GetParam(), 4 * half_m);
+    EXPECT_GT(half_m, 2e-5);
+    EXPECT_LT(half_m, 2e-3);
+    inside += std::abs(fit.parameters.back() - GetParam()) < half_m ? 1 : 0;
+  }
+  EXPECT_GE(inside, kTimes - 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Lengths, Slack, testing::Values(0.0007, 0.002, 0.007, 0.02));
+
+}  // namespace
+}  // namespace host_sim::diagnose
