@@ -134,7 +134,7 @@ std::optional<ForceCorrection> correction_of(const ForceData& data, const ForceF
                                              bool position_known) {
   std::vector<std::vector<std::vector<double>>> of_folds;
   for (const ForceFit& seen : data.fold_fits(fit)) {
-    of_folds.push_back(residuals_of(data, seen));
+    of_folds.push_back(data.residuals_N(seen));
   }
   std::optional<ForceCorrection> best;
   for (std::size_t i = 0; i < covariates.size(); ++i) {
@@ -153,7 +153,7 @@ std::optional<ForceCorrection> correction_of(const ForceData& data, const ForceF
         }
       }
       if (!best || data.rmse_N(left_N2) < data.rmse_N(best->held_N2)) {
-        best = {i, table_fit.table(residuals_of(data, fit), -1), std::move(left_N2)};
+        best = {i, table_fit.table(data.residuals_N(fit), -1), std::move(left_N2)};
       }
     }
   }

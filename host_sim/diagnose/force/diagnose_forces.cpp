@@ -447,7 +447,7 @@ class Report {
   }
 
   [[nodiscard]] std::vector<std::vector<double>> left_N(const Extended& extended) const {
-    std::vector<std::vector<double>> residuals_N = residuals_of(data_, extended.fit);
+    std::vector<std::vector<double>> residuals_N = data_.residuals_N(extended.fit);
     for (std::size_t j = 0; j < residuals_N.size(); ++j) {
       for (std::size_t i = 0; i < residuals_N[j].size(); ++i) {
         residuals_N[j][i] -= data_.records()[j].used[i] ? added_N(extended, j, i) : 0;

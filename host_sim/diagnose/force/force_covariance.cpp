@@ -7,10 +7,6 @@
 namespace host_sim::diagnose {
 namespace {
 
-Eigen::Map<const Eigen::VectorXd> mapped(const std::vector<double>& values) {
-  return {values.data(), static_cast<Eigen::Index>(values.size())};
-}
-
 Eigen::MatrixX2d directions_of(const ForceRecord& record, const ForceScales& scales,
                                std::span<const double> parameters) {
   constexpr double kStep = 1e-4;
@@ -21,8 +17,8 @@ Eigen::MatrixX2d directions_of(const ForceRecord& record, const ForceScales& sca
   predict_input(record, {}, scales, std::vector{gain, friction}, at_N);
   predict_input(record, {}, scales, std::vector{gain, friction + kStep}, above_N);
   Eigen::MatrixX2d directions_N(static_cast<Eigen::Index>(at_N.size()), 2);
-  directions_N.col(0) = mapped(at_N);
-  directions_N.col(1) = (mapped(above_N) - mapped(at_N)) / kStep;
+  directions_N.col(0) = vector_of(at_N);
+  directions_N.col(1) = (vector_of(above_N) - vector_of(at_N)) / kStep;
   for (std::size_t i = 0; i < at_N.size(); ++i) {
     if (!record.used[i]) {
       directions_N.row(static_cast<Eigen::Index>(i)).setZero();
@@ -129,12 +125,12 @@ ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const For
   if (records.size() < 2) {
     return;
   }
+  std::vector<Eigen::MatrixX2d> directions_N;
   std::vector<Refit> refits;
   for (std::size_t j = 0; j < records.size(); ++j) {
-    directions_N_.push_back(directions_of(records[j], scales, parameters));
-    refits.push_back(refit_of(directions_N_.back(),
-                              Eigen::VectorXd::Ones(directions_N_.back().rows()),
-                              mapped(residuals_N[j])));
+    directions_N.push_back(directions_of(records[j], scales, parameters));
+    refits.push_back(refit_of(directions_N[j], Eigen::VectorXd::Ones(directions_N[j].rows()),
+                              vector_of(residuals_N[j])));
   }
   const NoiseVariance noise = noise_of(records, refits);
   double sum = 0;
@@ -151,7 +147,7 @@ ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const For
   double noise_N2 = 0;
   for (std::size_t j = 0; j < records.size(); ++j) {
     weights_[j] *= samples / sum;
-    refits[j] = refit_of(directions_N_[j], weights_[j], mapped(residuals_N[j]));
+    refits[j] = refit_of(directions_N[j], weights_[j], vector_of(residuals_N[j]));
     mean += refits[j].value.array() / sessions;
     noise_N2 += (weights_[j].array() * refits[j].left_N.array().square()).sum() *
                 refits[j].inflation / samples;
@@ -167,21 +163,21 @@ ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const For
   friction_sd_ = std::sqrt(variance[1]);
   const Eigen::Matrix2d root = (variance / std::max(noise_N2, 1e-30)).sqrt().matrix().asDiagonal();
   for (std::size_t j = 0; j < records.size(); ++j) {
-    const Eigen::Matrix2d square =
-        directions_N_[j].transpose() * weights_[j].asDiagonal() * directions_N_[j];
+    along_N_.emplace_back(weights_[j].asDiagonal() * directions_N[j]);
+    const Eigen::Matrix2d square = directions_N[j].transpose() * along_N_[j];
     shrinks_.push_back(root * (Eigen::Matrix2d::Identity() + root * square * root).inverse() *
                        root);
   }
 }
 
-Eigen::MatrixXd ForceCovariance::product(std::size_t record, const Eigen::MatrixXd& a,
-                                         const Eigen::MatrixXd& b) const {
+Eigen::MatrixXd ForceCovariance::product(std::size_t record,
+                                         const Eigen::Ref<const Eigen::MatrixXd>& a,
+                                         const Eigen::Ref<const Eigen::MatrixXd>& b) const {
   if (record >= shrinks_.size()) {
     return a.transpose() * b;
   }
-  const Eigen::MatrixXd weighted = weights_[record].asDiagonal() * b;
-  const Eigen::MatrixX2d along_N = weights_[record].asDiagonal() * directions_N_[record];
-  return a.transpose() * weighted -
+  const Eigen::MatrixX2d& along_N = along_N_[record];
+  return a.transpose() * (weights_[record].asDiagonal() * b) -
          (a.transpose() * along_N) * shrinks_[record] * (along_N.transpose() * b);
 }
 

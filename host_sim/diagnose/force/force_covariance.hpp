@@ -9,6 +9,10 @@
 
 namespace host_sim::diagnose {
 
+inline Eigen::Map<const Eigen::VectorXd> vector_of(const std::vector<double>& values) {
+  return {values.data(), static_cast<Eigen::Index>(values.size())};
+}
+
 /// How residuals of the input force covary: noise of each sample that grows with the force, and
 /// within a session what gain and friction coefficient do that scatter between sessions.
 class ForceCovariance {
@@ -24,15 +28,16 @@ class ForceCovariance {
 
   /// a' W b of the samples of one record; W is the inverse of the covariance, and in the mean over
   /// all samples 1 where nothing scatters.
-  [[nodiscard]] Eigen::MatrixXd product(std::size_t record, const Eigen::MatrixXd& a,
-                                        const Eigen::MatrixXd& b) const;
+  [[nodiscard]] Eigen::MatrixXd product(std::size_t record,
+                                        const Eigen::Ref<const Eigen::MatrixXd>& a,
+                                        const Eigen::Ref<const Eigen::MatrixXd>& b) const;
 
   [[nodiscard]] double log_gain_sd() const { return log_gain_sd_; }
   [[nodiscard]] double friction_sd() const { return friction_sd_; }
 
  private:
   std::vector<Eigen::VectorXd> weights_;
-  std::vector<Eigen::MatrixX2d> directions_N_;  ///< dT_in/d ln gain and dT_in/d mu
+  std::vector<Eigen::MatrixX2d> along_N_;  ///< dT_in/d ln gain and dT_in/d mu, times the weights
   std::vector<Eigen::Matrix2d> shrinks_;
   double log_gain_sd_ = 0;
   double friction_sd_ = 0;

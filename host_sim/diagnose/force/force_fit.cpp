@@ -16,10 +16,6 @@ constexpr int kIterations = 15;
 constexpr int kFirstIterations = 4;  ///< of each start
 constexpr int kFoldIterations = 4;
 
-Eigen::Map<const Eigen::VectorXd> vector_of(const std::vector<double>& values) {
-  return {values.data(), static_cast<Eigen::Index>(values.size())};
-}
-
 }  // namespace
 
 /// Of least squares: J'J, J'r and the gradient of each record.
@@ -87,6 +83,14 @@ std::vector<double> ForceData::residuals_N(std::size_t record, const ForceTerms&
   return residuals;
 }
 
+std::vector<std::vector<double>> ForceData::residuals_N(const ForceFit& fit) const {
+  std::vector<std::vector<double>> all;
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    all.push_back(residuals_N(j, fit.terms, fit.parameters));
+  }
+  return all;
+}
+
 double ForceData::square_of(const ForceTerms& terms, std::span<const double> parameters,
                             int fold) const {
   double square_N2 = 0;
@@ -102,6 +106,8 @@ double ForceData::square_of(const ForceTerms& terms, std::span<const double> par
 ForceData::Normal ForceData::normal_of(const ForceTerms& terms, std::span<const double> parameters,
                                        int fold) const {
   const auto all = parameters_of(terms, scales_);
+  constexpr double kFine = 1e-5;  // relative
+  constexpr double kWide = 0.05;  // over many steps
   const auto count = static_cast<Eigen::Index>(all.size());
   Normal normal{.matrix = Eigen::MatrixXd::Zero(count, count),
                 .gradient = Eigen::VectorXd::Zero(count),
@@ -116,8 +122,8 @@ ForceData::Normal ForceData::normal_of(const ForceTerms& terms, std::span<const 
       const ForceParameter& parameter = all[static_cast<std::size_t>(k)];
       std::vector<double> moved(parameters.begin(), parameters.end());
       double& value = moved[static_cast<std::size_t>(k)];
-      double step =
-          parameter.difference * std::max(std::abs(value), std::abs(parameter.starts.front()));
+      double step = (parameter.stepped ? kWide : kFine) *
+                    std::max(std::abs(value), std::abs(parameter.starts.front()));
       step = value + step > parameter.maximum ? -step : step;
       value += step;
       jacobian.col(k) = (vector_of(at) - vector_of(residuals_N(j, terms, moved))) / step;
@@ -262,11 +268,7 @@ HeldOut ForceData::held_out(const ForceFit& whole) const {
 }
 
 void ForceData::learn_covariance(const ForceFit& nominal, const ForceFit& model) {
-  std::vector<std::vector<double>> left_N;
-  for (std::size_t j = 0; j < records_.size(); ++j) {
-    left_N.push_back(residuals_N(j, model.terms, model.parameters));
-  }
-  covariance_ = ForceCovariance(records_, scales_, nominal.parameters, left_N);
+  covariance_ = ForceCovariance(records_, scales_, nominal.parameters, residuals_N(model));
 }
 
 double ForceData::rmse_N(std::span<const double> means_N2) const {

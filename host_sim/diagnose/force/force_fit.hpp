@@ -47,6 +47,9 @@ class ForceData {
   [[nodiscard]] std::vector<double> residuals_N(std::size_t record, const ForceTerms& terms,
                                                 std::span<const double> parameters) const;
 
+  /// Of all records.
+  [[nodiscard]] std::vector<std::vector<double>> residuals_N(const ForceFit& fit) const;
+
   /// Least squares beside the scatter of sessions, within the bounds (Levenberg-Marquardt), from
   /// these parameters on.
   /// @param fold records of this number modulo kFolds stay out; none: all take part

@@ -228,7 +228,6 @@ std::vector<ForceParameter> parameters_of(ForceTerm term, const ForceScales& sca
                0,
                0.3 * stroke_m,
                {0.01 * stroke_m, 0.03 * stroke_m, 0.1 * stroke_m},
-               0.05,
                true}};
     case ForceTerm::compliance:
       return {{"stiffness_N_m",

@@ -63,8 +63,7 @@ struct ForceParameter {
   double minimum = 0;
   double maximum = 0;
   std::vector<double> starts;
-  double difference = 1e-5;  ///< relative, that slopes are taken over
-  bool stepped = false;      ///< samples lie on one side of it or the other, and it between them
+  bool stepped = false;  ///< samples lie on one side of it or the other, and it between them
 };
 
 struct ForceTermDefinition {

@@ -47,14 +47,6 @@ std::vector<ForceCovariate> force_covariates(const std::vector<ForceRecord>& rec
   return all;
 }
 
-std::vector<std::vector<double>> residuals_of(const ForceData& data, const ForceFit& model) {
-  std::vector<std::vector<double>> residuals_N;
-  for (std::size_t j = 0; j < data.records().size(); ++j) {
-    residuals_N.push_back(data.residuals_N(j, model.terms, model.parameters));
-  }
-  return residuals_N;
-}
-
 namespace {
 
 constexpr std::size_t kBins = 8;
@@ -204,7 +196,7 @@ std::vector<RemainderPicture> pictures_of(const ForceCovariate& covariate, const
 ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, const ForceFit& model,
                             const std::vector<ForceCovariate>& covariates, std::uint64_t seed) {
   constexpr int kDraws = 999;
-  const std::vector<std::vector<double>> residuals_N = residuals_of(data, model);
+  const std::vector<std::vector<double>> residuals_N = data.residuals_N(model);
   std::vector<Bins> bins;
   std::vector<BinMeans> means;
   for (const ForceCovariate& covariate : covariates) {
@@ -231,7 +223,7 @@ ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, cons
     as_large += std::ranges::any_of(
         means, [&](const BinMeans& one) { return one.statistic(signs) >= largest; });
   }
-  const BinMeans before(data.records(), bins[most], residuals_of(data, nominal));
+  const BinMeans before(data.records(), bins[most], data.residuals_N(nominal));
   return {covariates[most].name, static_cast<double>(as_large) / (kDraws + 1),
           pictures_of(covariates[most], bins[most], before, means[most])};
 }

@@ -20,9 +20,6 @@ struct ForceCovariate {
 /// kEmpiricalCovariates.
 std::vector<ForceCovariate> force_covariates(const std::vector<ForceRecord>& records);
 
-/// Residuals in N of a model on each record.
-std::vector<std::vector<double>> residuals_of(const ForceData& data, const ForceFit& model);
-
 /// What a model leaves that is the same in all sessions.
 struct ForceRemainder {
   std::string_view covariate;              ///< that it depends on most
