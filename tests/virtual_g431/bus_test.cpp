@@ -78,11 +78,7 @@ TEST_F(OnTheBus, ComesBackFromBusOff) {
   // The firmware waits longer from one attempt to the next.
   board.run(3 * kSecond);
   EXPECT_GE(sent<protocol::LifeStatus>(board).size(), statuses + 10);
-  bool told = false;
-  for (const auto& emergency : sent<protocol::Emergency>(board)) {
-    told = told || emergency.code == protocol::EmergencyCode::bus;
-  }
-  EXPECT_TRUE(told);
+  EXPECT_TRUE(reported(board, protocol::EmergencyCode::bus));
   expect_control_in_time();
   EXPECT_THAT(board.resets, IsEmpty());
   EXPECT_THAT(board.broken_rules(), IsEmpty());

@@ -95,15 +95,7 @@ TEST_F(Damage, IsThatOfTheHostToTheLastDigit) {
   write_log(board, G431_LOG);
   std::ofstream(G431_LOG ".damage_ppb") << reference.damage_ppb() << '\n';
 
-  // All 128 bits by the diagnosis, at offset 16 of the life.
-  const Bytes life = Tester(board).read(0x0200);
-  ASSERT_EQ(life.size(), 3u + 61u);
-  const auto exact = std::span(life).subspan(3 + 16);
-  lifemodel::ByteReader in(exact);
-  const lifemodel::Damage expected = reference.damage();
-  for (const std::uint32_t word : expected.words()) {
-    EXPECT_EQ(in.u32(), word);
-  }
+  expect_damage(board, reference.damage());
 }
 
 /// One wrong count of one converter in the zeros, or one lost sample, would show.

@@ -89,20 +89,7 @@ class ExtendedModel : public Image {
       reference.period(period.counts);
     }
     EXPECT_GT(reference.damage_ppb(), 1000u);
-    const Bytes life = Tester(board).read(0x0200);
-    ASSERT_EQ(life.size(), 3u + 61u);
-    const auto exact = std::span(life).subspan(3 + 16);
-    lifemodel::ByteReader in(exact);
-    const lifemodel::Damage expected = reference.damage();
-    for (const std::uint32_t word : expected.words()) {
-      EXPECT_EQ(in.u32(), word);
-    }
-  }
-  static bool told(const Board& board) {
-    const auto emergencies = sent<protocol::Emergency>(board);
-    return std::any_of(emergencies.begin(), emergencies.end(), [](const auto& emergency) {
-      return emergency.code == protocol::EmergencyCode::parameters;
-    });
+    expect_damage(board, reference.damage());
   }
 
   Ticks from_ = 0;
@@ -121,7 +108,7 @@ TEST_F(ExtendedModel, LoadedOverTheBusCountsAsOnTheHost) {
   EXPECT_THAT(Tester(board).read(0x0260),
               ElementsAreArray(bytes({0x62, 0x02, 0x60, 2, 0, 0, 0, 0, 0, 0, 0})));
   expect_as_host(board, model_of_current());
-  EXPECT_FALSE(told(board));
+  EXPECT_FALSE(reported(board, protocol::EmergencyCode::parameters));
   EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 
@@ -145,7 +132,7 @@ TEST_F(ExtendedModel, ThatNeedsWhatIsNotMeasuredIsRefusedAndTheOneBeforeCounts) 
   EXPECT_EQ(line[3 + 8], std::byte{11});
   EXPECT_TRUE(std::equal(crc.begin(), crc.end(), line.begin() + 3 + 12));
   board.run(300 * kMillisecond);
-  EXPECT_TRUE(told(board));
+  EXPECT_TRUE(reported(board, protocol::EmergencyCode::parameters));
   expect_as_host(board, Reference::compiled_in());
   EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
@@ -177,13 +164,13 @@ TEST_F(ExtendedModel, ThatIsCutWhileItIsWrittenIsToldAndTheOneBeforeCounts) {
     EXPECT_THAT(Tester(board).read(0x0260),
                 ElementsAreArray(bytes({0x62, 0x02, 0x60, 1, 1, 0, 0, 0, 0, 0, 0})))
         << cut;
-    EXPECT_TRUE(told(board)) << cut;
+    EXPECT_TRUE(reported(board, protocol::EmergencyCode::parameters)) << cut;
     EXPECT_TRUE(board.drive_enabled());
   }
   EXPECT_THAT(Tester(board).load(block, kKey), ElementsAreArray(bytes({0x71, 0x01, 0x02, 0x03})));
   board.can.heard.clear();
   restart(board);
-  EXPECT_FALSE(told(board));
+  EXPECT_FALSE(reported(board, protocol::EmergencyCode::parameters));
   EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 

@@ -34,14 +34,6 @@ class Fault : public Image {
     }
     return kNever;
   }
-  static bool said(const Board& board, protocol::EmergencyCode code) {
-    for (const auto& emergency : sent<protocol::Emergency>(board)) {
-      if (emergency.code == code) {
-        return true;
-      }
-    }
-    return false;
-  }
 };
 
 /// The clock security system: safe at once, and again from the internal oscillator.
@@ -101,7 +93,7 @@ TEST_F(Fault, AnAmplifierIsBroken) {
   board.converters.signal = [](Ticks) { return PhaseCounts{2048, 4095, 2048}; };
   board.power_on();
   board.run(kSecond);
-  EXPECT_TRUE(said(board, protocol::EmergencyCode::sensor));
+  EXPECT_TRUE(reported(board, protocol::EmergencyCode::sensor));
   ASSERT_FALSE(sent<protocol::LifeStatus>(board).empty());
   EXPECT_FALSE(sent<protocol::LifeStatus>(board).back().sensor_ok);
   EXPECT_THAT(board.resets, IsEmpty());
@@ -119,7 +111,7 @@ TEST_F(Fault, EmergencyStop) {
   EXPECT_LT(drive_off(board, opened_at), 2200 * kMicrosecond);
   EXPECT_LT(drive_off(board, opened_at), brake_on(board, opened_at));
   EXPECT_LT(brake_on(board, opened_at), 2200 * kMicrosecond);
-  EXPECT_TRUE(said(board, protocol::EmergencyCode::emergency_stop));
+  EXPECT_TRUE(reported(board, protocol::EmergencyCode::emergency_stop));
   EXPECT_TRUE(sent<protocol::LifeStatus>(board).back().locked);
 
   board.open_stop(false);
@@ -153,7 +145,7 @@ TEST_F(Fault, StopIsOpenAtTheStart) {
   board.power_on();
   board.run(kSecond);
   EXPECT_THAT(board.edges, IsEmpty());
-  EXPECT_TRUE(said(board, protocol::EmergencyCode::emergency_stop));
+  EXPECT_TRUE(reported(board, protocol::EmergencyCode::emergency_stop));
   EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <fstream>
@@ -50,6 +51,12 @@ std::vector<Message> sent(const Board& board, protocol::Node node = kNode) {
     }
   }
   return result;
+}
+
+/// Whether the board of node 5 has reported an event.
+inline bool reported(const Board& board, protocol::EmergencyCode code) {
+  const auto emergencies = sent<protocol::Emergency>(board);
+  return std::ranges::find(emergencies, code, &protocol::Emergency::code) != emergencies.end();
 }
 
 }  // namespace virtual_g431

@@ -5,8 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "firmware/app/app.hpp"
-#include "firmware/app/sensing.hpp"
+#include "firmware/app/wired.hpp"
 #include "hal/fake/can_port.hpp"
 #include "hal/fake/clock.hpp"
 #include "hal/fake/devices.hpp"
@@ -22,17 +21,12 @@ namespace virtual_g431 {
 /// The application on the host, over fakes: what the image must count for the same counts.
 class Reference {
  public:
-  using Sensor = hal::fake::Sensor<lifemodel::MotorCurrent>;
-  using Sensing = app::ExtendedSensing<Sensor, 1>;
-  using Devices =
-      app::Devices<hal::fake::CanPort, Sensing::Sensor, hal::fake::Clock, app::RamStore,
-                   hal::fake::DigitalOut, hal::fake::DigitalOut, hal::fake::DigitalOut,
-                   hal::fake::DigitalIn, hal::fake::Watchdog, hal::fake::Entropy, hal::NoHold>;
-
   /// `rest` is what the amplifiers gave while the zeros were measured.
   explicit Reference(const PhaseCounts& rest,
                      const lifemodel::ExtendedParameters& model = compiled_in())
-      : models_(starting(model)) {
+      : wired_(board_, store_, {.node = 5}, {model},
+               {app::Evaluates{
+                   true, lifemodel::extension::Input::motor_current, {true, true, true, true}}}) {
     for (std::uint32_t i = 0; i < hal::stm32g4::PhaseCurrent::kRestSamples; ++i) {
       current_.take_rest(rest);
     }
@@ -42,9 +36,9 @@ class Reference {
 
   /// One period of the control loop, and what runs below it.
   void period(const PhaseCounts& counts) {
-    clock_.advance({100});
+    board_.clock.advance({100});
     if (const auto sample = current_.isr_amplitude(counts)) {
-      sensor_.give(0, *sample);
+      board_.sensor.give(0, *sample);
     }
     app_.isr_sample();
     while (app_.settle()) {
@@ -61,31 +55,24 @@ class Reference {
   }
 
  private:
-  static app::StartingModels<1> starting(const lifemodel::ExtendedParameters& model) {
-    app::StartingModels<1> models;
-    models.models[0] = model;
-    models.states[0].source = app::ParameterSource::configured;
-    return models;
-  }
+  struct Fakes {
+    hal::fake::Clock clock;
+    hal::fake::CanBus bus{clock};
+    hal::fake::CanPort can{bus};
+    hal::fake::Sensor<lifemodel::MotorCurrent> sensor{clock};
+    hal::fake::DigitalOut drive_enable{clock}, brake{clock}, status_light{clock};
+    hal::fake::DigitalIn emergency_stop{clock};
+    hal::fake::Watchdog watchdog{clock, hal::milliseconds(500)};
+    hal::fake::Entropy entropy{clock, 1};
+    hal::NoHold hold;
+  };
+  using Wired = app::Wired<1, Fakes, app::RamStore>;
 
-  hal::fake::Clock clock_;
-  hal::fake::CanBus bus_{clock_};
-  hal::fake::CanPort can_{bus_};
-  Sensor sensor_{clock_};
-  app::RamStore store_{clock_};
-  hal::fake::DigitalOut drive_enable_{clock_}, brake_{clock_}, light_{clock_};
-  hal::fake::DigitalIn stop_{clock_};
-  hal::fake::Watchdog watchdog_{clock_, hal::milliseconds(500)};
-  hal::fake::Entropy entropy_{clock_, 1};
-  hal::NoHold hold_;
+  Fakes board_;
+  app::RamStore store_{board_.clock};
   hal::stm32g4::PhaseCurrent current_;
-  app::StartingModels<1> models_;
-  Sensing sensing_{sensor_, models_.models};
-  app::App<1, Devices, Sensing::Layout> app_{
-      Devices{can_, sensing_.sensor(), clock_, store_, drive_enable_, brake_, light_, stop_,
-              watchdog_, entropy_, hold_},
-      {.node = 5},
-      models_};
+  Wired wired_;
+  Wired::App& app_ = wired_.app();
 };
 
 }  // namespace virtual_g431

@@ -142,4 +142,15 @@ inline constexpr app::Key kKey = [] {
   return key;
 }();
 
+/// That the life which the diagnosis reads, the damage at its offset 16, is this in all 128 bits.
+inline void expect_damage(Board& board, const lifemodel::Damage& expected) {
+  const Bytes life = Tester(board).read(0x0200);
+  ASSERT_EQ(life.size(), 3u + 61u);
+  const auto exact = std::span(life).subspan(3 + 16);
+  lifemodel::ByteReader in(exact);
+  for (const std::uint32_t word : expected.words()) {
+    EXPECT_EQ(in.u32(), word);
+  }
+}
+
 }  // namespace virtual_g431

@@ -3,39 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <functional>
-#include <optional>
 
-#include "firmware/protocol/uds/server.hpp"
-#include "tests/protocol/services/bytes.hpp"
-#include "tests/protocol/services/model_device.hpp"
-#include "tests/protocol/services/requests.hpp"
+#include "tests/protocol/services/served.hpp"
 
 namespace protocol::testing {
 namespace {
 
 using storage::Event;
 
-class AuthorityTest : public ::testing::Test {
+class AuthorityTest : public ServedTest {
  protected:
-  AuthorityTest() { restart(); }
-
-  void restart(const authority::Key& key = kKey) {
-    server_.emplace(device_, kNode, key);
-    server_->start(now_);
-  }
-  Bytes ask(const Bytes& request) {
-    Bytes response(128);
-    response.resize(server_->handle(request, now_, response));
-    return response;
-  }
-  /// Reads nonce and counter, as an honest client does.
-  Order fresh_order() {
-    const Bytes answer = ask(hex("22 02 41 02 40"));
-    Order order;
-    std::copy_n(answer.begin() + 3, order.nonce.size(), order.nonce.begin());
-    order.counter = lifemodel::ByteReader(std::span(answer).last(4)).u32();
-    return order;
-  }
   Order load_order(const Bytes& block) {
     Order order = fresh_order();
     order.routine = 0x0202;
@@ -58,10 +35,6 @@ class AuthorityTest : public ::testing::Test {
   }
   /// A failure of any kind: a command whose nonce was used.
   void fail() { ask(start_request({})); }
-
-  hal::Time now_ = hal::seconds(100);
-  ModelDevice device_{2};
-  std::optional<uds::Server<ModelDevice>> server_;
 };
 
 TEST_F(AuthorityTest, OpensANewEpoch) {

@@ -1,12 +1,7 @@
 // A parameter block that is transferred in parts, and the routine that loads it under authority.
 #include <gtest/gtest.h>
 
-#include <optional>
-
-#include "firmware/protocol/uds/server.hpp"
-#include "tests/protocol/services/bytes.hpp"
-#include "tests/protocol/services/model_device.hpp"
-#include "tests/protocol/services/requests.hpp"
+#include "tests/protocol/services/served.hpp"
 
 namespace protocol::testing {
 namespace {
@@ -28,19 +23,8 @@ Bytes extended_block() {
   return to_bytes(lifemodel::ExtendedBlock(model).bytes());
 }
 
-class TransferTest : public ::testing::Test {
+class TransferTest : public ServedTest {
  protected:
-  TransferTest() { restart(); }
-
-  void restart(const authority::Key& key = kKey) {
-    server_.emplace(device_, kNode, key);
-    server_->start(now_);
-  }
-  Bytes ask(const Bytes& request) {
-    Bytes response(128);
-    response.resize(server_->handle(request, now_, response));
-    return response;
-  }
   static Bytes download(std::uint8_t tendon, std::size_t size) {
     return hex("34 00 21") + Bytes{std::byte{tendon}, static_cast<std::byte>(size >> 8),
                                    static_cast<std::byte>(size)};
@@ -62,16 +46,12 @@ class TransferTest : public ::testing::Test {
     ASSERT_EQ(ask(hex("37")), hex("77"));
   }
   Order load_order(const Bytes& block, std::uint8_t tendon = 1) {
-    const Bytes answer = ask(hex("22 02 41 02 40"));
-    Order order{.routine = 0x0203, .arguments = {std::byte{tendon}}, .transferred = block};
-    std::copy_n(answer.begin() + 3, order.nonce.size(), order.nonce.begin());
-    order.counter = lifemodel::ByteReader(std::span(answer).last(4)).u32();
+    Order order = fresh_order();
+    order.routine = 0x0203;
+    order.arguments = {std::byte{tendon}};
+    order.transferred = block;
     return order;
   }
-
-  hal::Time now_ = hal::seconds(100);
-  ModelDevice device_{2};
-  std::optional<uds::Server<ModelDevice>> server_;
 };
 
 TEST_F(TransferTest, InPartsOfAnySizeIsLoadedWhole) {
