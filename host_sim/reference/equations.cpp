@@ -60,4 +60,19 @@ double weibull_mean_damage(double weibull_shape) {
   return std::tgamma(1.0 + 1.0 / weibull_shape);
 }
 
+double weibull_further_damage(double damage, double risk, double weibull_shape) {
+  const double power = std::pow(damage, weibull_shape);
+  const double hazard = -std::log1p(-risk);
+  if (hazard > power * 1e300) {
+    return weibull_life_damage(risk, weibull_shape) - damage;
+  }
+  return hazard == 0.0 ? 0.0 : damage * std::expm1(std::log1p(hazard / power) / weibull_shape);
+}
+
+double weibull_break_risk(double damage, double further, double weibull_shape) {
+  const double share =
+      damage == 0.0 ? 1.0 : -std::expm1(-weibull_shape * std::log1p(further / damage));
+  return -std::expm1(-std::pow(damage + further, weibull_shape) * share);
+}
+
 }  // namespace host_sim::reference

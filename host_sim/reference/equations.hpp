@@ -58,4 +58,14 @@ double weibull_life_damage(double failed_fraction, double weibull_shape);
 /// Mean damage at failure, (21) with the life in units of alpha: Gamma(1 + 1/beta).
 double weibull_mean_damage(double weibull_shape);
 
+/// What a wire that is whole at `damage` takes until the given fraction of its like has broken,
+/// from (15): d with (D + d)^beta = D^beta - ln(1 - x). Equals weibull_life_damage() at zero
+/// damage.
+/// @param risk x in [0, 1)
+double weibull_further_damage(double damage, double risk, double weibull_shape);
+
+/// Probability that a wire which is whole at `damage` has broken after a `further` one, from (15):
+/// 1 - exp(-((D + d)^beta - D^beta)), for damages >= 0.
+double weibull_break_risk(double damage, double further, double weibull_shape);
+
 }  // namespace host_sim::reference

@@ -37,6 +37,11 @@ class Damage {
 
   constexpr Damage() = default;
   static constexpr Damage from_words(const Words& words) { return Damage(words); }
+  static constexpr Damage highest() {
+    Damage result;
+    result.words_.fill(std::numeric_limits<std::uint32_t>::max());
+    return result;
+  }
   [[nodiscard]] constexpr const Words& words() const { return words_; }
 
   /// Adds the same cycle several times.
@@ -65,6 +70,18 @@ class Damage {
     if (carry != 0) {
       saturate(flags);
     }
+  }
+
+  /// This damage `times` over; stops at highest().
+  [[nodiscard]] constexpr Damage multiplied(std::uint32_t times) const {
+    Damage result;
+    std::uint64_t carry = 0;
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      carry += std::uint64_t{words_[i]} * times;
+      result.words_[i] = static_cast<std::uint32_t>(carry);
+      carry >>= 32;
+    }
+    return carry == 0 ? result : highest();
   }
 
   /// What `larger` has more than `smaller`.
@@ -138,7 +155,7 @@ class Damage {
     }
   }
   constexpr void saturate(Flags& flags) {
-    words_.fill(std::numeric_limits<std::uint32_t>::max());
+    *this = highest();
     flags.raise(Flag::saturated);
   }
 

@@ -3,9 +3,11 @@
 #include <bit>
 #include <cstdint>
 #include <limits>
+#include <tuple>
 
 #include "lifemodel/damage/damage.hpp"
 #include "lifemodel/numeric/logarithm.hpp"
+#include "lifemodel/numeric/near_zero.hpp"
 #include "lifemodel/numeric/quotient.hpp"
 #include "lifemodel/quantity/units.hpp"
 
@@ -36,9 +38,34 @@ constexpr numeric::Normal normalise(const Damage& damage) {
     --top;
   }
   const std::uint64_t window = (std::uint64_t{words[top]} << 32) | (top > 0 ? words[top - 1] : 0u);
-  const int shift = std::countl_zero(window);
-  return {static_cast<std::uint32_t>((window << shift) >> 37),
-          static_cast<std::int32_t>(top) * 32 + 31 - shift - Damage::kFractionBits};
+  return numeric::normal(window, static_cast<std::int32_t>(top) * 32 - 32 - Damage::kFractionBits);
+}
+
+/// The damage of a number, rounded down to 2^-104; saturates.
+constexpr Damage denormalise(numeric::Normal value) {
+  constexpr int kBits = 32 * static_cast<int>(std::tuple_size_v<Damage::Words>);
+  constexpr int kUp = 31 - numeric::kMantissaBits;
+  const std::int32_t position = value.exponent - 31 + Damage::kFractionBits;
+  Damage result;
+  Flags none;
+  if (position > kBits - 32) {
+    return Damage::highest();
+  }
+  if (position > -32) {
+    result.add({value.mantissa << kUp, position}, none);
+  }
+  return result;
+}
+
+/// log2 of damage^shape in Q26, rounded down but for the error of the logarithm. In two parts,
+/// because the whole has more than 63 bits for small damages and large shapes.
+/// @pre -2^26 < exponent < 2^26
+constexpr std::int64_t log2_power(numeric::Normal damage, WeibullShape shape) {
+  const std::int64_t whole = std::int64_t{damage.exponent} * shape.raw();
+  const std::uint64_t fraction =
+      std::uint64_t{numeric::log2_mantissa(damage.mantissa)} * shape.raw();
+  constexpr int kDrop = WeibullShape::kFractionBits;
+  return (whole << (numeric::kLogBits - kDrop)) + static_cast<std::int64_t>(fraction >> kDrop);
 }
 
 /// The life distribution over Miner damage: R = exp(-D^beta), eqs (15), (20), (22).
@@ -54,12 +81,9 @@ struct LifeDistribution {
     if (damage == Damage{}) {
       return Ratio::highest();
     }
-    const numeric::Normal d = normalise(damage);
-    // log2 of y = D^beta in Q21, then R = 2^-(y log2 e).
-    const std::int64_t log2_damage =
-        (std::int64_t{d.exponent} << numeric::kLogBits) + numeric::log2_mantissa(d.mantissa);
-    constexpr int kDrop = WeibullShape::kFractionBits + numeric::kLogBits - numeric::kExpBits;
-    const std::int64_t log2_y = (log2_damage * shape.raw()) >> kDrop;
+    // y = D^beta, then R = 2^-(y log2 e), from here on in Q21.
+    const std::int64_t log2_y =
+        log2_power(normalise(damage), shape) >> (numeric::kLogBits - numeric::kExpBits);
     constexpr std::int64_t kLog2Log2E = 1108903;  // log2(log2 e) in Q21
     const std::int64_t log2_exponent = log2_y + kLog2Log2E;
     constexpr std::int64_t kOne = std::int64_t{1} << numeric::kExpBits;
@@ -83,28 +107,27 @@ struct LifeDistribution {
   }
 };
 
-/// How often a profile that does `each` damage can be repeated from `used` until `end`: rounded
-/// down, relative error at most 4e-7; saturates at 2^32 - 1, also where the profile does no damage.
-constexpr std::uint32_t remaining_repeats(const Damage& used, const Damage& each, LifePoint end) {
-  const Damage limit = end.damage();
-  if (used >= limit) {
+/// How often a stretch that does `each` damage fits into what is left: rounded down, relative error
+/// at most 4e-7; saturates at 2^32 - 1, also where the stretch does no damage.
+constexpr std::uint32_t repeats_within(const Damage& left, const Damage& each) {
+  if (left == Damage{}) {
     return 0;
   }
   if (each == Damage{}) {
     return std::numeric_limits<std::uint32_t>::max();
   }
-  const numeric::Normal remaining = normalise(Damage::difference(limit, used));
-  const numeric::Normal one = normalise(each);
-  const numeric::Normal q = numeric::quotient(remaining.mantissa, one.mantissa);
-  const std::int32_t exponent = q.exponent + remaining.exponent - one.exponent;
-  if (exponent >= 32) {
+  const numeric::Normal q = numeric::quotient(normalise(left), normalise(each));
+  if (q.exponent >= 32) {
     return std::numeric_limits<std::uint32_t>::max();
   }
-  if (exponent < 0) {
-    return 0;
-  }
-  return exponent > numeric::kMantissaBits ? q.mantissa << (exponent - numeric::kMantissaBits)
-                                           : q.mantissa >> (numeric::kMantissaBits - exponent);
+  return q.exponent < 0 ? 0 : static_cast<std::uint32_t>(numeric::fixed(q, 0));
+}
+
+/// How often a stretch that does `each` damage can be repeated from `used` until `end`, a point of
+/// the whole life of a new wire; see repeats_within().
+constexpr std::uint32_t remaining_repeats(const Damage& used, const Damage& each, LifePoint end) {
+  const Damage limit = end.damage();
+  return used >= limit ? 0 : repeats_within(Damage::difference(limit, used), each);
 }
 
 }  // namespace lifemodel

@@ -104,6 +104,15 @@ TEST(Damage, AddingSumsSaturatesToo) {
   EXPECT_TRUE(flags.has(Flag::saturated));
 }
 
+TEST(Damage, MultipliedCarriesThroughAllWordsAndSaturates) {
+  const Damage d = Damage::from_words({0x80000001u, 0xffffffffu, 0x00000007u, 0u});
+  EXPECT_EQ(d.multiplied(0), Damage{});
+  EXPECT_EQ(d.multiplied(1), d);
+  // 0x7'ffffffff'80000001 * 6 = 0x2f'fffffffd'00000006
+  EXPECT_EQ(d.multiplied(6), Damage::from_words({6u, 0xfffffffdu, 0x0000002fu, 0u}));
+  EXPECT_EQ(Damage::from_words({0, 0, 0, 1u << 31}).multiplied(2), Damage::highest());
+}
+
 TEST(Damage, ADifferenceBorrowsThroughAllWords) {
   const Damage larger = Damage::from_words({0, 0, 0, 1});
   const Damage smaller = Damage::from_words({1, 0, 0, 0});

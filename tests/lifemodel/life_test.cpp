@@ -8,20 +8,10 @@
 namespace lifemodel {
 namespace {
 
+using lifemodel_test::damage_of;
 using lifemodel_test::paper_constants;
 using lifemodel_test::parameters_of;
 using pack::to_double;
-
-Damage damage_of(double value) {
-  int exponent = 0;
-  const double mantissa = std::frexp(value, &exponent);
-  Damage damage;
-  Flags flags;
-  damage.add(
-      {static_cast<std::uint32_t>(std::ldexp(mantissa, 32)), exponent - 32 + Damage::kFractionBits},
-      flags);
-  return damage;
-}
 
 TEST(LifeDistribution, SurvivalIsWeibull) {
   for (const double shape : {0.5, 1.0, 2.1, 5.94, 50.0}) {
@@ -41,6 +31,14 @@ TEST(LifeDistribution, NewAndWornOut) {
   EXPECT_EQ(life.survival(Damage{}), Ratio::highest());
   EXPECT_EQ(life.survival(Damage::from_words({1, 0, 0, 0})), Ratio::highest());
   EXPECT_EQ(life.survival(damage_of(1e6)), Ratio::lowest());
+}
+
+// (2^-104)^50 = 2^-5200.
+TEST(LifeDistribution, TheSmallestDamageUnderTheLargestShapeIsNone) {
+  auto constants = paper_constants();
+  constants.weibull_shape = 50;
+  const auto life = parameters_of(constants).life;
+  EXPECT_EQ(life.survival(Damage::from_words({1, 0, 0, 0})), Ratio::highest());
 }
 
 TEST(LifeDistribution, PointsOfThePapersShape) {

@@ -35,6 +35,18 @@ inline lifemodel::Parameters parameters_of(const lifemodel::pack::Constants& con
   return *lifemodel::pack::parameters(constants);
 }
 
+/// A damage to 32 significant bits.
+inline lifemodel::Damage damage_of(double value) {
+  int exponent = 0;
+  const double mantissa = std::frexp(value, &exponent);
+  lifemodel::Damage damage;
+  lifemodel::Flags flags;
+  damage.add({static_cast<std::uint32_t>(std::ldexp(mantissa, 32)),
+              exponent - 32 + lifemodel::Damage::kFractionBits},
+             flags);
+  return damage;
+}
+
 /// Tensions of the paper's wire.
 inline constexpr double kUltimate_N = 177.4;
 

@@ -122,5 +122,34 @@ RC_GTEST_PROP(Equations, WeibullAgreesWithBoost, ()) {
   RC_ASSERT(std::abs(weibull_mean_damage(shape) / boost::math::mean(expected) - 1) < 1e-12);
 }
 
+// beta 2: sqrt(1 + ln 2) - 1 = 0.3012099 from 1 on. beta 1 does not age. The paper's wire at its
+// B10 is at 10 % risk where D^beta has doubled: B10 (2^(1/5.94) - 1) = 0.0847407.
+TEST(Equations, WeibullGivenSurvivalWhereItIsKnown) {
+  EXPECT_NEAR(weibull_further_damage(1.0, 0.5, 2.0), 0.3012099, 5e-8);
+  EXPECT_DOUBLE_EQ(weibull_further_damage(17.0, 0.5, 1.0), std::numbers::ln2);
+  EXPECT_DOUBLE_EQ(weibull_further_damage(0.0, 0.1, 5.94), weibull_life_damage(0.1, 5.94));
+  EXPECT_DOUBLE_EQ(weibull_further_damage(1e-200, 0.1, 5.94), weibull_life_damage(0.1, 5.94));
+  EXPECT_EQ(weibull_further_damage(0.0, 0.0, 5.94), 0.0);
+  EXPECT_EQ(weibull_further_damage(0.3, 0.0, 5.94), 0.0);
+  const double b10 = weibull_life_damage(0.1, 5.94);
+  EXPECT_NEAR(weibull_further_damage(b10, 0.1, 5.94), 0.0847407, 5e-8);
+  EXPECT_NEAR(weibull_break_risk(b10, 0.0847407447, 5.94), 0.1, 1e-9);
+  EXPECT_DOUBLE_EQ(weibull_break_risk(3.0, std::numbers::ln2, 1.0), 0.5);
+  EXPECT_DOUBLE_EQ(weibull_break_risk(0.0, 1.0, 5.94), 1 - 1 / std::numbers::e);
+  EXPECT_EQ(weibull_break_risk(0.4, 0.0, 5.94), 0.0);
+}
+
+// Where nothing cancels: 1 - R(D + d) / R(D).
+RC_GTEST_PROP(Equations, WeibullGivenSurvivalIsTheRatioOfSurvivals, ()) {
+  const double shape = 0.01 * *rc::gen::inRange(50, 2000);
+  const double damage = 0.001 * *rc::gen::inRange(0, 1200);
+  const double further = 0.001 * *rc::gen::inRange(1, 1000);
+  const double ratio = weibull_survival(damage + further, shape) / weibull_survival(damage, shape);
+  const double risk = weibull_break_risk(damage, further, shape);
+  RC_ASSERT(std::abs(risk - (1 - ratio)) < 1e-12);
+  RC_PRE(risk > 1e-6 && risk < 0.999);
+  RC_ASSERT(std::abs(weibull_further_damage(damage, risk, shape) / further - 1) < 1e-9);
+}
+
 }  // namespace
 }  // namespace host_sim::reference
