@@ -66,11 +66,11 @@ class Emergencies {
 
  private:
   /// The most urgent first.
-  static constexpr std::array kCodes{Code::emergency_stop, Code::overload,     Code::life_worn,
-                                     Code::life_replace,   Code::life_inspect, Code::sensor,
-                                     Code::parameters,     Code::settings,     Code::record_damaged,
-                                     Code::storage,        Code::deadline,     Code::bus,
-                                     Code::authority};
+  static constexpr std::array kCodes{
+      Code::emergency_stop, Code::tendon_broken, Code::overload,       Code::life_worn,
+      Code::tendon_slack,   Code::life_replace,  Code::life_inspect,   Code::sensor,
+      Code::parameters,     Code::settings,      Code::record_damaged, Code::storage,
+      Code::deadline,       Code::bus,           Code::authority};
   static_assert(kCodes.size() <= 32);
 
   static constexpr std::uint32_t bit_of(Code code) {
@@ -93,6 +93,8 @@ class Emergencies {
         return error_register::kCurrent;
       case Code::bus:
         return error_register::kCommunication;
+      case Code::tendon_broken:
+      case Code::tendon_slack:
       case Code::life_inspect:
       case Code::life_replace:
       case Code::life_worn:

@@ -46,6 +46,8 @@ struct LifeStatus {
   bool saturated = false;
   bool overrun = false;
   bool locked = false;  ///< the drive is held off by the emergency stop
+  bool broken = false;  ///< a tendon has broken; until its new epoch
+  bool slack = false;   ///< a tendon hangs loose
 
   friend constexpr bool operator==(const LifeStatus&, const LifeStatus&) = default;
 };
@@ -144,7 +146,9 @@ enum class EmergencyCode : std::uint16_t {
   life_inspect = 0xff11,
   life_replace = 0xff12,
   life_worn = 0xff13,
-  overload = 0xff20,  ///< a tension reached the ultimate tension
+  overload = 0xff20,       ///< a tension reached the ultimate tension
+  tendon_broken = 0xff21,  ///< the motor pulls at friction alone
+  tendon_slack = 0xff22,   ///< a tendon moves below its minimum tension
   sensor = 0xff30,
   storage = 0xff40,         ///< the record cannot be written
   record_damaged = 0xff41,  ///< no trustworthy record of the past was found

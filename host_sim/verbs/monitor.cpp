@@ -152,9 +152,9 @@ void add_monitor_options(CLI::App& verb, MonitorArguments& arguments) {
   CLI::Option* const once = verb.add_flag(
       "--once", arguments.once,
       "Print one table and end: when the log does, or after --listen. Exit with status 3 where a "
-      "node is to be replaced or worn, has vanished, has frames that failed the integrity check, "
-      "or "
-      "has its id in common with another, and with status 1 where a record is not complete");
+      "node is to be replaced or worn, has a tendon that broke or hangs loose, has vanished, has "
+      "frames that failed the integrity check, or has its id in common with another, and with "
+      "status 1 where a record is not complete");
   add_page_options(verb, arguments, once);
   verb.add_option("--listen", arguments.listen_s, "Seconds that --once listens to an interface")
       ->check(command_line::in_range(0.1, 1e6))
@@ -195,7 +195,8 @@ std::string interface_in_lines(const MonitorArguments& arguments) {
 
 bool needs_attention(const NodeView& node) {
   return node.life_state() >= protocol::LifeState::replace || node.two_controllers ||
-         node.vanished || node.integrity_failures() != 0;
+         node.vanished || node.integrity_failures() != 0 ||
+         (node.status && (node.status->value.broken || node.status->value.slack));
 }
 
 void print_table(const FleetView& view) {

@@ -49,13 +49,35 @@ TEST(Emergencies, TheMostUrgentGoesFirstAndTheRegisterShowsAllThatIsActive) {
   EXPECT_EQ(report_all(emergencies), (std::vector<protocol::Emergency>{{Code::none, 0x91, 0}}));
 }
 
+TEST(Emergencies, ABrokenTendonGoesBeforeALifeThatIsUsedUp) {
+  Emergencies emergencies;
+  for (const Code code : {Code::life_replace, Code::tendon_slack, Code::life_worn, Code::overload,
+                          Code::tendon_broken, Code::emergency_stop}) {
+    emergencies.set(code, true);
+  }
+  std::vector<Code> codes;
+  for (const protocol::Emergency& emergency : report_all(emergencies)) {
+    EXPECT_EQ(emergency.error_register, 0xa3);
+    codes.push_back(emergency.code);
+  }
+  EXPECT_EQ(codes, (std::vector<Code>{Code::emergency_stop, Code::tendon_broken, Code::overload,
+                                      Code::life_worn, Code::tendon_slack, Code::life_replace}));
+}
+
+TEST(Emergencies, ABreakAloneIsOfTheDeviceProfile) {
+  Emergencies emergencies;
+  emergencies.set(Code::tendon_broken, true);
+  EXPECT_EQ(report_all(emergencies),
+            (std::vector<protocol::Emergency>{{Code::tendon_broken, 0x21, 0}}));
+}
+
 TEST(Emergencies, ThereIsRoomForEveryEventAtOnce) {
   Emergencies emergencies;
   const std::vector<Code> all{
-      Code::emergency_stop, Code::life_inspect, Code::life_replace, Code::life_worn,
-      Code::overload,       Code::sensor,       Code::storage,      Code::record_damaged,
-      Code::parameters,     Code::settings,     Code::bus,          Code::deadline,
-      Code::authority};
+      Code::emergency_stop, Code::life_inspect,  Code::life_replace, Code::life_worn,
+      Code::overload,       Code::sensor,        Code::storage,      Code::record_damaged,
+      Code::parameters,     Code::settings,      Code::bus,          Code::deadline,
+      Code::authority,      Code::tendon_broken, Code::tendon_slack};
   for (int round = 0; round < 3; ++round) {
     for (const Code code : all) {
       emergencies.set(code, true);

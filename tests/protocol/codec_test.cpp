@@ -51,6 +51,10 @@ TEST(Codec, LifeStatus) {
                               .saturated = true,
                               .overrun = true},
                    1, frame(0x181, {0x00, 0x40, 0xff, 0xff, 0xff, 0xff, 0x9f, 0x1a}));
+  expect_both_ways(LifeStatus{.state = LifeState::normal, .broken = true}, 1,
+                   frame(0x181, {0x00, 0x10, 0, 0, 0, 0, 0, 0x40}));
+  expect_both_ways(LifeStatus{.state = LifeState::normal, .slack = true}, 1,
+                   frame(0x181, {0x00, 0x10, 0, 0, 0, 0, 0, 0x80}));
   expect_both_ways(LifeStatus{}, 1, frame(0x181, {0, 0, 0, 0, 0, 0, 0, 0}));
 }
 
@@ -58,6 +62,10 @@ TEST(Codec, Emergency) {
   expect_both_ways(
       Emergency{.code = EmergencyCode::life_worn, .error_register = 0x81, .damage_ppm = 0x0f4240},
       3, frame(0x083, {0x13, 0xff, 0x81, 0x00, 0x00, 0x40, 0x42, 0x0f}));
+  expect_both_ways(Emergency{.code = EmergencyCode::tendon_broken, .error_register = 0x21}, 3,
+                   frame(0x083, {0x21, 0xff, 0x21, 0, 0, 0, 0, 0}));
+  expect_both_ways(Emergency{.code = EmergencyCode::tendon_slack, .error_register = 0x21}, 3,
+                   frame(0x083, {0x22, 0xff, 0x21, 0, 0, 0, 0, 0}));
 }
 
 TEST(Codec, Command) {
@@ -138,9 +146,10 @@ TEST(Codec, OtherPagesAreTold) {
 }
 
 TEST(Codec, BitsAndValuesWithoutMeaningAreTold) {
-  const hal::CanFrame status = encode(1, LifeStatus{});
-  expect_error<LifeStatus>(flipped(status, 62), DecodeError::reserved_bit);
-  expect_error<LifeStatus>(flipped(status, 63), DecodeError::reserved_bit);
+  const hal::CanFrame tendon = encode(1, detail::TendonDamage{});
+  for (const std::size_t bit : {21u, 23u, 60u, 63u}) {
+    expect_error<detail::TendonDamage>(flipped(tendon, bit), DecodeError::reserved_bit);
+  }
   const hal::CanFrame command = encode(1, Command{});
   for (std::size_t bit = 24; bit < 64; ++bit) {
     expect_error<Command>(flipped(command, bit), DecodeError::reserved_bit);

@@ -71,7 +71,7 @@ TEST(Dbc, IsWhatTheFramePlanSays) {
     EXPECT_THAT(lines, Contains(line));
   }
   EXPECT_EQ(matches(lines, "BO_ .*").size(), 15u);
-  EXPECT_EQ(matches(lines, kSignalLine).size(), 3u * (1 + 12 + 3 + 28 + 5 + 4));
+  EXPECT_EQ(matches(lines, kSignalLine).size(), 3u * (1 + 14 + 3 + 28 + 5 + 4));
 }
 
 TEST(Dbc, EveryLineIsOneOfTheKnownKinds) {

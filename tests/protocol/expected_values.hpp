@@ -78,6 +78,10 @@ inline std::string label_of(EmergencyCode code) {
       return "life_worn";
     case EmergencyCode::overload:
       return "overload";
+    case EmergencyCode::tendon_broken:
+      return "tendon_broken";
+    case EmergencyCode::tendon_slack:
+      return "tendon_slack";
     case EmergencyCode::sensor:
       return "sensor";
     case EmergencyCode::storage:
@@ -126,7 +130,9 @@ inline Expected expected(const LifeStatus& m) {
            {"Gap", m.gap ? 1 : 0},
            {"Saturated", m.saturated ? 1 : 0},
            {"Overrun", m.overrun ? 1 : 0},
-           {"Locked", m.locked ? 1 : 0}},
+           {"Locked", m.locked ? 1 : 0},
+           {"Broken", m.broken ? 1 : 0},
+           {"Slack", m.slack ? 1 : 0}},
           {{"LifeState", label_of(m.state)}, {"Quality", label_of(m.quality)}}};
 }
 inline Expected expected(const detail::Identity& m) {

@@ -54,7 +54,9 @@ inline void fill(Random& random, LifeStatus& m) {
        .gap = coin(random),
        .saturated = coin(random),
        .overrun = coin(random),
-       .locked = coin(random)};
+       .locked = coin(random),
+       .broken = coin(random),
+       .slack = coin(random)};
 }
 inline void fill(Random& random, detail::Identity& m) {
   m = {.schema = u8(random), .firmware = u8(random), .configuration = number(random, 32)};
@@ -94,12 +96,14 @@ inline void fill(Random& random, detail::Bus& m) {
        .refused = u16(random)};
 }
 inline void fill(Random& random, Emergency& m) {
-  constexpr std::array kCodes{
-      EmergencyCode::none,         EmergencyCode::emergency_stop, EmergencyCode::life_inspect,
-      EmergencyCode::life_replace, EmergencyCode::life_worn,      EmergencyCode::overload,
-      EmergencyCode::sensor,       EmergencyCode::storage,        EmergencyCode::record_damaged,
-      EmergencyCode::parameters,   EmergencyCode::settings,       EmergencyCode::bus,
-      EmergencyCode::deadline,     EmergencyCode::authority};
+  constexpr std::array kCodes{EmergencyCode::none,           EmergencyCode::emergency_stop,
+                              EmergencyCode::life_inspect,   EmergencyCode::life_replace,
+                              EmergencyCode::life_worn,      EmergencyCode::overload,
+                              EmergencyCode::tendon_broken,  EmergencyCode::tendon_slack,
+                              EmergencyCode::sensor,         EmergencyCode::storage,
+                              EmergencyCode::record_damaged, EmergencyCode::parameters,
+                              EmergencyCode::settings,       EmergencyCode::bus,
+                              EmergencyCode::deadline,       EmergencyCode::authority};
   m = {.code = one_of(random, kCodes),
        .error_register = u8(random),
        .damage_ppm = number(random, 24)};

@@ -85,6 +85,8 @@ inline constexpr std::array kEmergencyCodes{
     name_of(EmergencyCode::life_replace, "life_replace"),
     name_of(EmergencyCode::life_worn, "life_worn"),
     name_of(EmergencyCode::overload, "overload"),
+    name_of(EmergencyCode::tendon_broken, "tendon_broken"),
+    name_of(EmergencyCode::tendon_slack, "tendon_slack"),
     name_of(EmergencyCode::sensor, "sensor"),
     name_of(EmergencyCode::storage, "storage"),
     name_of(EmergencyCode::record_damaged, "record_damaged"),
@@ -174,6 +176,12 @@ struct Layout<LifeStatus> {
                                   .start_bit = 61,
                                   .bits = 1,
                                   .comment = "the drive is held off by the emergency stop"}),
+      field(&LifeStatus::broken, {.name = "Broken",
+                                  .start_bit = 62,
+                                  .bits = 1,
+                                  .comment = "a tendon has broken, until its new epoch"}),
+      field(&LifeStatus::slack,
+            {.name = "Slack", .start_bit = 63, .bits = 1, .comment = "a tendon hangs loose"}),
   };
 };
 

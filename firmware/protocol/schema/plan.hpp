@@ -29,7 +29,7 @@
 namespace protocol::schema {
 
 /// Version of this plan, sent in detail::Identity.
-inline constexpr std::uint8_t kSchemaVersion = 3;
+inline constexpr std::uint8_t kSchemaVersion = 4;
 
 template <class... Messages>
 struct MessageList {};

@@ -41,6 +41,8 @@ std::string status_json(const NodeView& node) {
                        {"saturated", status.saturated},
                        {"overrun", status.overrun},
                        {"locked", status.locked},
+                       {"broken", status.broken},
+                       {"slack", status.slack},
                        {"time_s", static_cast<double>(time_ms) / 1e3},
                        {"stale", node.status->stale},
                        {"vanished", node.vanished},

@@ -156,6 +156,8 @@ Cell notes_cell(const NodeView& node) {
   }
   if (node.status) {
     const protocol::LifeStatus& status = node.status->value;
+    add_note(notes, status.broken, "broken");
+    add_note(notes, status.slack, "slack");
     add_note(notes, status.locked, "locked");
     add_note(notes, !status.sensor_ok, "sensor fault");
     add_note(notes, !status.storage_ok, "storage fault");

@@ -17,7 +17,7 @@ TEST(ViewJson, TellsMessagesInTheWordsOfTheFramePlan) {
   const json node = node_json(test::made_view().nodes.at(5));
   EXPECT_EQ(node["status"], json::parse(R"({"LifeState": "inspect", "Damage": 0.123456789,
       "WorstTendon": 2, "Quality": "measured", "StorageOk": true, "SensorOk": false, "Gap": false,
-      "Saturated": false, "Overrun": false, "Locked": false, "time_us": 9000000, "stale": true})"));
+      "Saturated": false, "Overrun": false, "Locked": false, "Broken": false, "Slack": false, "time_us": 9000000, "stale": true})"));
   EXPECT_EQ(node["heartbeat"],
             json::parse(R"({"NmtState": "operational", "time_us": 9000000, "stale": false})"));
   EXPECT_EQ(node["identity"]["Configuration"], 0xdeadbeef);

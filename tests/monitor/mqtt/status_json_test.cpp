@@ -30,7 +30,7 @@ TEST(StatusJson, HoldsWhatTheNodeTold) {
   EXPECT_EQ(json, nlohmann::json::parse(R"({
     "state": "inspect", "damage_ppb": 612345678, "damage_percent": 61.2345678, "worst_tendon": 2,
     "quality": "gaps", "storage_ok": true, "sensor_ok": false, "gap": true, "saturated": false,
-    "overrun": false, "locked": false, "time_s": 1600000000.123, "stale": false,
+    "overrun": false, "locked": false, "broken": false, "slack": false, "time_s": 1600000000.123, "stale": false,
     "vanished": false, "integrity_failures": 0, "damage_percent_per_h": 0.5,
     "remaining_h": {"b10": 12.3, "b50": 20.0, "b90": null}})"));
 }

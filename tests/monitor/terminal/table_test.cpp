@@ -124,6 +124,9 @@ TEST(Table, SaysWhatIsTheMatter) {
   node.streams[0].damaged = 7;
   node.streams[0].lost = 3;
   EXPECT_NE(row_of(node).find("7       3     overload, locked, sensor fault"), std::string::npos);
+  node.status->value.broken = true;
+  node.status->value.slack = true;
+  EXPECT_NE(row_of(node).find("overload, broken, slack, locked"), std::string::npos);
   FleetView view = fleet_of(node);
   view.bus_off = true;
   view.source_lost = true;

@@ -79,6 +79,12 @@ export function stateTexts(node) {
   if (node.emergency && node.emergency.EmergencyCode !== 'none') {
     texts.push([`EMERGENCY: ${emergencyText(node.emergency)}`, 'emergency']);
   }
+  if (node.status && node.status.Broken) {
+    texts.push(['TENDON BROKEN', 'emergency']);
+  }
+  if (node.status && node.status.Slack) {
+    texts.push(['TENDON SLACK', 'emergency']);
+  }
   if (node.status && node.status.Locked) {
     texts.push(['LOCKED', 'emergency']);
   }
@@ -101,6 +107,8 @@ export function flagText(status) {
     [status.Saturated, 'a value at the end of its range'],
     [status.Overrun, 'cycles counted larger'],
     [status.Locked, 'held by the emergency stop'],
+    [status.Broken, 'a tendon has broken'],
+    [status.Slack, 'a tendon hangs loose'],
   ];
   return (
     flags
