@@ -20,6 +20,7 @@ inline constexpr unsigned kMostThreads = 1024;
 void add_replay(CLI::App& app, int& status);
 void add_calibrate(CLI::App& app, int& status);
 void add_completion(CLI::App& app, int& status);
+void add_design(CLI::App& app, int& status);
 void add_diagnose(CLI::App& app, int& status);
 void add_import(CLI::App& app, int& status);
 void add_manual(CLI::App& app, int& status);
