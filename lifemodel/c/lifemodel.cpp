@@ -6,6 +6,7 @@
 
 #include "lifemodel/estimator.hpp"
 #include "lifemodel/extension/extended_block.hpp"
+#include "lifemodel/life/conditional.hpp"
 
 namespace {
 
@@ -35,6 +36,17 @@ Damage damage_of(const lm_damage& words) {
   Damage::Words result{};
   std::copy(std::begin(words.words), std::end(words.words), result.begin());
   return Damage::from_words(result);
+}
+
+lifemodel::WeibullShape shape_of(const lm_estimator* estimator) {
+  return estimator_of(estimator).parameters(0).life.shape;
+}
+
+Damage damage_at_risk(const lm_estimator* estimator, const lm_damage& used,
+                      std::uint32_t risk_q30) {
+  lifemodel::Flags saturated;
+  return lifemodel::further_damage(shape_of(estimator), damage_of(used),
+                                   lifemodel::Ratio::saturated(risk_q30, saturated));
 }
 
 }  // namespace
@@ -94,6 +106,21 @@ uint32_t lm_repeats_to_b10(const lm_estimator* estimator, const lm_damage* used,
                            const lm_damage* each) {
   return lifemodel::remaining_repeats(damage_of(*used), damage_of(*each),
                                       estimator_of(estimator).parameters(0).life.b10);
+}
+
+void lm_further_damage(const lm_estimator* estimator, const lm_damage* used, uint32_t risk_q30,
+                       lm_damage* further) {
+  *further = words_of(damage_at_risk(estimator, *used, risk_q30));
+}
+
+uint32_t lm_break_risk_q30(const lm_estimator* estimator, const lm_damage* used,
+                           const lm_damage* further) {
+  return lifemodel::break_risk(shape_of(estimator), damage_of(*used), damage_of(*further)).raw();
+}
+
+uint32_t lm_repeats_to_risk(const lm_estimator* estimator, const lm_damage* used,
+                            const lm_damage* each, uint32_t risk_q30) {
+  return lifemodel::repeats_within(damage_at_risk(estimator, *used, risk_q30), damage_of(*each));
 }
 
 size_t lm_snapshot(const lm_estimator* estimator, void* out) {

@@ -67,9 +67,22 @@ bool lm_settle(lm_estimator* estimator);
 /* Life used at this instant. */
 void lm_read(lm_estimator* estimator, lm_reading* reading);
 
-/* Repeats of a stretch that did `each` damage until 10 % of wires have broken, rounded down. */
+/* Repeats of a stretch that did `each` damage until 10 % of wires have broken, rounded down: the
+ * B10 of the whole life, which a wire may outlive. */
 uint32_t lm_repeats_to_b10(const lm_estimator* estimator, const lm_damage* used,
                            const lm_damage* each);
+
+/* Given that the wire is whole at `used` damage, see life/conditional.hpp; risks are 0 .. 2^30.
+ *
+ * The damage that it takes from there until it has broken with this risk. */
+void lm_further_damage(const lm_estimator* estimator, const lm_damage* used, uint32_t risk_q30,
+                       lm_damage* further);
+/* The risk that it has broken after a further damage. */
+uint32_t lm_break_risk_q30(const lm_estimator* estimator, const lm_damage* used,
+                           const lm_damage* further);
+/* Repeats of a stretch that did `each` damage until it has broken with this risk, rounded down. */
+uint32_t lm_repeats_to_risk(const lm_estimator* estimator, const lm_damage* used,
+                            const lm_damage* each, uint32_t risk_q30);
 
 /* Writes the state to `out` of LM_SNAPSHOT_BYTES; gives the bytes used. */
 size_t lm_snapshot(const lm_estimator* estimator, void* out);

@@ -37,6 +37,9 @@ class Damage {
 
   constexpr Damage() = default;
   static constexpr Damage from_words(const Words& words) { return Damage(words); }
+  [[nodiscard]] constexpr bool none() const {
+    return (words_[0] | words_[1] | words_[2] | words_[3]) == 0;
+  }
   static constexpr Damage highest() {
     Damage result;
     result.words_.fill(std::numeric_limits<std::uint32_t>::max());

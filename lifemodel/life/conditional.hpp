@@ -25,8 +25,7 @@ struct Hazard {
     numeric::Normal hazard{};
     if (x.exponent < -4) {
       const auto t = -static_cast<std::int32_t>(numeric::fixed(x, 31));
-      const auto over = static_cast<std::uint32_t>(numeric::log1p_over(t));
-      hazard = numeric::product(x, numeric::normal(over, -30));
+      hazard = numeric::product(x, numeric::normal(numeric::at(numeric::kLogSeries, t), -30));
     } else {
       const numeric::Normal whole =
           numeric::normal(Ratio::highest().raw() - risk.raw(), -Ratio::kFractionBits);
@@ -42,43 +41,36 @@ inline constexpr Hazard kHazard10{-217875221};  ///< log2(-ln 0.9)
 inline constexpr Hazard kHazard50{-35484911};   ///< log2(ln 2)
 inline constexpr Hazard kHazard90{80749041};    ///< log2(ln 10)
 
+/// log2 of hazard / used^shape from which on the latter is nothing beside it, Q26.
+inline constexpr std::int64_t kNothingUsed = std::int64_t{30} << numeric::kLogBits;
+
 /// The damage that a wire which is whole at `used` takes until it has broken with the probability
 /// of `hazard`: d with (used + d)^shape = used^shape + hazard. Rounded down to 2^-104; relative
-/// error at most 2e-6 + 1e-7 shape, so for risks of 10 to 90 % at most 3e-6 characteristic lives
+/// error at most 2e-6 + 1e-7 shape, so for risks of 10 to 90 % at most 5e-6 characteristic lives
 /// where the shape is at least 1.
 ///
-/// It is formed as S (1 - used / S) with S = used + d, and 1 - used / S from log2(1 + hazard /
+/// It is formed as S (1 - used / S) with S = used + d, and log2(S / used) from log2(1 + hazard /
 /// used^shape), so that nothing cancels where d is far below `used`.
 constexpr Damage further_damage(WeibullShape shape, const Damage& used, Hazard hazard) {
-  // Q26; |log2| < 64.
-  const auto root = [&](std::int64_t log2) -> std::int64_t {
-    if (log2 == 0) {
-      return 0;
-    }
-    const auto magnitude = static_cast<std::uint32_t>(log2 < 0 ? -log2 : log2);
-    const numeric::Normal q = numeric::quotient(magnitude, shape.raw());
-    const auto value = static_cast<std::int64_t>(numeric::fixed(q, WeibullShape::kFractionBits));
-    return log2 < 0 ? -value : value;
+  const numeric::Normal beta = numeric::normal(shape.raw(), -WeibullShape::kFractionBits);
+  const numeric::Normal d = used.none() ? numeric::Normal{} : normalise(used);
+  const std::int64_t log2_ratio = used.none() ? kNothingUsed : hazard.log2 - log2_power(d, shape);
+  // Exponents are below 128: half of them has one fraction bit less.
+  const auto half = [](numeric::Normal exponent) {
+    return static_cast<std::int64_t>(numeric::fixed(exponent, numeric::kLogBits - 1));
   };
-  if (used == Damage{}) {
-    return denormalise(numeric::exp2(root(hazard.log2)));
+  if (log2_ratio >= kNothingUsed) {
+    const auto magnitude =
+        static_cast<std::uint32_t>(hazard.log2 < 0 ? -std::int64_t{hazard.log2} : hazard.log2);
+    const std::int64_t root =
+        half(numeric::quotient(numeric::normal(magnitude | 1u, -numeric::kLogBits), beta));
+    const Damage life = denormalise(numeric::exp2(2 * (hazard.log2 < 0 ? -root : root)));
+    return life > used ? Damage::difference(life, used) : Damage{};
   }
-  const numeric::Normal d = normalise(used);
-  const std::int64_t log2_used_power = log2_power(d, shape);
-  const std::int64_t log2_ratio = hazard.log2 - log2_used_power;
-  const numeric::Normal log2_sum_ratio =
-      numeric::quotient(numeric::log2_of_one_plus(numeric::exp2(log2_ratio)),
-                        numeric::normal(shape.raw(), -WeibullShape::kFractionBits));
-  const numeric::Normal share = numeric::one_minus_exp2_of_minus(log2_sum_ratio);
-  // S^shape is the larger of both terms, times one and the smaller over the larger.
-  if (log2_ratio <= 0) {
-    return denormalise(numeric::product(numeric::product(d, share),
-                                        numeric::exp2(static_cast<std::int64_t>(
-                                            numeric::fixed(log2_sum_ratio, numeric::kLogBits)))));
-  }
-  const auto smaller = static_cast<std::int64_t>(
-      numeric::fixed(numeric::log2_of_one_plus(numeric::exp2(-log2_ratio)), numeric::kLogBits));
-  return denormalise(numeric::product(numeric::exp2(root(hazard.log2 + smaller)), share));
+  const numeric::Normal log2_growth =
+      numeric::quotient(numeric::log2_of_one_plus(numeric::exp2(log2_ratio)), beta);
+  return denormalise(numeric::product(numeric::product(d, numeric::exp2(2 * half(log2_growth))),
+                                      numeric::one_minus_exp2_of_minus(log2_growth)));
 }
 
 /// The same for a risk: none at 0, the highest damage there is at 1, which no wire is sure to
@@ -94,7 +86,7 @@ constexpr Damage further_damage(WeibullShape shape, const Damage& used, Ratio ri
 /// The probability that a wire which is whole at `used` has broken after a `further` damage;
 /// relative error at most 2e-6 + 1e-7 shape, and 2^-30.
 constexpr Ratio break_risk(WeibullShape shape, const Damage& used, const Damage& further) {
-  if (further == Damage{}) {
+  if (further.none()) {
     return Ratio::lowest();
   }
   Damage sum = used;
@@ -102,16 +94,18 @@ constexpr Ratio break_risk(WeibullShape shape, const Damage& used, const Damage&
   sum.add(further, saturated);
   const std::int64_t log2_power_of_sum = log2_power(normalise(sum), shape);
   numeric::Normal share{1u << numeric::kMantissaBits, 0};
-  if (used != Damage{}) {
-    const numeric::Normal log2_sum_ratio =
-        numeric::log2_of_one_plus(numeric::quotient(normalise(further), normalise(used)));
-    share = numeric::one_minus_exp2_of_minus(numeric::product(
-        log2_sum_ratio, numeric::normal(shape.raw(), -WeibullShape::kFractionBits)));
+  if (!used.none()) {
+    const numeric::Normal ratio = numeric::quotient(normalise(further), normalise(used));
+    if (ratio.exponent < 62) {
+      share = numeric::one_minus_exp2_of_minus(
+          numeric::product(numeric::log2_of_one_plus(ratio),
+                           numeric::normal(shape.raw(), -WeibullShape::kFractionBits)));
+    }
   }
   const numeric::Normal hazard = numeric::product(numeric::exp2(log2_power_of_sum), share);
   const numeric::Normal risk =
       numeric::one_minus_exp2_of_minus(numeric::product(hazard, numeric::kLog2E));
-  return Ratio::from_raw(static_cast<std::uint32_t>(numeric::fixed(risk, Ratio::kFractionBits)));
+  return Ratio::from_raw(numeric::fixed(risk, Ratio::kFractionBits));
 }
 
 }  // namespace lifemodel

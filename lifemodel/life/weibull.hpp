@@ -37,8 +37,10 @@ constexpr numeric::Normal normalise(const Damage& damage) {
   while (top > 0 && words[top] == 0) {
     --top;
   }
-  const std::uint64_t window = (std::uint64_t{words[top]} << 32) | (top > 0 ? words[top - 1] : 0u);
-  return numeric::normal(window, static_cast<std::int32_t>(top) * 32 - 32 - Damage::kFractionBits);
+  const int shift = std::countl_zero(words[top]);
+  const std::uint32_t below = top > 0 ? words[top - 1] >> 1 : 0;
+  return {((words[top] << shift) | (below >> (31 - shift))) >> (31 - numeric::kMantissaBits),
+          static_cast<std::int32_t>(top) * 32 + 31 - shift - Damage::kFractionBits};
 }
 
 /// The damage of a number, rounded down to 2^-104; saturates.
@@ -48,7 +50,7 @@ constexpr Damage denormalise(numeric::Normal value) {
   const std::int32_t position = value.exponent - 31 + Damage::kFractionBits;
   Damage result;
   Flags none;
-  if (position > kBits - 32) {
+  if (position >= kBits) {
     return Damage::highest();
   }
   if (position > -32) {
@@ -78,7 +80,7 @@ struct LifeDistribution {
 
   /// The probability that a wire with this damage is still whole; absolute error at most 4e-6.
   [[nodiscard]] constexpr Ratio survival(const Damage& damage) const {
-    if (damage == Damage{}) {
+    if (damage.none()) {
       return Ratio::highest();
     }
     // y = D^beta, then R = 2^-(y log2 e), from here on in Q21.
@@ -110,17 +112,17 @@ struct LifeDistribution {
 /// How often a stretch that does `each` damage fits into what is left: rounded down, relative error
 /// at most 4e-7; saturates at 2^32 - 1, also where the stretch does no damage.
 constexpr std::uint32_t repeats_within(const Damage& left, const Damage& each) {
-  if (left == Damage{}) {
+  if (left.none()) {
     return 0;
   }
-  if (each == Damage{}) {
+  if (each.none()) {
     return std::numeric_limits<std::uint32_t>::max();
   }
   const numeric::Normal q = numeric::quotient(normalise(left), normalise(each));
   if (q.exponent >= 32) {
     return std::numeric_limits<std::uint32_t>::max();
   }
-  return q.exponent < 0 ? 0 : static_cast<std::uint32_t>(numeric::fixed(q, 0));
+  return q.exponent < 0 ? 0 : numeric::fixed(q, 0);
 }
 
 /// How often a stretch that does `each` damage can be repeated from `used` until `end`, a point of

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstring>
@@ -99,6 +100,32 @@ TEST(CInterface, CurrentAndMillinewtons) {
   const lm_damage nothing{};
   // D at B10 is 0.684648: 0.684648 / (5 / 1191.3) = 163.1
   EXPECT_EQ(lm_repeats_to_b10(&by_tension, &nothing, &tension.total), 163u);
+}
+
+// 0.684648 is B10 of the paper's shape, 0.0847407 the damage from there to 10 % risk; in steps of
+// 0.02 that is 4.2 of them. See conditional_test.cpp.
+TEST(CInterface, GivenSurvival) {
+  const auto block = encode(lifemodel_test::parameters_of(lifemodel_test::paper_constants()));
+  lm_estimator estimator;
+  ASSERT_EQ(lm_init(&estimator, block.data(), block.size()), nullptr);
+  const auto in_c = [](double value) {
+    lm_damage damage{};
+    const Damage words = lifemodel_test::damage_of(value);
+    std::copy(words.words().begin(), words.words().end(), damage.words);
+    return damage;
+  };
+  const lm_damage used = in_c(0.684648495);
+  const lm_damage each = in_c(0.02);
+  const std::uint32_t tenth = (1u << 30) / 10;
+  lm_damage further{};
+  lm_further_damage(&estimator, &used, tenth, &further);
+  EXPECT_NEAR(std::ldexp(further.words[3], -8) + std::ldexp(further.words[2], -40), 0.0847407,
+              3e-7);
+  EXPECT_NEAR(std::ldexp(lm_break_risk_q30(&estimator, &used, &further), -30), 0.1, 1e-6);
+  EXPECT_EQ(lm_repeats_to_risk(&estimator, &used, &each, tenth), 4u);
+  EXPECT_EQ(lm_repeats_to_risk(&estimator, &used, &each, 0), 0u);
+  EXPECT_NEAR(lm_repeats_to_risk(&estimator, &used, &each, 0xffffffffu), 0x1p24 / 0.02, 400);
+  EXPECT_EQ(lm_repeats_to_b10(&estimator, &used, &each), 0u);
 }
 
 }  // namespace

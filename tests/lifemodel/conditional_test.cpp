@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "host_sim/reference/equations.hpp"
@@ -83,6 +84,12 @@ TEST(FurtherDamage, OfNoRiskAndOfCertainty) {
   EXPECT_EQ(further_damage(shape_of(5.94), used, Ratio::highest()), Damage::highest());
   EXPECT_GT(further_damage(shape_of(5.94), used, Ratio::from_raw(1)), Damage{});
   EXPECT_LT(further_damage(shape_of(0.5), used, Ratio::from_raw((1u << 30) - 1)), damage_of(500));
+}
+
+TEST(FurtherDamage, BeyondAllDamagesIsTheHighest) {
+  constexpr Hazard kHighest{std::numeric_limits<std::int32_t>::max()};
+  EXPECT_EQ(further_damage(shape_of(0.5), Damage{}, kHighest), Damage::highest());
+  EXPECT_GT(further_damage(shape_of(0.5), damage_of(1), kHighest), damage_of(1.6e7));
 }
 
 TEST(Hazard, OfRisksIsTheirLogarithm) {

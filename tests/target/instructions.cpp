@@ -98,6 +98,24 @@ class Measurement {
     report("reading", "_one", one.reading * 1000);
   }
 
+  /// Hours to 10, 50 and 90 % and the probability of a break, of wires of all ages and shapes.
+  void given_survival_calls() {
+    Random random(3);
+    std::uint32_t worst = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const auto shape = lifemodel::WeibullShape::from_raw(
+          (1u << 24) + static_cast<std::uint32_t>(random.below(99 << 24)));
+      Wear wear{drawn(random), drawn(random)};
+      if (i % 2 == 0) {
+        wear.used = lifemodel::LifePoint{random.next()}.damage();
+        wear.each = lifemodel::LifePoint{random.next() >> 20}.damage();
+      }
+      GivenSurvival result{};
+      worst = std::max(worst, counter_.count({given_survival, &shape, &wear, &result}));
+    }
+    report("given_survival", "", worst * 1000);
+  }
+
   [[nodiscard]] bool save(const char* path) {
     json_ << "\n}\n";
     board::HostFile file(path, board::HostFile::Mode::write);
@@ -106,6 +124,16 @@ class Measurement {
   }
 
  private:
+  /// Of any magnitude.
+  static lifemodel::Damage drawn(Random& random) {
+    lifemodel::Damage::Words words{};
+    const auto top = static_cast<std::size_t>(random.below(4));
+    for (std::size_t i = 0; i <= top; ++i) {
+      words[i] = random.next();
+    }
+    return lifemodel::Damage::from_words(words);
+  }
+
   void report(const char* name, const char* suffix, std::uint32_t thousandths) {
     board::Text<100> line;
     line << "  " << name << suffix << " " << thousandths / 1000 << ".";
@@ -175,5 +203,6 @@ int main() {
   target::Measurement measurement;
   measurement.averages();
   measurement.worst_calls();
+  measurement.given_survival_calls();
   return measurement.save(arguments[1]) ? 0 : 1;
 }

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "lifemodel/estimator.hpp"
+#include "lifemodel/quantity/units.hpp"
 
 /// The estimator as functions of C linkage, so that each can be measured, sized and followed as
 /// one. They are compiled on their own and never inlined into what measures them.
@@ -11,6 +12,17 @@ namespace target {
 
 using One = lifemodel::Estimator<1>;
 using Four = lifemodel::Estimator<4>;
+
+struct Wear {
+  lifemodel::Damage used;
+  lifemodel::Damage each;  ///< of a repeat
+};
+struct GivenSurvival {
+  std::uint32_t repeats_to_10;
+  std::uint32_t repeats_to_50;
+  std::uint32_t repeats_to_90;
+  lifemodel::Ratio break_risk;  ///< within 480 repeats
+};
 
 }  // namespace target
 
@@ -28,5 +40,8 @@ void reading_four(target::Four* estimator, std::size_t tendon, lifemodel::Readin
 
 /// Takes a parameter block into use; false where it is refused.
 bool decode_block(const std::byte* block, std::size_t size, lifemodel::Parameters* out);
+
+void given_survival(const lifemodel::WeibullShape* shape, const target::Wear* wear,
+                    target::GivenSurvival* out);
 
 }  // extern "C"
