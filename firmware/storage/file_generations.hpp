@@ -17,6 +17,7 @@
 
 #include "firmware/storage/file_io.hpp"
 #include "firmware/storage/life_record.hpp"
+#include "firmware/storage/slot.hpp"
 #include "lifemodel/extension/extended_block.hpp"
 #include "lifemodel/support/bytes.hpp"
 #include "lifemodel/support/saturating.hpp"
@@ -42,7 +43,7 @@ inline constexpr std::uint32_t kSchema = 2;
 inline constexpr std::uint32_t kNominalSchema = 1;
 inline constexpr std::size_t kHeaderBytes = 16;
 inline constexpr std::size_t kBlockAt = 4 + kRecordBytes + 4;
-inline constexpr std::size_t kTendonBytes = kBlockAt + lifemodel::kMostExtendedBytes;
+inline constexpr std::size_t kTendonBytes = kBlockAt + kBlockRoomBytes;
 inline constexpr std::size_t kNominalBlockAt = 4 + kRecordBytes;
 inline constexpr std::size_t kNominalTendonBytes = kNominalBlockAt + lifemodel::kBlockBytes;
 inline constexpr std::uint32_t kHasLife = 1;
@@ -150,10 +151,10 @@ std::variant<FileImage<kTendons>, ImageFault> decode_image(std::span<const std::
       const std::size_t block_bytes = nominal
                                           ? lifemodel::kBlockBytes
                                           : lifemodel::ByteReader(part.subspan(kBlockAt - 4)).u32();
-      if (block_bytes > lifemodel::kMostExtendedBytes) {
+      if (block_bytes > kBlockRoomBytes) {
         return ImageFault{false, "the parameter block of tendon " + std::to_string(tendon) +
                                      " has " + std::to_string(block_bytes) + " bytes; accepted: " +
-                                     std::to_string(lifemodel::kMostExtendedBytes) + " at most"};
+                                     std::to_string(kBlockRoomBytes) + " at most"};
       }
       image.parameters[tendon] =
           lifemodel::ExtendedBlock(part.subspan(nominal ? kNominalBlockAt : kBlockAt, block_bytes));

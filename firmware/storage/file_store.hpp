@@ -136,7 +136,7 @@ class FileStore {
 
  public:
   /// Bytes that a parameter block may have.
-  static constexpr std::size_t kLargestBlock = lifemodel::kMostExtendedBytes;
+  static constexpr std::size_t kLargestBlock = kBlockRoomBytes;
 
   /// Refuses a folder that is missing, cannot be written or is in use, and files that cannot be
   /// read or are of another configuration. Damaged files are worked around; see notices().
@@ -219,7 +219,7 @@ class FileStore {
   /// None is ever: a file takes the place of another whole.
   [[nodiscard]] static bool parameters_torn(std::size_t) { return false; }
   hal::Error save_parameters(std::size_t tendon, const lifemodel::ExtendedBlock& block) {
-    if (tendon >= kTendons) {
+    if (tendon >= kTendons || block.bytes().size() > kLargestBlock) {
       return hal::Error::out_of_range;
     }
     auto next = image_;

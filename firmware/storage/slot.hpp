@@ -22,12 +22,17 @@ struct PageRange {
   [[nodiscard]] constexpr std::uint32_t end() const { return first + count; }
 };
 
+/// Room for a parameter block, in flash and in files. All but the largest of version 2 fit: those
+/// that extend their model by nearly all effects there are.
+inline constexpr std::size_t kBlockRoomBytes =
+    lifemodel::kBlockBytes + lifemodel::kMostExtensionBytes;
+
 /// What is kept where. The defaults are 20 pages of an STM32G431.
 struct FlashLayout {
   PageRange life{0, 16};
   PageRange parameters{16, 2};
   PageRange log{18, 2};
-  std::size_t largest_block = lifemodel::kMostExtendedBytes;
+  std::size_t largest_block = kBlockRoomBytes;
 };
 
 /// What distinguishes slots of a log: the newest of a key is the one with the highest sequence.

@@ -4,6 +4,7 @@
 
 #include "hal/files/input_error.hpp"
 #include "host_sim/model/model_tables.hpp"
+#include "host_sim/model/watch.hpp"
 
 namespace host_sim {
 
@@ -80,6 +81,9 @@ std::string model_tables(const Campaign& campaign, Model model, std::string_view
     }
     check_range(campaign, key, key.value(model), how);
     text += fmt::format("{} = {}\n", key.key, toml_float(key.value(model)));
+  }
+  if (model.watch) {
+    text += "\n[watch]\n" + watch_text(*model.watch, "");
   }
   return text;
 }

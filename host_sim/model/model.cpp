@@ -7,6 +7,7 @@
 #include <string>
 
 #include "host_sim/model/model_tables.hpp"
+#include "host_sim/model/watch.hpp"
 
 namespace host_sim {
 
@@ -59,6 +60,9 @@ std::string model_digest(const Model& model) {
                        value.name, number + 0.0);
       }
     }
+  }
+  if (model.watch) {
+    text += watch_text(*model.watch, "watch.");
   }
   const auto* const bytes = reinterpret_cast<const Bytef*>(text.data());
   return fmt::format("{:08x}", crc32(0, bytes, static_cast<uInt>(text.size())));

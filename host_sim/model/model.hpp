@@ -57,12 +57,26 @@ struct Model {
     double weibull_shape;  ///< beta of eq. (20)
   };
 
+  /// What a controller watches beside the damage, and what it advises; 0 is off. See read_watch().
+  struct Watch {
+    double minimum_tension_N = 0;  ///< input tension below which the wire counts as slack
+    double broken_tension_N = 0;   ///< the most that friction alone makes, of a wire that broke
+    double broken_travel_mm = 0;   ///< of the tendon at no more than that, after which it is broken
+    double slack_travel_mm = 0;    ///< the same below the minimum, after which it is slack
+    double horizon_h = 8;          ///< of operation, of the probability of a break
+    double advice_risk = 0;        ///< of a break that is accepted
+    double advice_until_h = 0;     ///< of operation that the wire shall last at that risk
+
+    friend bool operator==(const Watch&, const Watch&) = default;
+  };
+
   Cable cable;
   Sheath sheath;
   std::optional<Drive> drive;
   Counting counting;
   Life life;
   std::vector<Extension> extensions = {};  ///< by id, each once; see read_extended_model()
+  std::optional<Watch> watch = {};
 };
 
 /// What is known of a model: tables that nobody needs may be missing.
@@ -72,6 +86,7 @@ struct NominalModel {
   std::optional<Model::Drive> drive;
   std::optional<Model::Counting> counting;
   std::optional<Model::Life> life;
+  std::optional<Model::Watch> watch = {};
 };
 
 /// Reads and checks `model.toml`. Throws InputError with the position of the offending key for
@@ -84,8 +99,10 @@ Model parse_model(std::string_view text, std::string_view name);
 
 /// Eight hexadecimal digits that identify the values of a model whatever the formatting of its
 /// file: the CRC-32 (ISO-HDLC) of the lines `schema=1`, `table.key=value` for each number in the
-/// order of model_keys() with 17 significant digits, `life.mean_stress=gerber`, and
-/// `extension.id.name=value` for each number of each extension.
+/// order of model_keys() with 17 significant digits, `life.mean_stress=gerber`,
+/// `extension.id.name=value` for each number of each extension, and where there is a table [watch]
+/// its seven lines as `watch.key = value`. A model without the table has the digest that it always
+/// had.
 std::string model_digest(const Model& model);
 
 /// The extension of an effect; null where the model has none.

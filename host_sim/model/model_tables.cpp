@@ -11,6 +11,7 @@
 
 #include "hal/files/input_file.hpp"
 #include "hal/files/toml_table.hpp"
+#include "host_sim/model/watch.hpp"
 
 namespace host_sim {
 
@@ -96,7 +97,9 @@ constexpr std::array<ModelKey, 14> kKeys{{
      [](Model& m) -> double& { return m.life.weibull_shape; }},
 }};
 
-constexpr std::array<std::string_view, 5> kTables{"cable", "sheath", "drive", "counting", "life"};
+constexpr std::string_view kWatch = "watch";
+constexpr std::array<std::string_view, 6> kTables{"cable",    "sheath", "drive",
+                                                  "counting", "life",   kWatch};
 constexpr std::array<std::string_view, 1> kMeanStress{"mean_stress"};
 constexpr std::array kMeanStressLaws{
     std::pair{Model::MeanStress::kGerber, std::string_view("gerber")}};
@@ -176,10 +179,14 @@ NominalModel known_tables_of(const TomlTable& model) {
   const auto known = [&](std::string_view table, const auto& read) {
     return tables.has(table) ? std::optional(read) : std::nullopt;
   };
-  NominalModel nominal{known("cable", values.cable), known("sheath", values.sheath), values.drive,
-                       known("counting", values.counting), known("life", values.life)};
+  NominalModel nominal{
+      known("cable", values.cable),       known("sheath", values.sheath), values.drive,
+      known("counting", values.counting), known("life", values.life),     values.watch};
   if (nominal.cable && nominal.counting) {
     tables.check_hysteresis(values);
+  }
+  if (nominal.cable) {
+    tables.check_watched_tensions(values);
   }
   return nominal;
 }
@@ -195,7 +202,7 @@ std::span<const std::string_view> model_table_names() {
 
 ModelTables::ModelTables(TomlTable above) : above_(std::move(above)) {
   for (const std::string_view table : kTables) {
-    if (has(table)) {
+    if (has(table) && table != kWatch) {
       above_.table(table).refuse_unknown_keys(number_keys(table), other_keys(table));
     }
   }
@@ -213,6 +220,10 @@ TomlTable ModelTables::existing(std::string_view table) const {
 
 void ModelTables::read(std::string_view table, Model& model) const {
   const TomlTable values = existing(table);
+  if (table == kWatch) {
+    model.watch = read_watch(values);
+    return;
+  }
   if (table == "drive") {
     model.drive.emplace();
   }
@@ -235,17 +246,24 @@ void ModelTables::check_hysteresis(const Model& model) const {
   }
 }
 
+void ModelTables::check_watched_tensions(const Model& model) const {
+  if (model.watch) {
+    check_watch(above_.table(kWatch), *model.watch, model.cable);
+  }
+}
+
 Model nominal_model_of(const TomlTable& top, std::span<const std::string_view> others) {
   require_schema(top);
   refuse_unknown_tables(top, others);
   const ModelTables tables(top);
   Model model{};
   for (const std::string_view table : model_table_names()) {
-    if (table != "drive" || tables.has(table)) {
+    if ((table != "drive" && table != kWatch) || tables.has(table)) {
       tables.read(table, model);
     }
   }
   tables.check_hysteresis(model);
+  tables.check_watched_tensions(model);
   return model;
 }
 

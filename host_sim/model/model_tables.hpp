@@ -43,6 +43,10 @@ class ModelTables {
   /// @pre [cable] and [counting] have been read into `model`
   void check_hysteresis(const Model& model) const;
 
+  /// Throws InputError where a tension of [watch] is not below the ultimate one.
+  /// @pre [cable] has been read into `model`, and [watch] where there is one
+  void check_watched_tensions(const Model& model) const;
+
  private:
   hal::files::TomlTable existing(std::string_view table) const;
 

@@ -49,6 +49,8 @@ std::string accepted_by_board(BlockError error, const Model& model) {
     case BlockError::friction_coefficient:
     case BlockError::bend_angle:
     case BlockError::sample_period:
+    case BlockError::uncertainty:
+    case BlockError::watch_limits:
       break;
   }
   return "a model within the ranges of the parameter block";
@@ -79,6 +81,16 @@ lifemodel::Parameters parameters_of(const Model& model, std::string_view model_n
       .sample_period_s = 1 / model.counting.sample_rate_Hz,
       .model_digest = 0,
   };
+  if (model.watch) {
+    const Model::Watch& watch = *model.watch;
+    constants.watch = {.minimum_tension_N = watch.minimum_tension_N,
+                       .broken_tension_N = watch.broken_tension_N,
+                       .broken_travel_mm = watch.broken_travel_mm,
+                       .slack_travel_mm = watch.slack_travel_mm,
+                       .horizon_h = watch.horizon_h,
+                       .advice_risk = watch.advice_risk,
+                       .advice_until_h = watch.advice_until_h};
+  }
   if (model.drive) {
     reference::Drive drive = model.drive->reference();
     constants.current_offset_A = drive.current_offset_A;

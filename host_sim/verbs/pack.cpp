@@ -88,8 +88,8 @@ std::string as_c_array(const Block& block, const std::string& digest) {
       "/* Parameter block of the model {}, for {}. */\n"
       "static const unsigned char tendonlife_parameter_block[{}] = {{",
       digest,
-      block.size() == lifemodel::kBlockBytes ? "lm_init() or lifemodel::decode()"
-                                             : "lifemodel::decode_extended()",
+      lifemodel::block_bytes(block) == block.size() ? "lm_init() or lifemodel::decode()"
+                                                    : "lifemodel::decode_extended()",
       block.size());
   for (std::size_t i = 0; i < block.size(); ++i) {
     text +=

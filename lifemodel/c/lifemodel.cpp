@@ -17,7 +17,7 @@ using One = Estimator<1>;
 static_assert(sizeof(One) <= sizeof(lm_estimator));
 static_assert(alignof(One) <= alignof(lm_estimator));
 static_assert(One::kSnapshotBytes <= LM_SNAPSHOT_BYTES);
-static_assert(lifemodel::kBlockBytes == LM_PARAMETER_BLOCK_BYTES);
+static_assert(lifemodel::kWatchedBlockBytes == LM_PARAMETER_BLOCK_BYTES);
 
 One& estimator_of(lm_estimator* memory) {
   return *std::launder(reinterpret_cast<One*>(memory->storage));
@@ -55,9 +55,9 @@ const char* lm_init(lm_estimator* estimator, const void* block, size_t block_byt
   const std::span bytes(static_cast<const std::byte*>(block), block_bytes);
   const auto parameters = lifemodel::decode(bytes);
   if (!parameters) {
-    if (bytes.size() >= lifemodel::kBlockBytes + 4 &&
-        lifemodel::ByteReader(bytes.subspan(lifemodel::kBlockBytes)).u32() ==
-            lifemodel::kExtensionMagic) {
+    const auto front = lifemodel::block_bytes(bytes);
+    if (front && bytes.size() >= *front + 4 &&
+        lifemodel::ByteReader(bytes.subspan(*front)).u32() == lifemodel::kExtensionMagic) {
       return "it has an extension, which the C interface does not evaluate: pack a model without";
     }
     return lifemodel::to_string(parameters.error());

@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-#define LM_PARAMETER_BLOCK_BYTES 84u
+#define LM_PARAMETER_BLOCK_BYTES 128u /* of the longest block */
 #define LM_STORAGE_BYTES 960u
 #define LM_SNAPSHOT_BYTES 808u
 

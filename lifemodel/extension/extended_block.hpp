@@ -63,27 +63,27 @@ inline constexpr std::uint32_t kExtensionVersion = 1;
 /// before it, effects, and the CRC-32 of all that last.
 inline constexpr std::size_t kEmptyExtensionWords = 6;
 
-/// The largest block with all effects.
-inline constexpr std::size_t kMostExtendedBytes = [] {
+/// A section with all effects.
+inline constexpr std::size_t kMostExtensionBytes = [] {
   std::size_t words = kEmptyExtensionWords;
   extension::Extension all;
   all.each([&](extension::Effect, auto& part) { part.words([&](std::int32_t&) { ++words; }); });
-  return kBlockBytes + 4 * words;
+  return 4 * words;
 }();
+
+/// The largest block with all effects.
+inline constexpr std::size_t kMostExtendedBytes = kWatchedBlockBytes + kMostExtensionBytes;
 
 /// Writes the block of `p.nominal` and, where there are effects, the section of the extension after
 /// it; gives the part of `out` that was used. Without effects it is the block of encode().
 /// @pre `out` has kMostExtendedBytes
 constexpr std::span<const std::byte> encode(const ExtendedParameters& p, std::span<std::byte> out) {
   const ParameterBlock nominal = encode(p.nominal);
-  ByteWriter block(out);
-  for (std::size_t at = 0; at < kBlockBytes; at += 4) {
-    block.u32(ByteReader(std::span(nominal).subspan(at)).u32());
-  }
+  std::copy(nominal.begin(), nominal.end(), out.begin());
   if (p.extension.effects == 0) {
-    return out.first(kBlockBytes);
+    return out.first(nominal.size());
   }
-  ByteWriter section(out.subspan(kBlockBytes));
+  ByteWriter section(out.subspan(nominal.size()));
   section.u32(kExtensionMagic);
   section.u32(kExtensionVersion);
   section.u32(0);
@@ -96,9 +96,9 @@ constexpr std::span<const std::byte> encode(const ExtendedParameters& p, std::sp
     }
   });
   const std::size_t bytes = section.size() + 4;
-  ByteWriter(out.subspan(kBlockBytes + 8)).u32(static_cast<std::uint32_t>(bytes));
-  section.u32(crc32(out.subspan(kBlockBytes, bytes - 4)));
-  return out.first(kBlockBytes + bytes);
+  ByteWriter(out.subspan(nominal.size() + 8)).u32(static_cast<std::uint32_t>(bytes));
+  section.u32(crc32(out.subspan(nominal.size(), bytes - 4)));
+  return out.first(nominal.size() + bytes);
 }
 
 /// The bytes of a block with or without an extension, unchecked.
@@ -132,8 +132,8 @@ class ExtendedBlock {
 /// where it is refused.
 constexpr ExtensionError read_extension(std::span<const std::byte> section, std::uint32_t block_crc,
                                         extension::Extension& read) {
-  if (section.size() < 4 * kEmptyExtensionWords ||
-      section.size() > kMostExtendedBytes - kBlockBytes || section.size() % 4 != 0) {
+  if (section.size() < 4 * kEmptyExtensionWords || section.size() > kMostExtensionBytes ||
+      section.size() % 4 != 0) {
     return ExtensionError::damaged;
   }
   ByteReader in(section);
@@ -172,20 +172,19 @@ constexpr ExtensionError read_extension(std::span<const std::byte> section, std:
 /// on where it is refused.
 constexpr ExtendedBlockError read_extended(std::span<const std::byte> block,
                                            ExtendedParameters& out) {
-  if (block.size() < kBlockBytes) {
-    return {.block = BlockError::wrong_size};
-  }
-  const auto nominal = decode(block.first(kBlockBytes));
+  const std::span<const std::byte> front =
+      block.first(block_bytes(block).value_or(std::min(block.size(), kBlockBytes)));
+  const auto nominal = decode(front);
   if (!nominal) {
     return {.block = nominal.error()};
   }
   out.nominal = *nominal;
-  if (block.size() == kBlockBytes) {
+  if (front.size() == block.size()) {
     out.extension = {};
     return {};
   }
-  const std::uint32_t crc = ByteReader(block.subspan(kBlockBytes - 4)).u32();
-  return {.extension = read_extension(block.subspan(kBlockBytes), crc, out.extension)};
+  const std::uint32_t crc = ByteReader(front.last(4)).u32();
+  return {.extension = read_extension(block.subspan(front.size()), crc, out.extension)};
 }
 
 /// The same by value.

@@ -72,6 +72,29 @@ inline std::optional<Factor> factor(double value) {
   return result.plausible() ? std::optional(result) : std::nullopt;
 }
 
+/// 95 % intervals of the numbers of a life law; see LifeUncertainty.
+struct FitIntervals {
+  struct Ends {
+    double low;
+    double high;
+  };
+  Ends ipl_exponent;
+  Ends weibull_shape;
+  double pivot_tension_N;  ///< effective
+  Ends life_at_pivot;      ///< characteristic life in cycles
+};
+
+/// What is watched, see WatchLimits; 0 is off.
+struct Watch {
+  double minimum_tension_N = 0;
+  double broken_tension_N = 0;
+  double broken_travel_mm = 0;
+  double slack_travel_mm = 0;
+  double horizon_h = 0;
+  double advice_risk = 0;
+  double advice_until_h = 0;
+};
+
 /// The model in physical units; see the ranges of BlockError.
 struct Constants {
   double ultimate_tension_N = 0;
@@ -85,7 +108,61 @@ struct Constants {
   double current_offset_A = 0;
   double sample_period_s = 0;
   std::uint32_t model_digest = 0;
+  std::optional<FitIntervals> intervals = {};
+  Watch watch = {};
 };
+
+/// Half of the widths of intervals, wider ones as wide as a block can hold; nothing where the pivot
+/// is none that it can hold.
+inline std::optional<LifeUncertainty> uncertainty(const Constants& c) {
+  const auto half_width = [](double low, double high, int fraction_bits, std::uint32_t widest) {
+    const double raw = std::nearbyint(std::ldexp((high - low) / 2, fraction_bits));
+    return raw < widest ? static_cast<std::uint32_t>(std::max(raw, 0.0)) : widest;
+  };
+  const FitIntervals& fit = *c.intervals;
+  const double log2_damage = std::nearbyint(std::ldexp(
+      c.ipl_exponent * std::log2(fit.pivot_tension_N) - std::log2(c.ipl_scale), numeric::kExpBits));
+  if (!(std::fabs(log2_damage) <= kHighestLog2Life)) {
+    return std::nullopt;
+  }
+  return LifeUncertainty{
+      .log2_life = half_width(std::log2(fit.life_at_pivot.low), std::log2(fit.life_at_pivot.high),
+                              numeric::kExpBits, LifeUncertainty::kWidestLog2Life),
+      .exponent = half_width(fit.ipl_exponent.low, fit.ipl_exponent.high,
+                             IplExponent::kFractionBits, LifeUncertainty::kWidestExponent),
+      .log2_shape = half_width(std::log2(fit.weibull_shape.low), std::log2(fit.weibull_shape.high),
+                               numeric::kExpBits, LifeUncertainty::kWidestLog2Shape),
+      .log2_damage_at_pivot = static_cast<std::int32_t>(log2_damage)};
+}
+
+/// Limits in fixed point, or nothing where they are none that a block can hold. What is not off
+/// does not become so by rounding.
+inline std::optional<WatchLimits> watch_limits(const Watch& w, double ultimate_tension_N) {
+  const auto word = [](double value, int fraction_bits) {
+    const double raw = std::nearbyint(std::ldexp(value, fraction_bits));
+    const double most = std::numeric_limits<std::uint32_t>::max();
+    return static_cast<std::uint32_t>(value > 0 ? std::clamp(raw, 1.0, most) : 0.0);
+  };
+  if (!(w.minimum_tension_N < ultimate_tension_N) || !(w.broken_tension_N < ultimate_tension_N) ||
+      !(w.advice_risk < 1)) {
+    return std::nullopt;
+  }
+  const auto tension_of = [&](double tension_N) {
+    return Tension::from_raw(static_cast<std::int32_t>(
+        std::min(word(tension_N / ultimate_tension_N, Tension::kFractionBits),
+                 static_cast<std::uint32_t>(kUltimate.raw()) - 1)));
+  };
+  const WatchLimits limits{
+      .minimum = tension_of(w.minimum_tension_N),
+      .broken = tension_of(w.broken_tension_N),
+      .broken_travel_um = word(w.broken_travel_mm * 1e3, 0),
+      .slack_travel_um = word(w.slack_travel_mm * 1e3, 0),
+      .horizon_s = word(w.horizon_h * 3600, 0),
+      .advice_risk = Ratio::from_raw(
+          std::min(word(w.advice_risk, Ratio::kFractionBits), Ratio::highest().raw() - 1)),
+      .advice_until_s = word(w.advice_until_h * 3600, 0)};
+  return plausible(limits) ? std::optional(limits) : std::nullopt;
+}
 
 /// Parameters for these constants, or why there are none.
 inline Result<Parameters, BlockError> parameters(const Constants& c) {
@@ -156,6 +233,18 @@ inline Result<Parameters, BlockError> parameters(const Constants& c) {
     p.drive = {from_double<MotorCurrent>(c.current_offset_A), *gain};
   }
   p.sample_period_us = static_cast<std::uint32_t>(std::lround(c.sample_period_s * 1e6));
+  if (c.intervals) {
+    const auto known = uncertainty(c);
+    if (!known) {
+      return BlockError::uncertainty;
+    }
+    p.uncertainty = *known;
+  }
+  const auto limits = watch_limits(c.watch, c.ultimate_tension_N);
+  if (!limits) {
+    return BlockError::watch_limits;
+  }
+  p.watch = *limits;
   return p;
 }
 

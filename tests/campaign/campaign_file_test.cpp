@@ -162,7 +162,8 @@ const std::vector<BadFile> kBadFiles{
     {"TwoSidedOfWrongType", "name = \"wires\"", "name = \"wires\"\ntwo_sided = 1",
      ":4:1: two_sided is 1; accepted: two_sided as true or false"},
     {"UnknownTableOfModel", "[model.cable]", "[model.rope]\n[model.cable]",
-     ":4:8: unknown table 'rope' in [model]; accepted: cable, sheath, drive, counting, life"},
+     ":4:8: unknown table 'rope' in [model]; accepted: cable, sheath, drive, counting, life, "
+     "watch"},
     {"OtherUnitOfModel", "ultimate_tension_N = 177.4", "ultimate_tension_kN = 0.1774",
      ":6:1: unknown unit 'kN' of key 'ultimate_tension_kN'; accepted: ultimate_tension_N "
      "1..1000000"},

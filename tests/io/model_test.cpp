@@ -82,6 +82,66 @@ TEST(Model, DoesWithoutADriveAndTakesIntegers) {
   EXPECT_EQ(model.sheath.bend_angle_deg, 270.0);
 }
 
+constexpr std::string_view kWatch = R"([watch]
+minimum_tension_N = 1.5
+broken_tension_N = 4.0
+broken_travel_mm = 25.0
+slack_travel_mm = 3.0
+horizon_h = 24.0
+advice_risk = 0.05
+advice_until_h = 1000.0
+)";
+
+TEST(Model, ReadsWhatIsWatched) {
+  EXPECT_FALSE(parse_model(kGood, "m.toml").watch.has_value());
+  const auto watch = parse_model(std::string(kGood) + std::string(kWatch), "m.toml").watch;
+  ASSERT_TRUE(watch.has_value());
+  EXPECT_EQ(*watch, (Model::Watch{1.5, 4, 25, 3, 24, 0.05, 1000}));
+}
+
+TEST(Model, WhatIsNotWatchedIsOff) {
+  const auto watch = parse_model(std::string(kGood) + "[watch]\n", "m.toml").watch;
+  ASSERT_TRUE(watch.has_value());
+  EXPECT_EQ(*watch, (Model::Watch{0, 0, 0, 0, 8, 0, 0}));
+  EXPECT_EQ(model_complaint(std::string(kGood) + "[watch]\nminimum_tension_N = 177.3\n"), "");
+}
+
+// The table begins in line 22.
+TEST(Model, AWatchThatCannotBeIsRefusedWithPlaceFoundAndAccepted) {
+  const auto complaint = [](std::string_view from, std::string_view to) {
+    std::string text = std::string(kGood) + std::string(kWatch);
+    const std::size_t at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return model_complaint(text.replace(at, from.size(), to));
+  };
+  EXPECT_EQ(complaint("horizon_h = 24.0", "horizon_h = 0"),
+            "m.toml:27:1: horizon_h is 0; accepted: horizon_h 0.001..87600");
+  EXPECT_EQ(complaint("advice_risk = 0.05", "advice_risk = 1.0"),
+            "m.toml:28:1: advice_risk is 1.0; accepted: advice_risk 0..0.99");
+  EXPECT_EQ(complaint("advice_risk = 0.05\n", ""),
+            "m.toml:28:1: advice_until_h is 1000 without advice_risk; accepted: advice_risk above "
+            "0 too, or advice_until_h = 0");
+  EXPECT_EQ(complaint("advice_until_h = 1000.0", "advice_until_h = 0"),
+            "m.toml:28:1: advice_risk is 0.05 without advice_until_h; accepted: advice_until_h "
+            "above 0 too, or advice_risk = 0");
+  EXPECT_EQ(complaint("broken_travel_mm = 25.0\n", ""),
+            "m.toml:24:1: broken_tension_N is 4 without broken_travel_mm; accepted: "
+            "broken_travel_mm above 0 too, or broken_tension_N = 0");
+  EXPECT_EQ(complaint("minimum_tension_N = 1.5\n", ""),
+            "m.toml:25:1: slack_travel_mm is 3 without minimum_tension_N; accepted: "
+            "minimum_tension_N above 0 too, or slack_travel_mm = 0");
+  EXPECT_EQ(complaint("broken_tension_N = 4.0", "broken_tension_N = 177.4"),
+            "m.toml:24:1: broken_tension_N is 177.4; accepted: less than ultimate_tension_N, which "
+            "is 177.4");
+  EXPECT_EQ(complaint("slack_travel_mm", "slack_travel_m"),
+            "m.toml:26:1: unknown unit 'm' of key 'slack_travel_m'; accepted: slack_travel_mm "
+            "0..1000000");
+  EXPECT_EQ(complaint("slack_travel_mm", "colour"),
+            "m.toml:26:1: unknown key 'colour' in [watch]; accepted: minimum_tension_N, "
+            "broken_tension_N, broken_travel_mm, slack_travel_mm, horizon_h, advice_risk, "
+            "advice_until_h");
+}
+
 struct BadModel {
   std::string name;
   std::string_view from;
@@ -116,11 +176,14 @@ const std::vector<BadModel> kBadModels{
      ":10:1: unknown unit 'percent' of key 'gear_ratio_percent'; accepted: gear_ratio "
      "0.001..10000"},
     {"UnknownTable", "[life]", "[extension.heat]\nx = 1\n[life]",
-     ":17:2: unknown table 'extension'; accepted: schema, cable, sheath, drive, counting, life"},
+     ":17:2: unknown table 'extension'; accepted: schema, cable, sheath, drive, counting, life, "
+     "watch"},
     {"UnknownKeyAtTop", "schema = 1", "schema = 1\nname = \"a\"",
-     ":2:1: unknown key 'name'; accepted: schema, cable, sheath, drive, counting, life"},
+     ":2:1: unknown key 'name'; accepted: schema, cable, sheath, drive, counting, life, "
+     "watch"},
     {"TableThatIsAValue", "schema = 1", "schema = 1\nlif = 1",
-     ":2:1: unknown key 'lif'; accepted: schema, cable, sheath, drive, counting, life"},
+     ":2:1: unknown key 'lif'; accepted: schema, cable, sheath, drive, counting, life, "
+     "watch"},
     {"MissingKey", "weibull_shape = 5.94\n", "",
      ":17:2: no key weibull_shape in [life]; accepted: weibull_shape 0.5..50"},
     {"MissingKeyOfDrive", "gear_efficiency = 0.88\n", "",
@@ -276,6 +339,12 @@ TEST(ModelDigest, IsTheDocumentedChecksum) {
   const std::size_t drive = text.find("[drive]");
   text.erase(drive, text.find("[counting]") - drive);
   EXPECT_EQ(model_digest(parse_model(text, "m.toml")), "e3428793");
+}
+
+// By Python's zlib.crc32 too: the lines of the table follow those of the rest.
+TEST(ModelDigest, CoversWhatIsWatched) {
+  const std::string text = std::string(kGood) + std::string(kWatch);
+  EXPECT_EQ(model_digest(parse_model(text, "m.toml")), "2e54d0d6");
 }
 
 TEST(ModelDigest, DoesNotDependOnFormatting) {

@@ -70,10 +70,26 @@ TEST(CInterface, RefusesABlockWithAnExtension) {
   EXPECT_STREQ(lm_init(&estimator, whole.data(), whole.size()), why);
   EXPECT_STREQ(lm_init(&estimator, whole.data(), kBlockBytes + 4), why);
   EXPECT_STREQ(lm_init(&estimator, whole.data(), kBlockBytes + 3),
-               "wrong size: a parameter block has 84 bytes");
+               "wrong size: a parameter block of version 1 has 84 bytes, of version 2 128");
   EXPECT_STREQ(lm_init(&estimator, whole.data(), kBlockBytes - 1),
-               "wrong size: a parameter block has 84 bytes");
+               "wrong size: a parameter block of version 1 has 84 bytes, of version 2 128");
   EXPECT_EQ(lm_init(&estimator, whole.data(), kBlockBytes), nullptr);
+}
+
+TEST(CInterface, TakesABlockOfVersionTwoAndNotItsExtension) {
+  auto constants = lifemodel_test::paper_constants();
+  constants.watch.minimum_tension_N = 2;
+  ExtendedParameters extended{lifemodel_test::parameters_of(constants), {}};
+  extended.extension.effects = 1U << 1;
+  std::array<std::byte, kMostExtendedBytes> block{};
+  const auto whole = encode(extended, block);
+  ASSERT_EQ(whole.size(), 128u + 28u);
+  lm_estimator estimator;
+  EXPECT_EQ(lm_init(&estimator, whole.data(), LM_PARAMETER_BLOCK_BYTES), nullptr);
+  EXPECT_STREQ(
+      lm_init(&estimator, whole.data(), LM_PARAMETER_BLOCK_BYTES + 4),
+      "it has an extension, which the C interface does not evaluate: pack a model without");
+  EXPECT_NE(lm_init(&estimator, whole.data(), 84), nullptr);
 }
 
 TEST(CInterface, CurrentAndMillinewtons) {

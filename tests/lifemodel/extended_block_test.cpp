@@ -137,8 +137,38 @@ TEST(ExtendedBlock, AnExtensionOfAnotherBlockIsRefused) {
   EXPECT_EQ(refusal(bytes), "extension of another parameter block");
 }
 
+TEST(ExtendedBlock, ASectionFollowsABlockOfVersionTwo) {
+  ExtendedParameters p = with_offset_and_load();
+  p.nominal.watch.horizon_s = 60;
+  const Bytes bytes = encoded(p);
+  EXPECT_EQ(bytes.size(), 128u + 4 * 11);
+  const auto decoded = decode_extended(bytes);
+  ASSERT_TRUE(decoded);
+  EXPECT_EQ(decoded->nominal.watch.horizon_s, 60u);
+  EXPECT_EQ(decoded->extension.current_offset.offset, 838861);
+  EXPECT_EQ(encoded(*decoded), bytes);
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
+    const Bytes shorter(bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(size));
+    EXPECT_EQ(refusal(shorter) == "", size == 128) << size;
+  }
+  for (std::size_t bit = 0; bit < 8 * bytes.size(); ++bit) {
+    Bytes damaged = bytes;
+    damaged[bit / 8] ^= static_cast<std::byte>(1u << bit % 8);
+    EXPECT_NE(refusal(damaged), "") << bit;
+  }
+}
+
+TEST(ExtendedBlock, OfAnUnknownVersionIsSaidToBeThat) {
+  Bytes bytes = encoded(with_offset_and_load());
+  bytes[4] = std::byte{3};
+  EXPECT_EQ(refusal(bytes), "unknown version: this library reads versions 1 and 2");
+  bytes[0] = std::byte{'X'};
+  EXPECT_EQ(refusal(bytes), "not a parameter block");
+}
+
 TEST(ExtendedBlock, AllEffectsFitIntoTheLargest) {
   ExtendedParameters p = with_offset_and_load();
+  p.nominal.watch.horizon_s = 60;
   p.extension.effects = (1u << extension::kEffects) - 1;
   p.extension.bend_angle.poses = 1;
   p.extension.friction_position.waves_a_turn = 1;

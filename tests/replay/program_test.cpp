@@ -178,6 +178,30 @@ TEST_F(Program, PacksWhatTheFirmwareReads) {
             std::string::npos);
 }
 
+TEST_F(Program, PacksWhatTheFirmwareWatches) {
+  write("watched.toml", contents(folder_ / "model.toml") +
+                            "\n[watch]\nminimum_tension_N = 1.5\nslack_travel_mm = 3\n"
+                            "broken_tension_N = 4\nbroken_travel_mm = 25\nadvice_risk = 0.25\n"
+                            "advice_until_h = 1000\n");
+  ASSERT_EQ(run("pack watched.toml --out block.bin"), 0) << err_;
+  const std::string bytes = contents(folder_ / "block.bin");
+  const auto model =
+      lifemodel::decode_extended(std::as_bytes(std::span(bytes.data(), bytes.size())));
+  ASSERT_TRUE(model) << to_string(model.error());
+  const lifemodel::WatchLimits& watch = model->nominal.watch;
+  EXPECT_EQ(watch.minimum.raw(), 4'539'495);  // 1.5 / 177.4 * 2^29
+  EXPECT_EQ(watch.broken.raw(), 12'105'319);
+  EXPECT_EQ(watch.broken_travel_um, 25'000u);
+  EXPECT_EQ(watch.slack_travel_um, 3'000u);
+  EXPECT_EQ(watch.horizon_s, 28'800u);
+  EXPECT_EQ(watch.advice_risk.raw(), 1u << 28);
+  EXPECT_EQ(watch.advice_until_s, 3'600'000u);
+  ASSERT_EQ(run("pack watched.toml --out block.h --format c"), 0) << err_;
+  const std::string array = contents(folder_ / "block.h");
+  EXPECT_NE(array.find("for lm_init() or lifemodel::decode()"), std::string::npos);
+  EXPECT_NE(array.find("tendonlife_parameter_block[128]"), std::string::npos);
+}
+
 TEST_F(Program, PacksAndReplaysWhatExtendsTheModel) {
   write("extended.toml", contents(folder_ / "model.toml") +
                              "\n[extension.current_offset]\ncurrent_offset_A = 0.05\n"

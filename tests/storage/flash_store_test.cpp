@@ -405,7 +405,7 @@ TEST(FlashStore, ABlockThatWasCutIsToldAndTheOneBeforeStays) {
   Rig<Large, 1> rig;
   auto store = rig.start();
   EXPECT_FALSE(store.parameters_torn(0));
-  constexpr std::size_t kMost = lifemodel::kMostExtendedBytes;
+  constexpr std::size_t kMost = storage::kBlockRoomBytes;
   for (std::uint32_t i = 1; i < 12; ++i) {
     const auto last = store.load_parameters(0);
     // In the middle of its 74 double words; an erase may come before them.

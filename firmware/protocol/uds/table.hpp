@@ -67,7 +67,7 @@ inline constexpr std::array<DataRow, 9> kDataTable{
 /// | routine | bytes | arguments |
 /// |---|---|---|
 /// | 0x0201 | 1 | tendon: a new wire was put in, its epoch begins |
-/// | 0x0202 | 85 | tendon, parameter block without an extension |
+/// | 0x0202 | 85 | tendon, parameter block of version 1 without an extension |
 /// | 0x0203 | 1 | tendon: the parameter block that was transferred before, see Transfer |
 ///
 /// The answer is 71 01 and the routine.

@@ -19,7 +19,8 @@ Model fitted_model(const Campaign& campaign, const LifeLaw& law) {
           nominal.drive,
           *nominal.counting,
           {Model::MeanStress::kGerber, law.scale, law.exponent, law.shape},
-          {}};
+          {},
+          nominal.watch};
 }
 
 std::string head(const CalibrateResult& result, std::string_view program_version) {

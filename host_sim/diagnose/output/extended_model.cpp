@@ -30,7 +30,8 @@ void apply_gain(Model::Drive& drive, double gain) {
 
 Model refitted_model(const Campaign& campaign, const Diagnosis& diagnosis, InputFrom input) {
   const NominalModel& nominal = campaign.nominal;
-  Model model{*nominal.cable, *nominal.sheath, nominal.drive, *nominal.counting, {}, {}};
+  Model model{*nominal.cable, *nominal.sheath, nominal.drive, *nominal.counting, {}, {},
+              nominal.watch};
   if (nominal.life) {
     model.life = *nominal.life;
   }

@@ -10,6 +10,7 @@
 
 #include "hal/files/output_file.hpp"
 #include "host_sim/model/model_tables.hpp"
+#include "host_sim/model/watch.hpp"
 #include "host_sim/synth/campaign/lives.hpp"
 #include "host_sim/synth/campaign/sessions.hpp"
 
@@ -91,6 +92,9 @@ std::string campaign_text(const SynthPlan& plan) {
       }
     }
     fmt::format_to(std::back_inserter(text), "{} = {}\n", key.key, key.value(model));
+  }
+  if (plan.model.watch) {
+    text += "\n[model.watch]\n" + watch_text(*plan.model.watch, "");
   }
   return text;
 }

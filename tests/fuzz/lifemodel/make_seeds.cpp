@@ -42,6 +42,20 @@ int main(int argc, char** argv) {
   const fs::path corpus = argv[1];
   const Parameters model = lifemodel_test::parameters_of(lifemodel_test::paper_constants());
   write(corpus / "fuzz_parameter_block" / "paper", encode(model));
+  auto watched_constants = lifemodel_test::paper_constants();
+  watched_constants.intervals = {.ipl_exponent = {1.2, 1.6},
+                                 .weibull_shape = {5.2, 6.7},
+                                 .pivot_tension_N = 50,
+                                 .life_at_pivot = {660, 720}};
+  watched_constants.watch = {.minimum_tension_N = 1,
+                             .broken_tension_N = 4,
+                             .broken_travel_mm = 25,
+                             .slack_travel_mm = 3,
+                             .horizon_h = 24,
+                             .advice_risk = 0.05,
+                             .advice_until_h = 1000};
+  const Parameters watched = lifemodel_test::parameters_of(watched_constants);
+  write(corpus / "fuzz_parameter_block" / "watched", encode(watched));
   ExtendedParameters extended{model, {}};
   extended.extension.current_offset.offset = 838861;
   extended.extension.add(extension::Effect::current_offset);
@@ -49,6 +63,8 @@ int main(int argc, char** argv) {
   extended.extension.add(extension::Effect::friction_load);
   std::vector<std::byte> block(kMostExtendedBytes);
   write(corpus / "fuzz_extended_block" / "paper", encode(extended, block));
+  extended.nominal = watched;
+  write(corpus / "fuzz_extended_block" / "watched", encode(extended, block));
 
   Estimator<1> estimator({model});
   std::vector<std::byte> buffer(Estimator<1>::kSnapshotBytes);

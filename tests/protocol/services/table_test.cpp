@@ -26,7 +26,7 @@ TEST(Describe, IsTheTableInMarkdown) {
             "| 0x31 start | 0x0201 | 1 + 12 | open a new epoch of a tendon |\n"
             "| 0x31 start | 0x0202 | 85 + 12 | load the parameter block of a tendon |\n"
             "| 0x31 start | 0x0203 | 1 + 12 | load the parameter block that was transferred |\n"
-            "| 0x34, 0x36, 0x37 | | 572 at most | transfer a parameter block in parts |\n");
+            "| 0x34, 0x36, 0x37 | | 616 at most | transfer a parameter block in parts |\n");
 }
 
 }  // namespace

@@ -170,12 +170,12 @@ TEST_F(TransferTest, RefusesWhatIsOutOfOrder) {
 
 TEST_F(TransferTest, RefusesWhatCannotBeABlock) {
   EXPECT_EQ(ask(download(1, 83)), hex("7f 34 31"));
-  EXPECT_EQ(ask(download(1, 573)), hex("7f 34 31"));
+  EXPECT_EQ(ask(download(1, 617)), hex("7f 34 31"));
   EXPECT_EQ(ask(download(2, 84)), hex("7f 34 31"));
   EXPECT_EQ(ask(hex("34 10 21 01 00 54")), hex("7f 34 31"));
   EXPECT_EQ(ask(hex("34 00 44 01 00 54")), hex("7f 34 31"));
   EXPECT_EQ(ask(hex("34 00 21 01 00")), hex("7f 34 13"));
-  EXPECT_EQ(ask(download(1, 572)), hex("74 20 00 80"));
+  EXPECT_EQ(ask(download(1, 616)), hex("74 20 00 80"));
   restart(authority::Key{});
   EXPECT_EQ(ask(download(1, 84)), hex("7f 34 33"));
 }
