@@ -139,8 +139,7 @@ void check_whole(const Model& model, const Tendon& tendon) {
 void check_within(const Model& model, const Request& request, const Domain& domain) {
   const double longest = life_at(model, domain.at(domain.gentle), request.risk);
   const double shortest = life_at(model, domain.at(domain.hard), request.risk);
-  if (!(request.life_cycles >= shortest && request.life_cycles <= longest) ||
-      std::isinf(shortest)) {
+  if (!(request.life_cycles >= shortest && request.life_cycles <= longest)) {
     refuse_life(request, domain, shortest, longest);
   }
 }

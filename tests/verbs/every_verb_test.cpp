@@ -89,6 +89,12 @@ const std::vector<Verb>& verbs() {
        {"--force --out"},
        {"--plan"}},
       {"pack", "model.toml", {"model.toml"}, {"--out"}, {}, {"MODEL"}},
+      {"fmeca",
+       "fmeca.toml --field field.csv",
+       {"fmeca.toml", "field.csv"},
+       {"--json", "--table", "--report"},
+       {},
+       {"TABLE", "--field"}},
       {"import davinci", "good.csv", {"good.csv"}, {}, {"--out"}, {"FILE"}},
       {"import columns",
        "good.csv r/one.csv --map time_s=time_s --map input_tension_N=input_tension_N --map "
@@ -120,6 +126,8 @@ class EveryVerb : public CampaignProgram {
       write(name, profile);
     }
     write("logs/model.toml", model);
+    write("fmeca.toml", contents(fs::path(EXAMPLES) / "fmeca.toml"));
+    write("field.csv", contents(fs::path(EXAMPLES) / "fmeca_field.csv"));
     write("plan.toml", contents(fs::path(EXAMPLES) / "synth/lives.toml"));
     std::string recording = "time_s,input_tension_N,output_tension_N,tendon_velocity_m_s\n";
     for (int i = 0; i < 16; ++i) {
@@ -384,7 +392,7 @@ TEST_F(EveryVerb, TomlThatIsTooDeepIsRefusedWithItsPlace) {
       files.insert(file);
     }
   }
-  EXPECT_EQ(files.size(), 6U);
+  EXPECT_EQ(files.size(), 7U);
 }
 
 TEST_F(EveryVerb, ADeepModelDoesNotStopTheOtherProfilesOfAFolder) {
