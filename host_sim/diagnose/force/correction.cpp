@@ -137,7 +137,7 @@ std::optional<ForceCorrection> correction_of(const ForceData& data, const ForceF
     of_folds.push_back(data.residuals_N(seen));
   }
   std::optional<ForceCorrection> best;
-  for (std::size_t i = 0; i < covariates.size(); ++i) {
+  for (std::size_t i = 0; i < kEmpiricalCovariates.size(); ++i) {
     if (covariates[i].name == "position" && !position_known) {
       continue;
     }

@@ -105,7 +105,8 @@ class Report {
     const auto& judged = search_.judged();
     if (judged.empty() || few()) {
       constexpr double kChance = 0.01;
-      return remainder_.p < kChance ? Verdict::unknown : Verdict::none;
+      return remainder_.p < kChance && remainder_.share >= kLeastRemainder ? Verdict::unknown
+                                                                           : Verdict::none;
     }
     if (judged.size() == 1 && judged.front().term == ForceTerm::load && one_pose() &&
         share_left() > kMostBesideLoad) {

@@ -181,4 +181,14 @@ Eigen::MatrixXd ForceCovariance::product(std::size_t record,
          (a.transpose() * along_N) * shrinks_[record] * (along_N.transpose() * b);
 }
 
+Eigen::VectorXd ForceCovariance::beside_scatter(
+    std::size_t record, const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const {
+  if (record >= shrinks_.size()) {
+    return residuals_N;
+  }
+  const Eigen::MatrixX2d& along_N = along_N_[record];
+  const Eigen::Vector2d most_likely = shrinks_[record] * (along_N.transpose() * residuals_N);
+  return residuals_N - weights_[record].cwiseInverse().asDiagonal() * (along_N * most_likely);
+}
+
 }  // namespace host_sim::diagnose

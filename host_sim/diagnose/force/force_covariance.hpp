@@ -32,6 +32,10 @@ class ForceCovariance {
                                         const Eigen::Ref<const Eigen::MatrixXd>& a,
                                         const Eigen::Ref<const Eigen::MatrixXd>& b) const;
 
+  /// What is left of the residuals of one record without what its gain and friction most likely do.
+  [[nodiscard]] Eigen::VectorXd beside_scatter(
+      std::size_t record, const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const;
+
   [[nodiscard]] double log_gain_sd() const { return log_gain_sd_; }
   [[nodiscard]] double friction_sd() const { return friction_sd_; }
 

@@ -5,8 +5,10 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <ranges>
 #include <utility>
 
+#include "host_sim/recording/signal.hpp"
 #include "host_sim/statistics/random.hpp"
 
 namespace host_sim::diagnose {
@@ -24,6 +26,29 @@ std::vector<double> travel_of(const ForceRecord& record) {
   return travel_m;
 }
 
+/// By a cubic over some samples to each side.
+std::vector<double> acceleration_of(const ForceRecord& record) {
+  const recording::Stretch whole{0, record.samples()};
+  const double duration_s = record.samples() < 2 ? 0 : record.time_s.back() - record.time_s.front();
+  constexpr double kSamples = 4;
+  const double reach_s = kSamples * duration_s / static_cast<double>(record.samples());
+  std::vector<double> acceleration_m_s2(record.samples());
+  for (std::size_t i = 0; i < record.samples(); ++i) {
+    recording::LocalFit fit;
+    if (recording::fit_locally(record.time_s, record.velocity_m_s, whole, i, reach_s, fit)) {
+      acceleration_m_s2[i] = fit.slope_1_s;
+    }
+  }
+  return acceleration_m_s2;
+}
+
+std::vector<double> since_start(std::vector<double> time_s) {
+  for (double& value_s : std::views::reverse(time_s)) {
+    value_s -= time_s.front();
+  }
+  return time_s;
+}
+
 std::vector<double> sizes_of(std::vector<double> values) {
   for (double& value : values) {
     value = std::abs(value);
@@ -37,12 +62,18 @@ std::vector<ForceCovariate> force_covariates(const std::vector<ForceRecord>& rec
   std::vector<ForceCovariate> all{{"output tension", "N", {}},
                                   {"position", "m", {}},
                                   {"speed", "m/s", {}},
-                                  {"travel", "m", {}}};
+                                  {"travel", "m", {}},
+                                  {"rate of tension", "N/s", {}},
+                                  {"acceleration", "m/s2", {}},
+                                  {"time", "s", {}}};
   for (const ForceRecord& record : records) {
     all[0].values.push_back(sizes_of(record.output_N));
     all[1].values.push_back(record.position_m);
     all[2].values.push_back(sizes_of(record.velocity_m_s));
     all[3].values.push_back(travel_of(record));
+    all[4].values.push_back(record.output_rate_N_s);
+    all[5].values.push_back(acceleration_of(record));
+    all[6].values.push_back(since_start(record.time_s));
   }
   return all;
 }
@@ -79,22 +110,44 @@ struct Bins {
   }
 };
 
-/// Mean residual of each session in each bin; absent where a session has few samples there.
+struct Spread {
+  double mean_N = 0;
+  double sd_N = 0;
+};
+
+/// @pre two values or more
+Spread spread_of(const std::vector<double>& values_N) {
+  const auto count = static_cast<double>(values_N.size());
+  const double mean_N = std::accumulate(values_N.begin(), values_N.end(), 0.0) / count;
+  double square_N2 = 0;
+  for (const double value_N : values_N) {
+    square_N2 += (value_N - mean_N) * (value_N - mean_N);
+  }
+  return {mean_N, std::sqrt(square_N2 / (count - 1))};
+}
+
+/// Mean residual of each session in each bin; absent where a session has few samples there. Samples
+/// count where the direction of friction is settled: as the motion turns over, noise of the
+/// velocity leaves what is the same in all sessions too.
 class BinMeans {
  public:
-  BinMeans(const std::vector<ForceRecord>& records, const Bins& bins,
+  BinMeans(const ForceData& data, const Bins& bins,
            const std::vector<std::vector<double>>& residuals_N)
-      : means_N_(records.size()) {
+      : means_N_(data.records().size()) {
+    const std::vector<ForceRecord>& records = data.records();
+    constexpr double kTurnsOver = 2;
+    const double settled_m_s = kTurnsOver * data.scales().turn_over_m_s;
     for (std::size_t j = 0; j < records.size(); ++j) {
       std::array<double, 2 * kBins> sums{};
       std::array<std::size_t, 2 * kBins> counts{};
       for (std::size_t i = 0; i < records[j].samples(); ++i) {
-        if (records[j].used[i]) {
+        if (records[j].used[i] && std::abs(records[j].velocity_m_s[i]) > settled_m_s) {
           sums[bins.places[j][i]] += residuals_N[j][i];
           ++counts[bins.places[j][i]];
         }
       }
       for (std::size_t bin = 0; bin < 2 * kBins; ++bin) {
+        samples_[bin] += static_cast<double>(counts[bin]);
         constexpr std::size_t kFew = 3;
         means_N_[j][bin] = counts[bin] < kFew
                                ? std::nullopt
@@ -119,13 +172,29 @@ class BinMeans {
           square += value * value;
         }
       }
-      constexpr double kFew = 4;
-      if (count >= kFew && square > 0) {
+      if (count >= kFewSessions && square > 0) {
         sum += mean * mean / square;
         ++bins;
       }
     }
     return bins > 0 ? sum / bins : 0;
+  }
+
+  /// Square of the means over sessions, less what chance puts there, in the mean over all samples.
+  [[nodiscard]] double square_N2() const {
+    double sum_N2 = 0;
+    double samples = 0;
+    for (std::size_t bin = 0; bin < 2 * kBins; ++bin) {
+      const std::vector<double> means_N = of_sessions(bin);
+      if (means_N.size() < kFewSessions) {
+        continue;
+      }
+      const Spread spread = spread_of(means_N);
+      const double chance_N2 = spread.sd_N * spread.sd_N / static_cast<double>(means_N.size());
+      sum_N2 += samples_[bin] * (spread.mean_N * spread.mean_N - chance_N2);
+      samples += samples_[bin];
+    }
+    return samples > 0 ? std::max(sum_N2 / samples, 0.0) : 0;
   }
 
   /// Of one bin, those that there are.
@@ -140,23 +209,19 @@ class BinMeans {
   }
 
  private:
+  static constexpr std::size_t kFewSessions = 4;
+
   std::vector<std::array<std::optional<double>, 2 * kBins>> means_N_;
+  std::array<double, 2 * kBins> samples_{};  ///< that count, of all sessions
 };
 
-struct Spread {
-  double mean_N = 0;
-  double sd_N = 0;
-};
-
-/// @pre two values or more
-Spread spread_of(const std::vector<double>& values_N) {
-  const auto count = static_cast<double>(values_N.size());
-  const double mean_N = std::accumulate(values_N.begin(), values_N.end(), 0.0) / count;
-  double square_N2 = 0;
-  for (const double value_N : values_N) {
-    square_N2 += (value_N - mean_N) * (value_N - mean_N);
+std::vector<std::vector<double>> beside_scatter_N(const ForceData& data, const ForceFit& model) {
+  std::vector<std::vector<double>> residuals_N = data.residuals_N(model);
+  for (std::size_t j = 0; j < residuals_N.size(); ++j) {
+    const Eigen::VectorXd left_N = data.covariance().beside_scatter(j, vector_of(residuals_N[j]));
+    residuals_N[j].assign(left_N.begin(), left_N.end());
   }
-  return {mean_N, std::sqrt(square_N2 / (count - 1))};
+  return residuals_N;
 }
 
 /// What both models leave, as the test sees it.
@@ -191,17 +256,25 @@ std::vector<RemainderPicture> pictures_of(const ForceCovariate& covariate, const
   return pictures;
 }
 
+double mean_square_N2(const ForceData& data, const std::vector<std::vector<double>>& residuals_N) {
+  double square_N2 = 0;
+  for (const std::vector<double>& of_record : residuals_N) {
+    square_N2 += vector_of(of_record).squaredNorm();
+  }
+  return square_N2 / data.samples();
+}
+
 }  // namespace
 
 ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, const ForceFit& model,
                             const std::vector<ForceCovariate>& covariates, std::uint64_t seed) {
   constexpr int kDraws = 999;
-  const std::vector<std::vector<double>> residuals_N = data.residuals_N(model);
+  const std::vector<std::vector<double>> residuals_N = beside_scatter_N(data, model);
   std::vector<Bins> bins;
   std::vector<BinMeans> means;
   for (const ForceCovariate& covariate : covariates) {
     bins.emplace_back(data.records(), covariate);
-    means.emplace_back(data.records(), bins.back(), residuals_N);
+    means.emplace_back(data, bins.back(), residuals_N);
   }
   std::vector<double> signs(data.records().size(), 1);
   std::size_t most = 0;
@@ -223,8 +296,13 @@ ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, cons
     as_large += std::ranges::any_of(
         means, [&](const BinMeans& one) { return one.statistic(signs) >= largest; });
   }
-  const BinMeans before(data.records(), bins[most], data.residuals_N(nominal));
+  const BinMeans before(data, bins[most], beside_scatter_N(data, nominal));
+  double repeats_N2 = 0;
+  for (const BinMeans& one : means) {
+    repeats_N2 = std::max(repeats_N2, one.square_N2());
+  }
   return {covariates[most].name, static_cast<double>(as_large) / (kDraws + 1),
+          repeats_N2 / std::max(mean_square_N2(data, residuals_N), 1e-300),
           pictures_of(covariates[most], bins[most], before, means[most])};
 }
 

@@ -20,6 +20,7 @@
 namespace host_sim::diagnose {
 namespace {
 
+using testing::AnyOf;
 using testing::Contains;
 using testing::HasSubstr;
 using testing::IsEmpty;
@@ -126,6 +127,33 @@ TEST(DiagnoseForces, ACauseIsNamedAlthoughMoreIsWrong) {
   ASSERT_TRUE(findings.remainder);
   EXPECT_EQ(findings.remainder->covariate, "position");
   EXPECT_LT(findings.remainder->p, 0.01);
+}
+
+TEST(DiagnoseForces, WhatDriftsInEverySessionRemainsAgainstTime) {
+  const Findings findings = found(measured({.gain_scatter = 0.02, .drift_N = 0.5}, 6));
+  EXPECT_EQ(findings.verdict, Verdict::unknown) << findings.prose;
+  ASSERT_TRUE(findings.remainder);
+  EXPECT_EQ(findings.remainder->covariate, "time");
+  EXPECT_LT(findings.remainder->p, 0.01);
+}
+
+/// 1.4 N at the fastest of twelve sessions, 0.06 N at the slowest, and in each in proportion to the
+/// position.
+TEST(DiagnoseForces, AMassThatIsMovedRemainsAgainstAccelerationOrPosition) {
+  const Findings findings = found(measured({.noise_N = 0.3, .moved_kg = 0.35}, 7));
+  EXPECT_EQ(findings.verdict, Verdict::unknown) << findings.prose;
+  ASSERT_TRUE(findings.remainder);
+  EXPECT_THAT(findings.remainder->covariate, AnyOf("acceleration", "position"));
+  EXPECT_LT(findings.remainder->p, 0.01);
+}
+
+/// At a chance of 1 % for each, more than two of 40 have one of 0.7 %.
+TEST(DiagnoseForces, GainsThatScatterLeaveNoRemainder) {
+  int alarms = 0;
+  for (unsigned seed = 1; seed <= 40; ++seed) {
+    alarms += found(measured({.gain_scatter = 0.02}, seed)).verdict == Verdict::unknown ? 1 : 0;
+  }
+  EXPECT_LE(alarms, 2);
 }
 
 /// The force beside the cause is 6 N x/0.05 m, whichever way the motion goes.

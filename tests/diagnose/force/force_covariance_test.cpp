@@ -123,5 +123,23 @@ TEST_F(GainOf, IsNoneWhereBothLeaveAsMuch) {
   EXPECT_LT(std::abs(data.gain_of(left(kSessions, 1), left(kSessions, -1)).z), 4);
 }
 
+TEST(ForceCovariance, WhatAGainDoesIsTakenOutOfResidualsAndAllElseStays) {
+  const ForceData data = learned({.gain_scatter = 0.02}, 4);
+  const ForceRecord& record = data.records()[3];
+  const Eigen::Map<const Eigen::VectorXd> force_N(record.output_N.data(),
+                                                  static_cast<Eigen::Index>(record.samples()));
+  const Eigen::VectorXd gain_N = 0.02 * force_N;
+  EXPECT_LT(data.covariance().beside_scatter(3, gain_N).norm(), 0.05 * gain_N.norm());
+  Eigen::VectorXd other_N = drawn(record, 5);
+  EXPECT_NEAR(data.covariance().beside_scatter(3, other_N).norm(), other_N.norm(),
+              0.01 * other_N.norm());
+}
+
+TEST(ForceCovariance, WithoutItResidualsAreAllThatIsLeft) {
+  const ForceData data(measured({}, 1));
+  const Eigen::VectorXd residuals_N = drawn(data.records()[0], 1);
+  EXPECT_EQ(data.covariance().beside_scatter(0, residuals_N), residuals_N);
+}
+
 }  // namespace
 }  // namespace host_sim::diagnose

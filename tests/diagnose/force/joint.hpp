@@ -26,6 +26,8 @@ struct Joint {
   double shaped_N = 0;       ///< at the end of the stroke, with the motion and, back, against it
   bool shape_turns = false;  ///< from session to session
   bool rotor_known = true;
+  double drift_N = 0;   ///< of the input force, from as much below to as much above in 5 s
+  double moved_kg = 0;  ///< by the input force
 };
 
 inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int sessions = 12) {
@@ -48,6 +50,8 @@ inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int 
       const double friction_N =
           std::tanh(v / 1e-3) * (of_load_N + joint.preload_N) + joint.viscous_N_s_m * v;
       const double spring_N = joint.spring_N * x / 0.05;
+      const double drift_N = joint.drift_N * (t / 2.5 - 1);
+      const double inertia_N = -joint.moved_kg * omega * omega * x;
       const double shaped_N =
           joint.shaped_N * x / 0.05 * (v < 0 ? -1 : 1) * (joint.shape_turns && j % 2 == 1 ? -1 : 1);
       record.time_s.push_back(t);
@@ -57,7 +61,8 @@ inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int 
       record.output_rate_N_s.push_back(40 * 2 * std::numbers::pi * 0.7 *
                                        std::cos(2 * std::numbers::pi * 0.7 * t + j));
       record.input_N.push_back(
-          gain * (load_N + friction_N + joint.cogging_N * std::sin(900 * x) + spring_N + shaped_N) +
+          gain * (load_N + friction_N + joint.cogging_N * std::sin(900 * x) + spring_N + shaped_N +
+                  drift_N + inertia_N) +
           joint.noise_N * normal(engine) +
           (joint.relative_noise > 0 ? joint.relative_noise * load_N * normal(engine) : 0));
       record.bend_angle_rad.push_back(std::numbers::pi);
