@@ -79,6 +79,8 @@ struct StressLife {
   LifeLaw law;  ///< maximum likelihood over all specimens in the life model
   double log_likelihood = 0;
   Interval scale_ci95, exponent_ci95, shape_ci95;
+  double pivot_tension_N = 0;   ///< see life_law::pivot_tension_N()
+  Interval life_at_pivot_ci95;  ///< of the characteristic life there
   double shape_unbiased = 0;
   std::optional<LifeLaw> least_squares;  ///< the paper's way: in alpha, with the common shape
   double least_squares_rmse = 0;

@@ -223,6 +223,9 @@ StressLife stress_life(std::span<const life_law::LifeDatum> data, const life_law
   result.scale_ci95 = life_law::exp_of(profile_interval(data, fit, {QuantityKind::ln_scale}));
   result.exponent_ci95 = profile_interval(data, fit, {QuantityKind::exponent});
   result.shape_ci95 = profile_interval(data, fit, {QuantityKind::shape});
+  result.pivot_tension_N = life_law::pivot_tension_N(data, fit);
+  result.life_at_pivot_ci95 = life_law::exp_of(profile_interval(
+      data, fit, {QuantityKind::ln_quantile, result.pivot_tension_N, -std::expm1(-1.0)}));
   result.shape_unbiased = without_bias(result.law.shape, refits);
   if (shape) {
     fit_as_the_paper(levels, *shape, result);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "hal/files/input_error.hpp"
+#include "host_sim/model/life_interval.hpp"
 #include "host_sim/model/model_tables.hpp"
 #include "host_sim/model/watch.hpp"
 
@@ -81,6 +82,9 @@ std::string model_tables(const Campaign& campaign, Model model, std::string_view
     }
     check_range(campaign, key, key.value(model), how);
     text += fmt::format("{} = {}\n", key.key, toml_float(key.value(model)));
+  }
+  if (model.life.interval) {
+    text += "\n[life.interval]\n" + life_interval_text(*model.life.interval, "");
   }
   if (model.watch) {
     text += "\n[watch]\n" + watch_text(*model.watch, "");

@@ -97,6 +97,11 @@ struct LifeQuantity {
 statistics::Interval profile_interval(std::span<const LifeDatum> data, const LifeFit& fit,
                                       LifeQuantity quantity, double confidence = 0.95);
 
+/// The effective tension at which ln of the characteristic life and the exponent do not correlate,
+/// by the curvature of the likelihood at its maximum.
+/// @pre fit is a power law with one shape, without problem
+double pivot_tension_N(std::span<const LifeDatum> data, const LifeFit& fit);
+
 /// The interval of x from that of ln x.
 statistics::Interval exp_of(statistics::Interval of_ln);
 

@@ -247,6 +247,17 @@ statistics::Interval profile_interval(std::span<const LifeDatum> data, const Lif
   return interval;
 }
 
+double pivot_tension_N(std::span<const LifeDatum> data, const LifeFit& fit) {
+  const LogTensionFrame frame = frame_of(data);
+  const Participation participation(data, fit.form);
+  Expansion expansion;
+  expand_log_likelihood(design_of(data, fit.form, frame, participation),
+                        design_coefficients(fit, frame, participation), expansion);
+  const Eigen::Matrix3d covariance = Eigen::Matrix3d(-expansion.hessian).inverse();
+  // ln alpha(x) = a - g x has no covariance with g where cov(a, g) = x var(g).
+  return std::exp(frame.centre + frame.spread * covariance(0, 1) / covariance(1, 1));
+}
+
 statistics::Interval exp_of(statistics::Interval of_ln) {
   return {std::exp(of_ln.low), std::exp(of_ln.high)};
 }

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <string>
 
+#include "host_sim/model/life_interval.hpp"
 #include "host_sim/model/model_tables.hpp"
 #include "host_sim/model/watch.hpp"
 
@@ -53,6 +54,9 @@ std::string model_digest(const Model& model) {
                    without_negative_zero);
   }
   text += fmt::format("life.mean_stress={}\n", name_of(model.life.mean_stress));
+  if (model.life.interval) {
+    text += life_interval_text(*model.life.interval, "life.interval.");
+  }
   for (const Extension& extension : model.extensions) {
     for (const Extension::Value& value : extension.values) {
       for (const double number : value.values) {

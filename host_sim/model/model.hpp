@@ -51,10 +51,29 @@ struct Model {
   };
   enum class MeanStress { kGerber };
   struct Life {
+    /// How sure the fit is of the law: confidence intervals that hold the truth with probability
+    /// `level`, each on its own. Scale and exponent lean on each other, the characteristic life at
+    /// the pivot and the exponent do not (to first order): so the variance of ln alpha(T) is that
+    /// of ln alpha at the pivot, plus (ln T - ln pivot)^2 times that of the exponent.
+    struct Interval {
+      struct Ends {
+        double low;
+        double high;
+      };
+      double level;  ///< above 0, below 1
+      Ends ipl_scale;
+      Ends ipl_exponent;
+      Ends weibull_shape;
+      double pivot_tension_N;  ///< effective tension
+      Ends life_at_pivot;      ///< characteristic life in cycles
+    };
+
     MeanStress mean_stress;
     double ipl_scale;      ///< A of eq. (19)
     double ipl_exponent;   ///< gamma of eq. (19)
     double weibull_shape;  ///< beta of eq. (20)
+    /// [life.interval]; none where nobody has said how sure the numbers are.
+    std::optional<Interval> interval = std::nullopt;
   };
 
   /// What a controller watches beside the damage, and what it advises; 0 is off. See read_watch().
@@ -99,10 +118,12 @@ Model parse_model(std::string_view text, std::string_view name);
 
 /// Eight hexadecimal digits that identify the values of a model whatever the formatting of its
 /// file: the CRC-32 (ISO-HDLC) of the lines `schema=1`, `table.key=value` for each number in the
-/// order of model_keys() with 17 significant digits, `life.mean_stress=gerber`,
-/// `extension.id.name=value` for each number of each extension, and where there is a table [watch]
-/// its seven lines as `watch.key = value`. A model without the table has the digest that it always
-/// had.
+/// order of model_keys() with 17 significant digits, `life.mean_stress=gerber`, the lines of
+/// [life.interval] as `life.interval.key = value` where there is one, `extension.id.name=value` for
+/// each number of each extension, and where there is a table [watch] its seven lines as
+/// `watch.key = value`. What is not known of a law does not change the damage that it gives, but a
+/// controller gets it in its block and shows it: so two models that differ in it are two. A model
+/// without these tables has the digest that it always had.
 std::string model_digest(const Model& model);
 
 /// The extension of an effect; null where the model has none.

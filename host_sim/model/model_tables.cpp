@@ -11,6 +11,7 @@
 
 #include "hal/files/input_file.hpp"
 #include "hal/files/toml_table.hpp"
+#include "host_sim/model/life_interval.hpp"
 #include "host_sim/model/watch.hpp"
 
 namespace host_sim {
@@ -100,7 +101,9 @@ constexpr std::array<ModelKey, 14> kKeys{{
 constexpr std::string_view kWatch = "watch";
 constexpr std::array<std::string_view, 6> kTables{"cable",    "sheath", "drive",
                                                   "counting", "life",   kWatch};
-constexpr std::array<std::string_view, 1> kMeanStress{"mean_stress"};
+constexpr std::string_view kMeanStress = "mean_stress";
+constexpr std::string_view kInterval = "interval";
+constexpr std::array kOthersOfLife{kMeanStress, kInterval};
 constexpr std::array kMeanStressLaws{
     std::pair{Model::MeanStress::kGerber, std::string_view("gerber")}};
 
@@ -119,14 +122,13 @@ std::vector<NumberKey> number_keys(std::string_view table) {
 }
 
 std::span<const std::string_view> other_keys(std::string_view table) {
-  return table == "life" ? std::span<const std::string_view>(kMeanStress)
+  return table == "life" ? std::span<const std::string_view>(kOthersOfLife)
                          : std::span<const std::string_view>();
 }
 
 Model::MeanStress mean_stress(const TomlTable& life) {
   constexpr std::string_view kAccepted = "mean_stress \"gerber\"";
-  const std::string_view key = kMeanStress.front();
-  const toml::node& node = life.node(key, kAccepted);
+  const toml::node& node = life.node(kMeanStress, kAccepted);
   if (const auto* const value = node.as_string()) {
     for (const auto& [law, name] : kMeanStressLaws) {
       if (value->get() == name) {
@@ -134,7 +136,8 @@ Model::MeanStress mean_stress(const TomlTable& life) {
       }
     }
   }
-  life.fail(life.place_of(key), fmt::format("{} is {}", key, describe(node)), kAccepted);
+  life.fail(life.place_of(kMeanStress), fmt::format("{} is {}", kMeanStress, describe(node)),
+            kAccepted);
 }
 
 constexpr std::string_view kSchema = "schema";
@@ -234,6 +237,9 @@ void ModelTables::read(std::string_view table, Model& model) const {
   }
   if (table == "life") {
     model.life.mean_stress = mean_stress(values);
+    if (values.has(kInterval)) {
+      model.life.interval = read_life_interval(values.table(kInterval), model.life);
+    }
   }
 }
 

@@ -56,6 +56,19 @@ std::string accepted_by_board(BlockError error, const Model& model) {
   return "a model within the ranges of the parameter block";
 }
 
+lifemodel::pack::FitIntervals intervals_of(const Model::Life::Interval& fit,
+                                           std::string_view model_name) {
+  constexpr double kLevelOfBoard = 0.95;
+  if (fit.level != kLevelOfBoard) {
+    throw InputError(model_name, 0, 0, fmt::format("level of [life.interval] is {}", fit.level),
+                     "level 0.95, which is that of the board");
+  }
+  return {.ipl_exponent = {fit.ipl_exponent.low, fit.ipl_exponent.high},
+          .weibull_shape = {fit.weibull_shape.low, fit.weibull_shape.high},
+          .pivot_tension_N = fit.pivot_tension_N,
+          .life_at_pivot = {fit.life_at_pivot.low, fit.life_at_pivot.high}};
+}
+
 }  // namespace
 
 double radians(double angle_deg) {
@@ -81,6 +94,9 @@ lifemodel::Parameters parameters_of(const Model& model, std::string_view model_n
       .sample_period_s = 1 / model.counting.sample_rate_Hz,
       .model_digest = 0,
   };
+  if (model.life.interval) {
+    constants.intervals = intervals_of(*model.life.interval, model_name);
+  }
   if (model.watch) {
     const Model::Watch& watch = *model.watch;
     constants.watch = {.minimum_tension_N = watch.minimum_tension_N,

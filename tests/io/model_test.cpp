@@ -142,6 +142,85 @@ TEST(Model, AWatchThatCannotBeIsRefusedWithPlaceFoundAndAccepted) {
             "advice_until_h");
 }
 
+constexpr std::string_view kSure = R"([life.interval]
+level = 0.95
+ipl_scale = [9e4, 2.6e5]
+ipl_exponent = [1.25, 1.5]
+weibull_shape = [4.9, 7.1]
+pivot_tension_N = 50.0
+life_at_pivot = [660, 725]
+)";
+
+std::string sure_with(std::string_view from, std::string_view to) {
+  std::string text = std::string(kGood) + std::string(kSure);
+  const std::size_t at = text.find(from, kGood.size());
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+TEST(ModelInterval, IsReadWhereItIsThere) {
+  EXPECT_FALSE(parse_model(kGood, "m.toml").life.interval.has_value());
+  const auto interval = parse_model(sure_with("", ""), "m.toml").life.interval;
+  ASSERT_TRUE(interval.has_value());
+  EXPECT_EQ(interval->level, 0.95);
+  EXPECT_EQ(interval->ipl_scale.low, 9e4);
+  EXPECT_EQ(interval->ipl_scale.high, 2.6e5);
+  EXPECT_EQ(interval->ipl_exponent.low, 1.25);
+  EXPECT_EQ(interval->ipl_exponent.high, 1.5);
+  EXPECT_EQ(interval->weibull_shape.low, 4.9);
+  EXPECT_EQ(interval->weibull_shape.high, 7.1);
+  EXPECT_EQ(interval->pivot_tension_N, 50);
+  EXPECT_EQ(interval->life_at_pivot.low, 660);
+  EXPECT_EQ(interval->life_at_pivot.high, 725);
+}
+
+TEST(ModelInterval, MayTouchItsNumber) {
+  EXPECT_EQ(model_complaint(sure_with("[1.25, 1.5]", "[1.38, 1.38]")), "");
+}
+
+// 1.53e5 / 50^1.38 = 692.011.
+TEST(ModelInterval, IsRefusedWithPlaceFoundAndAccepted) {
+  const auto complaint = [](std::string_view from, std::string_view to) {
+    return model_complaint(sure_with(from, to));
+  };
+  const std::string exponent =
+      "accepted: ipl_exponent = [low, high], each above 0 up to 1e+300, with 1.38 between";
+  EXPECT_EQ(complaint("[1.25, 1.5]", "[1.4, 1.5]"),
+            "m.toml:25:1: ipl_exponent is [1.4, 1.5]; " + exponent);
+  EXPECT_EQ(complaint("[1.25, 1.5]", "[1.5, 1.25]"),
+            "m.toml:25:1: ipl_exponent is [1.5, 1.25]; " + exponent);
+  EXPECT_EQ(complaint("[1.25, 1.5]", "[-1, 1.5]"),
+            "m.toml:25:17: ipl_exponent holds -1; " + exponent);
+  EXPECT_EQ(complaint("[1.25, 1.5]", "[1.25, inf]"),
+            "m.toml:25:23: ipl_exponent holds inf; " + exponent);
+  EXPECT_EQ(complaint("[1.25, 1.5]", "[1.25, \"a\"]"),
+            "m.toml:25:23: ipl_exponent holds 'a'; " + exponent);
+  EXPECT_EQ(complaint("[1.25, 1.5]", "[1.25, 1.5, 2]"),
+            "m.toml:25:1: ipl_exponent has 3 numbers; " + exponent);
+  EXPECT_EQ(complaint("[1.25, 1.5]", "1.5"), "m.toml:25:1: ipl_exponent is 1.5; " + exponent);
+  EXPECT_EQ(complaint("ipl_exponent = [1.25, 1.5]\n", ""),
+            "m.toml:22:7: no key ipl_exponent in [life.interval]; " + exponent);
+  EXPECT_EQ(complaint("[660, 725]", "[700, 725]"),
+            "m.toml:28:1: life_at_pivot is [700, 725]; accepted: life_at_pivot = [low, high], each "
+            "above 0 up to 1e+300, with 692.011 between");
+  EXPECT_EQ(complaint("[4.9, 7.1]", "[6, 7.1]"),
+            "m.toml:26:1: weibull_shape is [6, 7.1]; accepted: weibull_shape = [low, high], each "
+            "above 0 up to 1e+300, with 5.94 between");
+  EXPECT_EQ(complaint("2.6e5", "1.5e5"),
+            "m.toml:24:1: ipl_scale is [90000, 150000]; accepted: ipl_scale = [low, high], each "
+            "above 0 up to 1e+300, with 153000 between");
+  EXPECT_EQ(complaint("0.95", "1.0"),
+            "m.toml:23:1: level is 1; accepted: level above 0 and below 1");
+  EXPECT_EQ(complaint("0.95", "0"), "m.toml:23:1: level is 0; accepted: level above 0 up to 1");
+  EXPECT_EQ(complaint("50.0", "0"),
+            "m.toml:27:1: pivot_tension_N is 0; accepted: pivot_tension_N above 0 up to 1000000");
+  EXPECT_EQ(complaint("level", "levle"),
+            "m.toml:23:1: unknown key 'levle' in [life.interval]; accepted: level, "
+            "pivot_tension_N, ipl_scale, ipl_exponent, weibull_shape, life_at_pivot");
+  EXPECT_EQ(model_complaint(with("weibull_shape = 5.94", "weibull_shape = 5.94\ninterval = 1")),
+            "m.toml:22:1: interval is 1; accepted: a table [life.interval]");
+}
+
 struct BadModel {
   std::string name;
   std::string_view from;
@@ -166,7 +245,7 @@ const std::vector<BadModel> kBadModels{
      "gear_efficiency, spool_radius_mm, current_offset_A"},
     {"UnknownKeyOfLife", "ipl_scale", "ipl_scala",
      ":19:1: unknown key 'ipl_scala' in [life]; accepted: ipl_scale, ipl_exponent, weibull_shape, "
-     "mean_stress"},
+     "mean_stress, interval"},
     {"OtherUnit", "ultimate_tension_N = 177.4", "ultimate_tension_kN = 0.1774",
      ":4:1: unknown unit 'kN' of key 'ultimate_tension_kN'; accepted: ultimate_tension_N "
      "1..1000000"},
@@ -345,6 +424,10 @@ TEST(ModelDigest, IsTheDocumentedChecksum) {
 TEST(ModelDigest, CoversWhatIsWatched) {
   const std::string text = std::string(kGood) + std::string(kWatch);
   EXPECT_EQ(model_digest(parse_model(text, "m.toml")), "2e54d0d6");
+}
+
+TEST(ModelDigest, HoldsTheIntervals) {
+  EXPECT_EQ(model_digest(parse_model(sure_with("", ""), "m.toml")), "a428e262");
 }
 
 TEST(ModelDigest, DoesNotDependOnFormatting) {

@@ -166,5 +166,52 @@ TEST(ProfileIntervalOfAQuantile, AtOneLessOneOverEIsThatOfAlpha) {
   EXPECT_NEAR(scale.high, quantile.high, 1e-7);
 }
 
+/// Lives of one kind at two tensions, `twice` of each at the second.
+LifeData same_scatter(double first_N, double second_N, int twice) {
+  LifeData data;
+  for (const double life : {70.0, 85.0, 100.0, 104.0, 131.0}) {
+    data.push_back({.blocks = {{first_N, life}}, .level = 0});
+    for (int i = 0; i < twice; ++i) {
+      data.push_back({.blocks = {{second_N, life / 2}}, .level = 1});
+    }
+  }
+  return data;
+}
+
+// With the same scatter at each tension the shape says nothing of the exponent, and ln alpha at the
+// mean of ln tension does not either: sqrt(36 * 64) = 48, and (36 * 64 * 64)^(1/3) = 52.8308.
+TEST(PivotTension, IsTheGeometricMeanWhereTheScatterIsTheSame) {
+  const LifeData even = same_scatter(36, 64, 1);
+  EXPECT_NEAR(pivot_tension_N(even, fit_life(even)), 48, 1e-6);
+  const LifeData uneven = same_scatter(36, 64, 2);
+  EXPECT_NEAR(pivot_tension_N(uneven, fit_life(uneven)), 52.8308, 1e-4);
+}
+
+/// Second differences of the log likelihood in (ln alpha at `tension_N`, exponent, ln shape).
+double second_difference(const LifeData& data, const LifeFit& fit, std::size_t i, std::size_t j) {
+  constexpr double kStep = 1e-3;
+  const auto at = [&](double along_i, double along_j) {
+    double move[3] = {};
+    move[i] += along_i * kStep;
+    move[j] += along_j * kStep;
+    LifeFit there = fit;
+    there.scale[0] += move[0];
+    there.scale[1] += move[1];
+    there.shape[0] += move[2];
+    return log_likelihood(data, there);
+  };
+  return (at(1, 1) - at(1, -1) - at(-1, 1) + at(-1, -1)) / (4 * kStep * kStep);
+}
+
+// The covariance of (a, g) of a 3 by 3 inverse by its cofactors.
+TEST(PivotTension, IsWhereLifeAndExponentDoNotCorrelate) {
+  const LifeData data = campaign();
+  const LifeFit fit = fit_life(data);
+  const auto h = [&](std::size_t i, std::size_t j) { return second_difference(data, fit, i, j); };
+  const double shared = h(0, 2) * h(1, 2) - h(0, 1) * h(2, 2);
+  const double exponent = h(0, 0) * h(2, 2) - h(0, 2) * h(0, 2);
+  EXPECT_NEAR(std::log(pivot_tension_N(data, fit)), fit.centre_ln_N + shared / exponent, 1e-4);
+}
+
 }  // namespace
 }  // namespace host_sim::life_law

@@ -174,6 +174,8 @@ TEST(CalibrateJson, HasTheFieldsOfTheFileFormat) {
   EXPECT_EQ(all["ipl"]["scale"], 2e5);
   EXPECT_EQ(all["ipl"]["exponent"], 1.5);
   EXPECT_EQ(all["ipl"]["ci95_exponent"], (json{1.25, 1.75}));
+  EXPECT_EQ(all["ipl"]["pivot_tension_N"], 50);
+  EXPECT_EQ(all["ipl"]["ci95_life_at_pivot"], (json{500, 640}));
   EXPECT_EQ(all["ipl"]["method"], "maximum likelihood");
   EXPECT_EQ(all["validation"][0]["predicted_mean"], 1068);
   EXPECT_EQ(all["validation"][0]["measured_mean"], 993);
@@ -252,6 +254,34 @@ TEST(CalibrateModel, ReadsBackAsItWasFitted) {
   EXPECT_EQ(model.counting.hysteresis_N, 0.2);
   ASSERT_TRUE(model.drive.has_value());
   EXPECT_EQ(model.drive->current_offset_A, -0.1);
+}
+
+TEST(CalibrateModel, HoldsTheIntervalsOfTheFit) {
+  auto result = hand_made_result();
+  result.stress_life->scale_ci95 = {1e5, 4e5};
+  const auto life =
+      host_sim::parse_model(model_text(campaign_with_model(), result, "1"), "m").life.interval;
+  ASSERT_TRUE(life.has_value());
+  EXPECT_EQ(life->level, 0.95);
+  EXPECT_EQ(life->ipl_scale.low, 1e5);
+  EXPECT_EQ(life->ipl_scale.high, 4e5);
+  EXPECT_EQ(life->ipl_exponent.low, 1.25);
+  EXPECT_EQ(life->ipl_exponent.high, 1.75);
+  EXPECT_EQ(life->weibull_shape.low, 5);
+  EXPECT_EQ(life->weibull_shape.high, 7);
+  EXPECT_EQ(life->pivot_tension_N, 50);
+  EXPECT_EQ(life->life_at_pivot.low, 500);
+  EXPECT_EQ(life->life_at_pivot.high, 640);
+}
+
+TEST(CalibrateModel, HasNoIntervalsWhereOneHasNoEnd) {
+  auto result = hand_made_result();  // its scale has no upper end
+  const std::string text = model_text(campaign_with_model(), result, "1");
+  EXPECT_FALSE(host_sim::parse_model(text, "m").life.interval.has_value());
+  EXPECT_TRUE(has(text, "# No [life.interval]: it has ends above 0 on both sides.\n"));
+  result.stress_life->scale_ci95 = {1e5, 4e5};
+  result.stress_life->exponent_ci95 = {-0.1, 1.75};
+  EXPECT_TRUE(has(model_text(campaign_with_model(), result, "1"), "# No [life.interval]"));
 }
 
 TEST(CalibrateModel, SaysWhereItIsFrom) {

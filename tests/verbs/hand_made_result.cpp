@@ -49,6 +49,8 @@ StressLife stress_life() {
   life.scale_ci95 = {1e5, kInfinite};
   life.exponent_ci95 = {1.25, 1.75};
   life.shape_ci95 = {5, 7};
+  life.pivot_tension_N = 50;  // alpha 2e5 / 50^1.5 = 565.7
+  life.life_at_pivot_ci95 = {500, 640};
   life.shape_unbiased = 5.75;
   life.least_squares = LifeLaw{1.53e5, 1.38, 5.94};
   life.least_squares_rmse = 12.25;

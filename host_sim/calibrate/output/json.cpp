@@ -163,6 +163,8 @@ ordered_json ipl_json(const StressLife& life) {
   json["ci95_scale"] = pair(life.scale_ci95);
   json["ci95_exponent"] = pair(life.exponent_ci95);
   json["ci95_shape"] = pair(life.shape_ci95);
+  json["pivot_tension_N"] = json_number(life.pivot_tension_N);
+  json["ci95_life_at_pivot"] = pair(life.life_at_pivot_ci95);
   json["shape_unbiased"] = json_number(life.shape_unbiased);
   json["method"] = "maximum likelihood";
   json["least_squares"] = least_squares_json(life);

@@ -4,6 +4,7 @@
 #include "hal/files/text.hpp"
 #include "host_sim/calibrate/output/output.hpp"
 #include "host_sim/campaign/nominal_model.hpp"
+#include "host_sim/model/life_interval.hpp"
 
 namespace host_sim::calibrate {
 
@@ -12,14 +13,30 @@ using hal::files::printable;
 
 namespace {
 
-Model fitted_model(const Campaign& campaign, const LifeLaw& law) {
+Model::Life::Interval::Ends ends_of(const Interval& interval) {
+  return {interval.low, interval.high};
+}
+
+/// With intervals where a model can hold them: not where one has no end, or an exponent below 0.
+Model::Life fitted_life(const StressLife& fit) {
+  Model::Life life{Model::MeanStress::kGerber, fit.law.scale, fit.law.exponent, fit.law.shape};
+  const Model::Life::Interval interval{
+      .level = kConfidence,
+      .ipl_scale = ends_of(fit.scale_ci95),
+      .ipl_exponent = ends_of(fit.exponent_ci95),
+      .weibull_shape = ends_of(fit.shape_ci95),
+      .pivot_tension_N = fit.pivot_tension_N,
+      .life_at_pivot = ends_of(fit.life_at_pivot_ci95),
+  };
+  if (can_be_written(interval, life)) {
+    life.interval = interval;
+  }
+  return life;
+}
+
+Model fitted_model(const Campaign& campaign, const StressLife& fit) {
   const NominalModel& nominal = campaign.nominal;
-  return {*nominal.cable,
-          *nominal.sheath,
-          nominal.drive,
-          *nominal.counting,
-          {Model::MeanStress::kGerber, law.scale, law.exponent, law.shape},
-          {},
+  return {*nominal.cable, *nominal.sheath, nominal.drive, *nominal.counting, fitted_life(fit), {},
           nominal.watch};
 }
 
@@ -41,9 +58,12 @@ std::string head(const CalibrateResult& result, std::string_view program_version
       "# [life] by maximum likelihood from {} specimens, {} failed and {} suspended.\n",
       program_version, printable(result.campaign), failed + suspended, failed, suspended);
   text += without;
-  text += fmt::format("# 95 %: ipl_scale {}, ipl_exponent {}, weibull_shape {}.\nschema = 1\n",
+  text += fmt::format("# 95 %: ipl_scale {}, ipl_exponent {}, weibull_shape {}.\n",
                       figure(life.scale_ci95), figure(life.exponent_ci95), figure(life.shape_ci95));
-  return text;
+  if (!fitted_life(life).interval) {
+    text += "# No [life.interval]: it has ends above 0 on both sides.\n";
+  }
+  return text + "schema = 1\n";
 }
 
 }  // namespace
@@ -55,7 +75,7 @@ std::string model_text(const Campaign& campaign, const CalibrateResult& result,
                      "without --out, to see why");
   }
   return head(result, program_version) +
-         model_tables(campaign, fitted_model(campaign, result.stress_life->law), "fitted");
+         model_tables(campaign, fitted_model(campaign, *result.stress_life), "fitted");
 }
 
 }  // namespace host_sim::calibrate
