@@ -49,22 +49,29 @@ class Rates {
   /// DamageRate::kUnknownRate until it is known; stops below.
   [[nodiscard]] std::uint32_t damage_ppb_per_h() const {
     using protocol::detail::DamageRate;
-    return known()
-               ? below(DamageRate::kUnknownRate, times(damage_per_min(), 60).parts_per_billion())
-               : DamageRate::kUnknownRate;
+    return known() ? below(DamageRate::kUnknownRate,
+                           damage_per_min().multiplied(60).parts_per_billion())
+                   : DamageRate::kUnknownRate;
   }
-  /// Tenths of an hour until `end` at this rate; RemainingLife::kUnknown until the rate is known;
-  /// stops below.
+  /// What this many hours do at this rate; stops at the highest damage.
+  /// @pre known()
+  [[nodiscard]] lifemodel::Damage damage_in(std::uint32_t hours) const {
+    return damage_per_min().multiplied(60 * hours);
+  }
+  /// Tenths of an hour that `left` lasts at this rate; RemainingLife::kUnknown until the rate is
+  /// known; stops below.
+  [[nodiscard]] std::uint16_t lasts_dh(const lifemodel::Damage& left) const {
+    constexpr std::uint16_t kUnknown = protocol::detail::RemainingLife::kUnknown;
+    return known()
+               ? below(kUnknown, lifemodel::repeats_within(left, damage_per_min().multiplied(6)))
+               : kUnknown;
+  }
+  /// The same until `end`, a point of the whole life of a new wire.
   [[nodiscard]] std::uint16_t remaining_dh(const lifemodel::Damage& used,
                                            lifemodel::LifePoint end) const {
-    constexpr std::uint16_t kUnknown = protocol::detail::RemainingLife::kUnknown;
-    if (!known()) {
-      return kUnknown;
-    }
-    constexpr std::uint32_t kMinutes = 6;
-    const std::uint32_t left =
-        lifemodel::remaining_repeats(used, times(damage_per_min(), kMinutes), end);
-    return below(kUnknown, left);
+    const lifemodel::Damage limit = end.damage();
+    return lasts_dh(used < limit ? lifemodel::Damage::difference(limit, used)
+                                 : lifemodel::Damage{});
   }
 
  private:
@@ -75,15 +82,6 @@ class Rates {
 
   [[nodiscard]] lifemodel::Damage damage_per_min() const {
     return lifemodel::Damage::difference(newest_.damage, oldest_.damage);
-  }
-
-  static lifemodel::Damage times(const lifemodel::Damage& damage, std::uint32_t n) {
-    lifemodel::Damage sum;
-    lifemodel::Flags flags;
-    for (std::uint32_t i = 0; i < n; ++i) {
-      sum.add(damage, flags);
-    }
-    return sum;
   }
 
   std::array<Mark, kSlots> marks_{};

@@ -13,6 +13,7 @@
 #include "firmware/protocol/schema/plan.hpp"
 #include "firmware/storage/save_policy.hpp"
 #include "hal/can_port.hpp"
+#include "lifemodel/life/conditional.hpp"
 
 namespace app {
 
@@ -86,6 +87,10 @@ class Reporter {
         return send_bin(send);
       case RemainingLife::kPage:
         return send(remaining_life());
+      case ConditionalLife::kPage:
+        return send(conditional_life(shortest_lived()));
+      case BreakRisk::kPage:
+        return send(break_risk(shortest_lived()));
       case Storage::kPage:
         return send_storage(send);
       case Timing::kPage:
@@ -139,7 +144,7 @@ class Reporter {
     return bins_[position / RainflowBins::kBins];
   }
 
-  /// Of the tendon that has the least left.
+  /// Of the tendon that has the least left of its whole life.
   [[nodiscard]] protocol::detail::RemainingLife remaining_life() const {
     protocol::detail::RemainingLife least;
     for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
@@ -156,6 +161,50 @@ class Reporter {
       }
     }
     return least;
+  }
+
+  /// The tendon that has the least left given that it is whole: the one with the highest damage
+  /// until rates are known.
+  [[nodiscard]] std::size_t shortest_lived() const {
+    std::size_t shortest = book_.worst();
+    std::uint16_t least_dh = protocol::detail::ConditionalLife::kUnknown;
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      const std::uint16_t dh = lasts_dh(tendon, lifemodel::kHazard10);
+      if (dh < least_dh) {
+        least_dh = dh;
+        shortest = tendon;
+      }
+    }
+    return shortest;
+  }
+  /// Tenths of an hour until the tendon, which is whole now, has broken at this hazard.
+  [[nodiscard]] std::uint16_t lasts_dh(std::size_t tendon, lifemodel::Hazard hazard) const {
+    const auto& life = book_.distribution(tendon);
+    if (!life || !book_.rates(tendon).known()) {
+      return protocol::detail::ConditionalLife::kUnknown;
+    }
+    return book_.rates(tendon).lasts_dh(
+        lifemodel::further_damage(life->shape, book_.damage(tendon), hazard));
+  }
+  [[nodiscard]] protocol::detail::ConditionalLife conditional_life(std::size_t tendon) const {
+    return {lasts_dh(tendon, lifemodel::kHazard10), lasts_dh(tendon, lifemodel::kHazard50),
+            lasts_dh(tendon, lifemodel::kHazard90)};
+  }
+  [[nodiscard]] protocol::detail::BreakRisk break_risk(std::size_t tendon) const {
+    using protocol::detail::BreakRisk;
+    BreakRisk result;
+    result.horizon_h = kHorizon_h;
+    const auto& life = book_.distribution(tendon);
+    const Rates& rates = book_.rates(tendon);
+    if (life && rates.known()) {
+      const lifemodel::Ratio risk = lifemodel::break_risk(life->shape, book_.damage(tendon),
+                                                          rates.damage_in(result.horizon_h));
+      constexpr std::uint64_t kOne = lifemodel::Ratio::highest().raw();
+      result.within_horizon =
+          static_cast<std::uint16_t>((std::uint64_t{risk.raw()} * BreakRisk::kSure + kOne - 1) >>
+                                     lifemodel::Ratio::kFractionBits);
+    }
+    return result;
   }
 
   /// At least a step of the save policy, and a quarter of headroom over what was seen, so that a
@@ -183,6 +232,8 @@ class Reporter {
             .refused = node_state_.refused};
   }
 
+  /// Of the probability of a break.
+  static constexpr std::uint8_t kHorizon_h = 8;
   /// What the field of the storage page holds.
   static constexpr std::uint32_t kMostPublished_ppb = (1u << 24) - 1;
 

@@ -97,6 +97,7 @@ struct RainflowBin {
 
   friend constexpr bool operator==(const RainflowBin&, const RainflowBin&) = default;
 };
+/// Of the whole life of a new tendon: until B10, B50 and B90, which this one may have outlived.
 struct RemainingLife {
   static constexpr std::uint8_t kPage = 5;
   static constexpr std::uint16_t kUnknown = 0xffff;  ///< no minute was seen yet
@@ -134,7 +135,34 @@ struct Bus {
   friend constexpr bool operator==(const Bus&, const Bus&) = default;
 };
 
-inline constexpr std::uint8_t kPages = 9;
+/// Given that the tendon is whole now: until it has broken with a probability of 10, 50 and 90 %.
+struct ConditionalLife {
+  static constexpr std::uint8_t kPage = 9;
+  static constexpr std::uint16_t kUnknown = 0xffff;  ///< no minute was seen yet
+  /// Tenths of an hour at the present damage rate; stops at 0xfffe, also where there is no damage.
+  std::uint16_t to_10_dh = kUnknown;
+  std::uint16_t to_50_dh = kUnknown;
+  std::uint16_t to_90_dh = kUnknown;
+
+  friend constexpr bool operator==(const ConditionalLife&, const ConditionalLife&) = default;
+};
+/// Given the same: the probability that it breaks soon, and how sure ConditionalLife is.
+struct BreakRisk {
+  static constexpr std::uint8_t kPage = 10;
+  static constexpr std::uint16_t kUnknownRisk = (1u << 12) - 1;  ///< no minute was seen yet
+  static constexpr std::uint16_t kSure = 4000;                   ///< a probability of 1
+  static constexpr std::uint16_t kUnknownBound = (1u << 14) - 1;
+  std::uint8_t horizon_h = 0;                   ///< of operation at the present damage rate
+  std::uint16_t within_horizon = kUnknownRisk;  ///< probability, 0 .. kSure, rounded up
+  /// 95 % interval of ConditionalLife::to_10_dh by the uncertainty of the fit and the scatter of
+  /// the damage rate, in half hours, rounded outwards; stops below kUnknownBound.
+  std::uint16_t to_10_low_30min = kUnknownBound;
+  std::uint16_t to_10_high_30min = kUnknownBound;
+
+  friend constexpr bool operator==(const BreakRisk&, const BreakRisk&) = default;
+};
+
+inline constexpr std::uint8_t kPages = 11;
 
 }  // namespace detail
 

@@ -158,7 +158,7 @@ class Damage {
     }
   }
   constexpr void saturate(Flags& flags) {
-    *this = highest();
+    words_.fill(std::numeric_limits<std::uint32_t>::max());
     flags.raise(Flag::saturated);
   }
 

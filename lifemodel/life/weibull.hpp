@@ -10,6 +10,7 @@
 #include "lifemodel/numeric/near_zero.hpp"
 #include "lifemodel/numeric/quotient.hpp"
 #include "lifemodel/quantity/units.hpp"
+#include "lifemodel/support/inlining.hpp"
 
 namespace lifemodel {
 
@@ -111,7 +112,7 @@ struct LifeDistribution {
 
 /// How often a stretch that does `each` damage fits into what is left: rounded down, relative error
 /// at most 4e-7; saturates at 2^32 - 1, also where the stretch does no damage.
-constexpr std::uint32_t repeats_within(const Damage& left, const Damage& each) {
+LIFEMODEL_ONE_COPY constexpr std::uint32_t repeats_within(const Damage& left, const Damage& each) {
   if (left.none()) {
     return 0;
   }

@@ -32,9 +32,11 @@ TEST(App, SpeaksTheFramePlanAtItsRates) {
   EXPECT_EQ(beats[0].state, NmtState::boot_up);
   EXPECT_EQ(beats[1].state, NmtState::operational);
   EXPECT_NEAR(static_cast<double>(rig.sent<LifeStatus>().size()), 100, 2);
-  // Eleven or twelve turns of nine pages.
-  EXPECT_NEAR(static_cast<double>(rig.sent<protocol::detail::Identity>().size()), 11, 1);
-  EXPECT_NEAR(static_cast<double>(rig.sent<protocol::detail::Bus>().size()), 11, 1);
+  // A hundred pages in turns of one of each kind.
+  EXPECT_NEAR(static_cast<double>(rig.sent<protocol::detail::Identity>().size()),
+              100.0 / protocol::detail::kPages, 1);
+  EXPECT_NEAR(static_cast<double>(rig.sent<protocol::detail::Bus>().size()),
+              100.0 / protocol::detail::kPages, 1);
 }
 
 TEST(App, TellsTheDamageOfTheEstimator) {

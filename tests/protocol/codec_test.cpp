@@ -105,6 +105,14 @@ TEST(Codec, PagesOfLifeDetail) {
                                .dropped = 4,
                                .refused = 0x0506},
                    5, frame(0x285, {0x00, 0x80, 0x01, 0x02, 0x03, 0x04, 0x06, 0x05}));
+  expect_both_ways(detail::ConditionalLife{.to_10_dh = 0x0102, .to_50_dh = 0x0304}, 5,
+                   frame(0x285, {0x00, 0x90, 0x02, 0x01, 0x04, 0x03, 0xff, 0xff}));
+  // 8 | 0x1a5 << 8 | 0x2345 << 20 | 0x1f0e << 34
+  expect_both_ways(detail::BreakRisk{.horizon_h = 8,
+                                     .within_horizon = 0x1a5,
+                                     .to_10_low_30min = 0x2345,
+                                     .to_10_high_30min = 0x1f0e},
+                   5, frame(0x285, {0x00, 0xa0, 0x08, 0xa5, 0x51, 0x34, 0x3a, 0x7c}));
 }
 
 TEST(Codec, ValuesThatAreTooWideStop) {

@@ -191,6 +191,40 @@ inline Expected expected(const detail::RemainingLife& m) {
   name_unknown("RemainingB90", m.b90_dh);
   return result;
 }
+inline Expected expected(const detail::ConditionalLife& m) {
+  Expected result{"LifeDetail",
+                  "ConditionalLife",
+                  {{"HoursToRisk10", m.to_10_dh * 0.1},
+                   {"HoursToRisk50", m.to_50_dh * 0.1},
+                   {"HoursToRisk90", m.to_90_dh * 0.1}}};
+  const auto name_unknown = [&](const char* signal, std::uint16_t raw) {
+    if (raw == 0xffff) {
+      result.labels[signal] = "unknown";
+    }
+  };
+  name_unknown("HoursToRisk10", m.to_10_dh);
+  name_unknown("HoursToRisk50", m.to_50_dh);
+  name_unknown("HoursToRisk90", m.to_90_dh);
+  return result;
+}
+inline Expected expected(const detail::BreakRisk& m) {
+  Expected result{"LifeDetail",
+                  "BreakRisk",
+                  {{"BreakHorizon", m.horizon_h},
+                   {"BreakRisk", m.within_horizon * 0.00025},
+                   {"HoursToRisk10Low", m.to_10_low_30min * 0.5},
+                   {"HoursToRisk10High", m.to_10_high_30min * 0.5}}};
+  if (m.within_horizon == 0xfff) {
+    result.labels["BreakRisk"] = "unknown";
+  }
+  if (m.to_10_low_30min == 0x3fff) {
+    result.labels["HoursToRisk10Low"] = "unknown";
+  }
+  if (m.to_10_high_30min == 0x3fff) {
+    result.labels["HoursToRisk10High"] = "unknown";
+  }
+  return result;
+}
 inline Expected expected(const detail::Storage& m) {
   return {"LifeDetail",
           "Storage",

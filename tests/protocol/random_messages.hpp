@@ -95,6 +95,18 @@ inline void fill(Random& random, detail::Bus& m) {
        .dropped = u8(random),
        .refused = u16(random)};
 }
+inline void fill(Random& random, detail::ConditionalLife& m) {
+  m = {.to_10_dh = u16(random), .to_50_dh = u16(random), .to_90_dh = u16(random)};
+}
+inline void fill(Random& random, detail::BreakRisk& m) {
+  const auto bits = [&](std::uint8_t count) {
+    return static_cast<std::uint16_t>(number(random, count));
+  };
+  m = {.horizon_h = u8(random),
+       .within_horizon = bits(12),
+       .to_10_low_30min = bits(14),
+       .to_10_high_30min = bits(14)};
+}
 inline void fill(Random& random, Emergency& m) {
   constexpr std::array kCodes{EmergencyCode::none,           EmergencyCode::emergency_stop,
                               EmergencyCode::life_inspect,   EmergencyCode::life_replace,
@@ -119,7 +131,7 @@ void with_random_message(Random& random, Act act) {
     fill(random, message);
     act(message);
   };
-  switch (random() % 13) {
+  switch (random() % 15) {
     case 0:
       return run(Heartbeat{});
     case 1:
@@ -143,6 +155,10 @@ void with_random_message(Random& random, Act act) {
     case 10:
       return run(detail::Bus{});
     case 11:
+      return run(detail::ConditionalLife{});
+    case 12:
+      return run(detail::BreakRisk{});
+    case 13:
       return run(Emergency{});
     default:
       return run(Command{});

@@ -96,7 +96,7 @@ TEST_F(OnTheBus, IsAloneForAWhile) {
   EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 
-/// A burst of nine pages comes each 10 ms, in place of one each 100 ms.
+/// A burst of all pages comes each 10 ms, in place of one each 100 ms.
 TEST_F(OnTheBus, ACommandNeedsItsProtection) {
   const auto pages_in_150_ms = [this] {
     const std::size_t from = board.can.heard.size();
@@ -108,7 +108,8 @@ TEST_F(OnTheBus, ACommandNeedsItsProtection) {
     return pages;
   };
   protocol::e2e::Protector commands(protocol::e2e::stream_of<protocol::Command>(kNode));
-  hal::CanFrame burst = protocol::encode(kNode, protocol::Command{protocol::CommandCode::burst, 9});
+  hal::CanFrame burst = protocol::encode(
+      kNode, protocol::Command{protocol::CommandCode::burst, protocol::detail::kPages});
   commands.protect(burst);
   hal::CanFrame damaged = burst;
   damaged.data[3] ^= std::byte{1};
@@ -119,7 +120,7 @@ TEST_F(OnTheBus, ACommandNeedsItsProtection) {
   board.can.send(other);
   EXPECT_LE(pages_in_150_ms(), 2u);
   board.can.send(burst);
-  EXPECT_GE(pages_in_150_ms(), 9u);
+  EXPECT_GE(pages_in_150_ms(), protocol::detail::kPages);
   EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 

@@ -115,6 +115,14 @@ inline constexpr std::array kRemainingLifeUnknown{
     ValueName{.value = detail::RemainingLife::kUnknown, .name = "unknown"},
 };
 
+inline constexpr std::array kBreakRiskUnknown{
+    ValueName{.value = detail::BreakRisk::kUnknownRisk, .name = "unknown"},
+};
+
+inline constexpr std::array kBoundUnknown{
+    ValueName{.value = detail::BreakRisk::kUnknownBound, .name = "unknown"},
+};
+
 template <>
 struct Layout<Heartbeat> {
   static constexpr const Frame& kFrame = kHeartbeatFrame;

@@ -136,7 +136,8 @@ struct Layout<detail::RainflowBin> : PageLayout {
 template <>
 struct Layout<detail::RemainingLife> : PageLayout {
   static constexpr std::string_view kName = "RemainingLife";
-  static constexpr std::string_view kComment = "at the present damage rate";
+  static constexpr std::string_view kComment =
+      "of the whole life of a new tendon, at the present damage rate";
   static constexpr std::tuple kFields{
       field(&detail::RemainingLife::b10_dh,
             {.name = "RemainingB10",
@@ -144,7 +145,8 @@ struct Layout<detail::RemainingLife> : PageLayout {
              .bits = 16,
              .factor = "0.1",
              .unit = "h",
-             .comment = "until 10 % of such tendons have failed, stops at 6553.4",
+             .comment =
+                 "until 10 % of such tendons, all counted from new, have failed, stops at 6553.4",
              .values = kRemainingLifeUnknown,
              .stops = true}),
       field(&detail::RemainingLife::b50_dh,
@@ -153,7 +155,8 @@ struct Layout<detail::RemainingLife> : PageLayout {
              .bits = 16,
              .factor = "0.1",
              .unit = "h",
-             .comment = "until 50 % of such tendons have failed, stops at 6553.4",
+             .comment =
+                 "until 50 % of such tendons, all counted from new, have failed, stops at 6553.4",
              .values = kRemainingLifeUnknown,
              .stops = true}),
       field(&detail::RemainingLife::b90_dh,
@@ -162,7 +165,8 @@ struct Layout<detail::RemainingLife> : PageLayout {
              .bits = 16,
              .factor = "0.1",
              .unit = "h",
-             .comment = "until 90 % of such tendons have failed, stops at 6553.4",
+             .comment =
+                 "until 90 % of such tendons, all counted from new, have failed, stops at 6553.4",
              .values = kRemainingLifeUnknown,
              .stops = true}),
   };
@@ -241,6 +245,80 @@ struct Layout<detail::Bus> : PageLayout {
              .start_bit = 48,
              .bits = 16,
              .comment = "frames that failed the integrity check, and commands refused",
+             .stops = true}),
+  };
+};
+
+template <>
+struct Layout<detail::ConditionalLife> : PageLayout {
+  static constexpr std::string_view kName = "ConditionalLife";
+  static constexpr std::string_view kComment =
+      "of a tendon that is whole now, at the present damage rate";
+  static constexpr std::tuple kFields{
+      field(&detail::ConditionalLife::to_10_dh,
+            {.name = "HoursToRisk10",
+             .start_bit = 16,
+             .bits = 16,
+             .factor = "0.1",
+             .unit = "h",
+             .comment = "until it has broken with 10 % probability, stops at 6553.4",
+             .values = kRemainingLifeUnknown,
+             .stops = true}),
+      field(&detail::ConditionalLife::to_50_dh,
+            {.name = "HoursToRisk50",
+             .start_bit = 32,
+             .bits = 16,
+             .factor = "0.1",
+             .unit = "h",
+             .comment = "until it has broken with 50 % probability, stops at 6553.4",
+             .values = kRemainingLifeUnknown,
+             .stops = true}),
+      field(&detail::ConditionalLife::to_90_dh,
+            {.name = "HoursToRisk90",
+             .start_bit = 48,
+             .bits = 16,
+             .factor = "0.1",
+             .unit = "h",
+             .comment = "until it has broken with 90 % probability, stops at 6553.4",
+             .values = kRemainingLifeUnknown,
+             .stops = true}),
+  };
+};
+
+template <>
+struct Layout<detail::BreakRisk> : PageLayout {
+  static constexpr std::string_view kName = "BreakRisk";
+  static constexpr std::string_view kComment = "of the same tendon";
+  static constexpr std::tuple kFields{
+      field(&detail::BreakRisk::horizon_h, {.name = "BreakHorizon",
+                                            .start_bit = 16,
+                                            .bits = 8,
+                                            .unit = "h",
+                                            .comment = "of operation, from now on"}),
+      field(&detail::BreakRisk::within_horizon,
+            {.name = "BreakRisk",
+             .start_bit = 24,
+             .bits = 12,
+             .factor = "0.00025",
+             .comment = "probability of a break within the horizon, rounded up",
+             .values = kBreakRiskUnknown}),
+      field(&detail::BreakRisk::to_10_low_30min,
+            {.name = "HoursToRisk10Low",
+             .start_bit = 36,
+             .bits = 14,
+             .factor = "0.5",
+             .unit = "h",
+             .comment = "lower end of the 95 % interval of HoursToRisk10, stops at 8191",
+             .values = kBoundUnknown,
+             .stops = true}),
+      field(&detail::BreakRisk::to_10_high_30min,
+            {.name = "HoursToRisk10High",
+             .start_bit = 50,
+             .bits = 14,
+             .factor = "0.5",
+             .unit = "h",
+             .comment = "upper end of the 95 % interval of HoursToRisk10, stops at 8191",
+             .values = kBoundUnknown,
              .stops = true}),
   };
 };

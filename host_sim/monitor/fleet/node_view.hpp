@@ -107,7 +107,9 @@ struct NodeView {
   std::map<std::uint8_t, Timed<protocol::detail::TendonDamage>> tendons;  ///< by tendon
   /// Cycles by tendon, range class and mean class: index 64 tendon + 8 range + mean.
   std::map<std::uint16_t, Timed<protocol::detail::RainflowBin>> bins;
-  std::optional<Timed<protocol::detail::RemainingLife>> remaining;
+  std::optional<Timed<protocol::detail::RemainingLife>> remaining;  ///< of the whole life
+  std::optional<Timed<protocol::detail::ConditionalLife>> conditional;
+  std::optional<Timed<protocol::detail::BreakRisk>> break_risk;
   std::optional<Timed<protocol::detail::Storage>> storage;
   std::optional<Timed<protocol::detail::Timing>> timing;
   std::optional<Timed<protocol::detail::Bus>> bus;
@@ -135,7 +137,9 @@ inline constexpr std::tuple kNodePages{std::pair{"identity", &NodeView::identity
                                        std::pair{"remaining", &NodeView::remaining},
                                        std::pair{"storage", &NodeView::storage},
                                        std::pair{"timing", &NodeView::timing},
-                                       std::pair{"bus", &NodeView::bus}};
+                                       std::pair{"bus", &NodeView::bus},
+                                       std::pair{"conditional", &NodeView::conditional},
+                                       std::pair{"break_risk", &NodeView::break_risk}};
 static_assert(std::tuple_size_v<decltype(kNodePages)> == protocol::detail::kPages);
 
 /// Hands each page of `node` to `take`, with its name.

@@ -123,21 +123,25 @@ TEST(Fleet, TurnsAStatusStaleAfterThreeCycles) {
   EXPECT_FALSE(node_of(fleet, 3).status->stale);
 }
 
-// Nine pages of 100 ms take 0.9 s, three turns 2.7 s; two tendons twice as long.
+// A turn is a page of each kind, 100 ms apart; two tendons take twice as long.
 TEST(Fleet, GivesPagesTheTimeOfTheirTurns) {
   Fleet fleet;
   Sender sender(3);
+  constexpr std::int64_t kThreeTurns = 3 * protocol::detail::kPages * 100 * kMs;
   fleet.see(sender.page(0, protocol::detail::DamageRate{.ppb_per_h = 5}));
   fleet.see(sender.page(0, protocol::detail::TendonDamage{.tendon = 0, .damage_ppb = 1}));
   fleet.see(sender.page(0, protocol::detail::TendonDamage{.tendon = 1, .damage_ppb = 2}));
-  fleet.tick(2'700 * kMs);
+  fleet.see(sender.heartbeat(kThreeTurns - kMs));  // it has not vanished
+  fleet.tick(kThreeTurns);
   EXPECT_FALSE(node_of(fleet, 3).rate->stale);
-  fleet.tick(2'701 * kMs);
+  fleet.tick(kThreeTurns + kMs);
   EXPECT_TRUE(node_of(fleet, 3).rate->stale);
   EXPECT_FALSE(node_of(fleet, 3).tendons.at(1).stale);
   EXPECT_TRUE(node_of(fleet, 3).status == std::nullopt);
-  fleet.see(sender.heartbeat(2'800 * kMs));  // it has not vanished
-  fleet.tick(5'401 * kMs);
+  fleet.see(sender.heartbeat(2 * kThreeTurns - kMs));
+  fleet.tick(2 * kThreeTurns);
+  EXPECT_FALSE(node_of(fleet, 3).tendons.at(1).stale);
+  fleet.tick(2 * kThreeTurns + kMs);
   EXPECT_TRUE(node_of(fleet, 3).tendons.at(1).stale);
 }
 

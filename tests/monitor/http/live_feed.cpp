@@ -44,6 +44,7 @@ namespace {
 constexpr double kReplace = 0.4;
 constexpr double kWorn = 0.8;
 constexpr double kLast = 1.2;
+constexpr double kShape = 5.94;
 constexpr std::uint32_t kTendons = 4;
 constexpr double kStep_h = 0.1 / 3600;
 
@@ -72,6 +73,8 @@ class MadeNode {
   void send_page(std::int64_t time_ns, const Take& take);
   [[nodiscard]] std::uint32_t ppb(double share) const;
   [[nodiscard]] std::uint16_t left_dh(double end) const;
+  [[nodiscard]] std::uint16_t given_survival_dh(double hazard) const;
+  [[nodiscard]] std::uint16_t break_risk() const;
   [[nodiscard]] protocol::LifeState state_at(double share) const;
 
   protocol::Node node_;
@@ -114,6 +117,16 @@ std::uint32_t MadeNode::ppb(double share) const {
 std::uint16_t MadeNode::left_dh(double end) const {
   const double left = std::max(0.0, (end - damage) / rate_per_h_ * 10);
   return static_cast<std::uint16_t>(std::min(left, 65535.0));
+}
+
+std::uint16_t MadeNode::given_survival_dh(double hazard) const {
+  return left_dh(std::pow(std::pow(damage, kShape) + hazard, 1 / kShape));
+}
+
+std::uint16_t MadeNode::break_risk() const {
+  const double later = std::pow(damage + 8 * rate_per_h_, kShape);
+  return static_cast<std::uint16_t>(
+      std::ceil(-4000 * std::expm1(std::pow(damage, kShape) - later)));
 }
 
 protocol::LifeState MadeNode::state_at(double share) const {
@@ -176,6 +189,15 @@ void MadeNode::send_page(std::int64_t time_ns, const Take& take) {
       return page(detail::Storage{1000u + turn, 500u * node_});
     case detail::Timing::kPage:
       return page(detail::Timing{u8(100 + node_), u8(20 + node_), u8(turn % 3)});
+    case detail::ConditionalLife::kPage:
+      return page(detail::ConditionalLife{given_survival_dh(0.105361), given_survival_dh(0.693147),
+                                          given_survival_dh(2.302585)});
+    case detail::BreakRisk::kPage: {
+      const auto low = static_cast<std::uint16_t>(given_survival_dh(0.105361) / 10);
+      const auto high =
+          static_cast<std::uint16_t>(std::min(given_survival_dh(0.105361) / 3 + 1, 16382));
+      return page(detail::BreakRisk{8, break_risk(), low, high});
+    }
     default:
       return page(detail::Bus{u8(node_), u8(2u * node_), 1, 3, u8(turn % 5)});
   }
