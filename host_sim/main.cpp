@@ -72,6 +72,7 @@ int run(int argc, char** argv) {
   host_sim::add_calibrate(app, status);
   host_sim::add_design(app, status);
   host_sim::add_diagnose(app, status);
+  host_sim::add_fleet(app, status);
   host_sim::add_fmeca(app, status);
   host_sim::add_import(app, status);
   host_sim::add_monitor(app, status);

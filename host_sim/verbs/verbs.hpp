@@ -22,6 +22,7 @@ void add_calibrate(CLI::App& app, int& status);
 void add_completion(CLI::App& app, int& status);
 void add_design(CLI::App& app, int& status);
 void add_diagnose(CLI::App& app, int& status);
+void add_fleet(CLI::App& app, int& status);
 void add_fmeca(CLI::App& app, int& status);
 void add_import(CLI::App& app, int& status);
 void add_manual(CLI::App& app, int& status);

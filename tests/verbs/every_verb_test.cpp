@@ -82,6 +82,12 @@ const std::vector<Verb>& verbs() {
        {},
        {"--model"}},
       {"plan", "--for-diagnosis plan.toml", {"plan.toml"}, {"--json"}, {}, {"--for-diagnosis"}},
+      {"fleet",
+       "fleet.csv --model model.toml",
+       {"fleet.csv", "model.toml", "elsewhere/other.toml"},
+       {"--table", "--json"},
+       {},
+       {"TABLE", "--model"}},
       {"synth",
        "--plan plan.toml",
        {"plan.toml"},
@@ -133,6 +139,10 @@ class EveryVerb : public CampaignProgram {
     for (int i = 0; i < 16; ++i) {
       recording += std::to_string(i) + ",3,2,1\n";
     }
+    write("elsewhere/other.toml", model);
+    write("fleet.csv",
+          "tendon,damage,damage_per_h,hours_per_day,model\na,0.1,1e-3,8,elsewhere/other.toml\n"
+          "b,0.1,1e-3,8,\n");
     write("r/one.csv", recording);
     write("r/deep/two.csv", recording);
     write_campaign("all/c", specimens());

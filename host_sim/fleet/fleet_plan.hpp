@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <ostream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host_sim/fleet/break_risk.hpp"
+#include "host_sim/fleet/demand.hpp"
+#include "host_sim/fleet/fleet_table.hpp"
+#include "host_sim/fleet/horizon.hpp"
+
+namespace host_sim::fleet {
+
+struct PlanRequest {
+  Date today;
+  Horizon horizon;
+  double service = 0.95;  ///< probability that the spares are enough, in 0 .. 1
+  double risk = 0.1;      ///< of a break between today and the date to replace, in 0 .. 1
+  unsigned threads = 0;   ///< 0: all cores; nothing depends on it
+};
+
+/// When something is reached.
+struct Due {
+  double hours = 0;          ///< of operation from today; below 0 where it is over
+  std::optional<Date> date;  ///< the last whole day before it; none beyond 100 years
+};
+
+/// What is planned for one tendon.
+struct TendonPlan {
+  double risk = 0;         ///< of a break within the horizon, given that it is whole today
+  double risk_at_fit = 0;  ///< the same with the law and the rate as they are fitted
+  Due replace;             ///< when the risk since today is PlanRequest::risk
+  Due b10;                 ///< B10 of the whole life, by the law as it is fitted
+  bool due = false;        ///< to be replaced within the horizon
+  double evidence = 1;     ///< risk over what it would be if survival so far told nothing
+};
+
+/// How many spares it takes until the horizon.
+struct Spares {
+  Demand demand;
+  std::size_t count = 0;  ///< enough with at least the probability asked for
+  double service = 0;     ///< with which they are
+};
+
+struct FleetPlan {
+  std::vector<TendonPlan> tendons;  ///< in the order of the fleet
+  Spares breaks;                    ///< where nothing is replaced before it breaks
+  Spares on_condition;              ///< where each tendon that is due is replaced on its date
+  std::size_t due = 0;
+  std::size_t past_b10 = 0;
+  double expected_breaks = 0;   ///< where nothing is replaced before it breaks
+  double breaks_until_due = 0;  ///< expected where each tendon that is due is replaced on its date
+  double second_breaks_at_most = 0;  ///< expected breaks of replacements, which are left out
+  std::vector<std::string> warnings;
+};
+
+/// The law of a model with what `[life.interval]` says of it; exact where it says nothing.
+LawBelief belief_of(const Model::Life& life);
+
+/// @throws Interruption
+FleetPlan make_plan(const Fleet& fleet, const PlanRequest& request);
+
+/// Tendons by urgency: the date to replace, then the risk, then the order of the fleet.
+std::vector<std::size_t> by_urgency(const FleetPlan& plan);
+
+/// For people. @param source what stands for the fleet
+void write_plan(std::ostream& out, std::string_view source, const Fleet& fleet,
+                const PlanRequest& request, const FleetPlan& plan);
+
+/// As one JSON object.
+std::string plan_json(const Fleet& fleet, const PlanRequest& request, const FleetPlan& plan);
+
+/// As a table with a row for each tendon, in the order of the fleet.
+std::string plan_table(const Fleet& fleet, const FleetPlan& plan);
+
+}  // namespace host_sim::fleet
