@@ -51,8 +51,12 @@ Stress stress_of(const Model& model, const Tendon& tendon) {
   stress.effective_tension_N =
       reference::gerber_effective_tension(stress.input, stress.ultimate_tension_N);
   stress.characteristic_life_cycles = reference::ipl_life_cycles(
-      stress.effective_tension_N / section, model.life.ipl_scale, model.life.ipl_exponent);
+      law_tension_N(model, stress), model.life.ipl_scale, model.life.ipl_exponent);
   return stress;
+}
+
+double law_tension_N(const Model& model, const Stress& stress) {
+  return stress.effective_tension_N * model.cable.ultimate_tension_N / stress.ultimate_tension_N;
 }
 
 double life_at(const Model& model, const Tendon& tendon, double risk) {

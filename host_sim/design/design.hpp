@@ -39,6 +39,9 @@ struct Stress {
 
 [[nodiscard]] Stress stress_of(const Model& model, const Tendon& tendon);
 
+/// The effective tension that does as much to the wire of the model, which the law is of.
+[[nodiscard]] double law_tension_N(const Model& model, const Stress& stress);
+
 /// The life in cycles that a share of the wires does not reach, (22).
 /// @param risk above 0, below 1
 [[nodiscard]] double life_at(const Model& model, const Tendon& tendon, double risk);

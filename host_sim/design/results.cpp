@@ -60,7 +60,8 @@ double hours_of(double cycles, double cycles_per_minute) {
 }  // namespace
 
 std::string design_json(const Study& study, const Telling& telling) {
-  const auto& [design, stress, life_cycles, lives, safety, elasticities, test, curves] = study;
+  const auto& [design, stress, life_cycles, interval, lives, safety, elasticities, test, curves] =
+      study;
   ordered_json json{{"model_digest", telling.model_digest},
                     {"found", name_of(design.found)},
                     {"tendon", tendon_json(design.tendon)},
@@ -71,6 +72,11 @@ std::string design_json(const Study& study, const Telling& telling) {
   if (telling.cycles_per_minute) {
     json["life_hours"] = json_number(hours_of(life_cycles, *telling.cycles_per_minute));
   }
+  json["life_interval_cycles"] = interval
+                                     ? ordered_json{{"level", interval->level},
+                                                    {"low", json_number(interval->low_cycles)},
+                                                    {"high", json_number(interval->high_cycles)}}
+                                     : ordered_json(nullptr);
   json.update({{"efficiency", stress.efficiency},
                {"input_tension_mean_N", stress.input.mean_N},
                {"input_tension_amplitude_N", stress.input.amplitude_N},
@@ -166,6 +172,11 @@ void write_tendon(std::ostream& out, const Study& study, const Telling& telling)
                hours_of(study.life_cycles, *telling.cycles_per_minute), *telling.cycles_per_minute);
   }
   fmt::print(out, "{}\n", mark(design, Unknown::life));
+  if (study.interval) {
+    fmt::print(out, "    {:g} % interval      {:.4g} .. {:.4g} cycles\n",
+               100 * study.interval->level, study.interval->low_cycles,
+               study.interval->high_cycles);
+  }
   fmt::print(out, "  risk                  {:.4g} %{}\n", 100 * design.risk,
              mark(design, Unknown::risk));
 }

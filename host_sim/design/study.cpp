@@ -104,6 +104,51 @@ Safety safety_of(const Model& model, const Design& design, const Stress& stress)
           margin_of(model, design, 0.5, strength)};
 }
 
+/// How far below and above ln of a life lie what one of the numbers of the law leaves possible.
+struct Reach {
+  double below;
+  double above;
+};
+
+/// Of the ends that the life has with a number at the ends of its interval.
+Reach reach_of(double log_life, double at_low, double at_high) {
+  const auto [least, most] = std::minmax(at_low, at_high);
+  return {std::max(0.0, log_life - least), std::max(0.0, most - log_life)};
+}
+
+/// Life at the pivot, exponent and shape err on their own, so that their reaches add up in squares,
+/// each side for itself.
+std::optional<LifeInterval> interval_of(const Model& model, const Design& design,
+                                        const Stress& stress, double life_cycles) {
+  if (!model.life.interval || !std::isfinite(life_cycles) || life_cycles <= 0) {
+    return std::nullopt;
+  }
+  const Model::Life::Interval& known = *model.life.interval;
+  const double own = std::log(life_cycles);
+  const double pivot_life_cycles = reference::ipl_life_cycles(
+      known.pivot_tension_N, model.life.ipl_scale, model.life.ipl_exponent);
+  const double log_tension_ratio = std::log(law_tension_N(model, stress) / known.pivot_tension_N);
+  const double log_hazard = model.life.weibull_shape * std::log(reference::weibull_life_damage(
+                                                           design.risk, model.life.weibull_shape));
+  const auto at_exponent = [&](double exponent) {
+    return own - (exponent - model.life.ipl_exponent) * log_tension_ratio;
+  };
+  const auto at_shape = [&](double shape) {
+    return own + log_hazard * (1 / shape - 1 / model.life.weibull_shape);
+  };
+  double below = 0;
+  double above = 0;
+  for (const Reach& reach :
+       {reach_of(own, own + std::log(known.life_at_pivot.low / pivot_life_cycles),
+                 own + std::log(known.life_at_pivot.high / pivot_life_cycles)),
+        reach_of(own, at_exponent(known.ipl_exponent.low), at_exponent(known.ipl_exponent.high)),
+        reach_of(own, at_shape(known.weibull_shape.low), at_shape(known.weibull_shape.high))}) {
+    below = std::hypot(below, reach.below);
+    above = std::hypot(above, reach.above);
+  }
+  return LifeInterval{known.level, std::exp(own - below), std::exp(own + above)};
+}
+
 std::optional<AcceleratedTest> accelerated(const Model& model, const Design& design,
                                            const TestRequest& request) {
   if (!request.output_max_N && !request.bend_angle_deg) {
@@ -163,17 +208,19 @@ std::vector<Curve> curves_of(const Model& model, const Design& design) {
 
 Study study(const Model& model, const Design& design, const TestRequest& test) {
   const Stress stress = stress_of(model, design.tendon);
-  return {
-      .design = design,
-      .stress = stress,
-      .life_cycles = design.found == Unknown::safety ? life_at(model, design.tendon, design.risk)
-                                                     : design.life_cycles,
-      .lives_cycles =
-          reference::repeats_to(1 / stress.characteristic_life_cycles, model.life.weibull_shape),
-      .safety = safety_of(model, design, stress),
-      .elasticities = elasticities_of(model, design),
-      .test = accelerated(model, design, test),
-      .curves = curves_of(model, design)};
+  const double life_cycles = design.found == Unknown::safety
+                                 ? life_at(model, design.tendon, design.risk)
+                                 : design.life_cycles;
+  return {.design = design,
+          .stress = stress,
+          .life_cycles = life_cycles,
+          .interval = interval_of(model, design, stress, life_cycles),
+          .lives_cycles = reference::repeats_to(1 / stress.characteristic_life_cycles,
+                                                model.life.weibull_shape),
+          .safety = safety_of(model, design, stress),
+          .elasticities = elasticities_of(model, design),
+          .test = accelerated(model, design, test),
+          .curves = curves_of(model, design)};
 }
 
 }  // namespace host_sim::design

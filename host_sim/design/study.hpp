@@ -44,11 +44,19 @@ struct Curve {
   std::vector<double> life_cycles;
 };
 
+/// What the life is with the confidence that the model gives for its law.
+struct LifeInterval {
+  double level;
+  double low_cycles;
+  double high_cycles;
+};
+
 /// A design and what there is to say of it.
 struct Study {
   Design design;
   Stress stress;
   double life_cycles;  ///< at the risk of the design; of safety not the life that is wanted
+  std::optional<LifeInterval> interval;  ///< of that life; none where the model has none
   reference::LifePoints lives_cycles;
   Safety safety;
   std::vector<Elasticity> elasticities;  ///< largest first; none where the life has no end

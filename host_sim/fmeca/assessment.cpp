@@ -36,6 +36,7 @@ std::uint64_t events_in(const CsvTable& rows) {
 
 std::string ids_of(const RiskTable& table) {
   std::vector<std::string_view> ids;
+  ids.reserve(table.modes.size());
   for (const FailureMode& mode : table.modes) {
     ids.push_back(mode.id);
   }

@@ -26,6 +26,7 @@ std::pair<std::string_view, std::string_view> divided(std::string_view name) {
 template <class Things, class Name>
 std::string names_of(const Things& things, Name name_of) {
   std::vector<std::string_view> names;
+  names.reserve(things.size());
   for (const auto& thing : things) {
     names.push_back(name_of(thing));
   }

@@ -151,6 +151,85 @@ TEST(Study, AnEndlessLifeHasNothingToChange) {
   EXPECT_TRUE(json["life_hours"].is_null());
 }
 
+/// The paper's law as if its fit were known to be this sure.
+Model uncertain_model() {
+  Model model = paper_model();
+  // The life at the pivot: 1.53e5 / 50^1.38 = 692.0107.
+  model.life.interval = Model::Life::Interval{.level = 0.95,
+                                              .ipl_scale = {1e5, 2e5},
+                                              .ipl_exponent = {1.28, 1.58},
+                                              .weibull_shape = {4.94, 6.94},
+                                              .pivot_tension_N = 50,
+                                              .life_at_pivot = {650, 740}};
+  return model;
+}
+
+Study uncertain_study(const Tendon& tendon, double risk) {
+  const Model model = uncertain_model();
+  return study(
+      model,
+      solve(model, {.unknown = Unknown::life, .tendon = tendon, .load_ratio = {}, .risk = risk}),
+      {});
+}
+
+TEST(Study, IntervalOfTheLife) {
+  EXPECT_FALSE(paper_study().interval.has_value());
+  // In logarithms. Life at the pivot: ln(692.0107 / 650), ln(740 / 692.0107). Exponent at 35.16440
+  // N, below the pivot: a smaller one shortens life, 0.1 and 0.2 times ln(50 / 35.16440). Shape:
+  // ln(0.1053605) times 1 / 4.94 - 1 / 5.94 and 1 / 5.94 - 1 / 6.94.
+  const double ratio = std::log(50 / 35.1644024127);
+  const double hazard = std::log(-std::log(0.9));
+  const double below =
+      std::hypot(std::log(692.0107 / 650), 0.1 * ratio, hazard * (1 / 4.94 - 1 / 5.94));
+  const double above =
+      std::hypot(std::log(740 / 692.0107), 0.2 * ratio, hazard * (1 / 5.94 - 1 / 6.94));
+  const Study of = uncertain_study(paper_tendon(), 0.1);
+  ASSERT_TRUE(of.interval.has_value());
+  EXPECT_EQ(of.interval->level, 0.95);
+  EXPECT_NEAR(std::log(770.0813675 / of.interval->low_cycles), below, 1e-6);
+  EXPECT_NEAR(std::log(of.interval->high_cycles / 770.0813675), above, 1e-6);
+
+  // Above the pivot a larger exponent shortens life: at 450 deg 70.98908 N. Beyond 63.2 % a larger
+  // shape does: ln(-ln 0.1) > 0.
+  Tendon bent = paper_tendon();
+  bent.bend_angle_deg = 450;
+  const Study hard = uncertain_study(bent, 0.9);
+  const double other_ratio = std::log(hard.stress.effective_tension_N / 50);
+  const double other_hazard = std::log(-std::log(0.1));
+  EXPECT_NEAR(
+      std::log(hard.life_cycles / hard.interval->low_cycles),
+      std::hypot(std::log(692.0107 / 650), 0.2 * other_ratio, other_hazard * (1 / 5.94 - 1 / 6.94)),
+      1e-6);
+  EXPECT_NEAR(
+      std::log(hard.interval->high_cycles / hard.life_cycles),
+      std::hypot(std::log(740 / 692.0107), 0.1 * other_ratio, other_hazard * (1 / 4.94 - 1 / 5.94)),
+      1e-6);
+}
+
+TEST(Study, IntervalOfAThickerWireIsThatOfEqualStress) {
+  // A wire of four times the cross-section under four times the load.
+  Tendon thick = paper_tendon();
+  thick.diameter_mm = 0.914;
+  thick.output_max_N = thick.output_min_N = 196;
+  const auto own = uncertain_study(paper_tendon(), 0.1).interval;
+  const auto other = uncertain_study(thick, 0.1).interval;
+  EXPECT_NEAR(other->low_cycles / own->low_cycles, 1, 1e-12);
+  EXPECT_NEAR(other->high_cycles / own->high_cycles, 1, 1e-12);
+}
+
+TEST(Study, TellsTheInterval) {
+  const Study of = uncertain_study(paper_tendon(), 0.1);
+  const auto json = nlohmann::json::parse(design_json(of, {"0", {}}));
+  EXPECT_EQ(json["life_interval_cycles"]["level"], 0.95);
+  EXPECT_LT(json["life_interval_cycles"]["low"], 770.0);
+  EXPECT_GT(json["life_interval_cycles"]["high"], 771.0);
+  EXPECT_TRUE(nlohmann::json::parse(design_json(paper_study(), {"0", {}}))["life_interval_cycles"]
+                  .is_null());
+  std::ostringstream out;
+  write_design(out, of, {"0", {}});
+  EXPECT_NE(out.str().find("\n    95 % interval      "), std::string::npos) << out.str();
+}
+
 TEST(Study, TellsLivesInHours) {
   const auto json = nlohmann::json::parse(design_json(paper_study(), {"0", 20.0}));
   EXPECT_NEAR(json["life_hours"].get<double>(), 770.0813675 / 1200, 1e-9);

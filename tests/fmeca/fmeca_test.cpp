@@ -186,6 +186,8 @@ TEST(Watch, SaysWhatThereIsInsteadOfAnUnknownName) {
 }
 
 TEST(Table, RefusesWhatCannotBeTrusted) {
+  std::string late_level = table_of(kRated);
+  late_level.replace(late_level.find("from = 1"), 8, "from = 2");
   const std::vector<std::pair<std::string, std::string>> cases{
       {table_of("occurrence = 4\n"),
        "t.toml:10:1: no key severity in [failure]; accepted: "
@@ -217,6 +219,7 @@ TEST(Table, RefusesWhatCannotBeTrusted) {
        "t.toml:24:1: a detection, which those before have not"},
       {table_of(kRated, "[[level]]\nname = 'high'\nfrom = 1\n"),
        "t.toml:12:1: from is 1; accepted: more than 1 of the level before"},
+      {late_level, "t.toml:9:1: from is 2; accepted: from = 1 of the first level"},
       {table_of(kRated, "[[occurrence_rate]]\nrating = 1\nname = 'a'\nfrom_per_h = 0.5\n"),
        "t.toml:13:1: from_per_h is 0.5; accepted: from_per_h = 0 of the first rate"},
       {table_of(kRated, kRates + "[[occurrence_rate]]\nrating = 2\nname = 'a'\nfrom_per_h = 1.0\n"),

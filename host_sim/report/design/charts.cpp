@@ -88,6 +88,17 @@ Chart life_chart(const Study& study) {
     }
   }
   const double life_cycles = study.life_cycles;
+  if (study.interval) {
+    Layer bar;
+    bar.kind = Layer::Kind::bars;
+    bar.name = percent_text(study.interval->level) + " interval of the life";
+    bar.colour = "ink";
+    bar.x = {own.output_max_N};
+    bar.y = {study.interval->low_cycles};
+    bar.high = {study.interval->high_cycles};
+    bar.texts = {""};
+    chart.layers.push_back(std::move(bar));
+  }
   if (std::isfinite(life_cycles)) {
     chart.layers.push_back(mark("The design", own.output_max_N, life_cycles, "star"));
     chart.layers.push_back(label(fmt::format("{}, {}", quantity_text(own.output_max_N, "N"),

@@ -28,8 +28,13 @@ std::string tiles(const Study& study) {
   const design::Design& found = study.design;
   const Tendon& tendon = found.tendon;
   const reference::MeanAmplitude& input = study.stress.input;
-  return tile("Life", quantity_text(study.life_cycles, "cycles"),
-              "risk " + percent_text(found.risk)) +
+  std::string risk = "risk " + percent_text(found.risk);
+  if (study.interval) {
+    risk += fmt::format("; {}: {} to {}", percent_text(study.interval->level),
+                        number_text(study.interval->low_cycles),
+                        number_text(study.interval->high_cycles));
+  }
+  return tile("Life", quantity_text(study.life_cycles, "cycles"), risk) +
          tile("Output tension", quantity_text(tendon.output_max_N, "N"),
               tendon.output_min_N == tendon.output_max_N
                   ? "constant"
