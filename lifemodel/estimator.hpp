@@ -50,13 +50,22 @@ class Estimator {
       push_missing(tendon);
       return;
     }
-    push(tendon, channels_[tendon].parameters.drive.tension(current,
-                                                            channels_[tendon].state.input_flags()));
+    push(tendon, input_tension(tendon, current));
   }
   /// Takes one sample of output tension, with the direction of the tendon and the bend angle.
   void push(std::size_t tendon, Tension output_tension, Direction direction, Angle bend) {
-    push(tendon, channels_[tendon].parameters.capstan.input_tension(
-                     output_tension, bend, direction, channels_[tendon].state.input_flags()));
+    push(tendon, input_tension(tendon, output_tension, direction, bend));
+  }
+  /// What push() would count of such samples, for a caller that needs it besides.
+  /// @pre the parameters have a drive
+  [[nodiscard]] Tension input_tension(std::size_t tendon, MotorCurrent current) {
+    return channels_[tendon].parameters.drive.tension(current,
+                                                      channels_[tendon].state.input_flags());
+  }
+  [[nodiscard]] Tension input_tension(std::size_t tendon, Tension output_tension,
+                                      Direction direction, Angle bend) {
+    return channels_[tendon].parameters.capstan.input_tension(
+        output_tension, bend, direction, channels_[tendon].state.input_flags());
   }
   /// Samples are missing: the sensor dropped out, or the loop was late. Each call counts as one
   /// gap.

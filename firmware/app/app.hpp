@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -78,6 +79,7 @@ class App {
     next_reading_ = now;
     kept_state_ = book_.state();
     kept_flags_ = book_.flags();
+    kept_broken_ = book_.broken();
     safety_.start();
   }
 
@@ -141,6 +143,7 @@ class App {
     std::optional<lifemodel::LifeDistribution> life;
     if (counts(tendon)) {
       life = estimator_.parameters(tendon).life;
+      intake_.watch(tendon, estimator_.parameters(tendon));
     } else {
       intake_.leave_out(tendon);
     }
@@ -223,6 +226,7 @@ class App {
         continue;
       }
       const bool new_wire = intake_.forgetting(tendon);
+      lifemodel::WatchReading watched = intake_.watched(tendon);
       RainflowBins& bins = bins_[tendon];
       devices_.hold.hold();
       bins.begin_reading();
@@ -230,9 +234,36 @@ class App {
           estimator_.reading(tendon, BinReadCycles{&bins, true}, BinReadCycles{&bins, false});
       devices_.hold.release();
       if (new_wire) {
-        reading.flags = {};  // the next reading has those that count
+        // The next reading has those that count.
+        reading.flags = {};
+        watched.peak = 0;
+        watched.broken = false;
+        watched.slack = false;
       }
-      book_.take(now, tendon, reading);
+      const storage::WireHistory before = book_.records()[tendon].history;
+      book_.take(now, tendon, reading, watched, estimator_.parameters(tendon).sample_period_us);
+      log_wire(tendon, before);
+    }
+  }
+
+  /// A line in the log for a wire that broke since `before`, and for the first time that it hangs
+  /// loose.
+  void log_wire(std::size_t tendon, const storage::WireHistory& before) {
+    const storage::LifeRecord& record = book_.records()[tendon];
+    const auto log = [&](storage::Event event) {
+      constexpr std::uint64_t kHighest = std::numeric_limits<std::uint32_t>::max();
+      (void)devices_.store.append(
+          {.sequence = devices_.store.sequence(),
+           .event = event,
+           .tendon = static_cast<std::uint8_t>(tendon),
+           .epoch = record.epoch,
+           .detail = static_cast<std::uint32_t>(std::min(record.epoch_cycles, kHighest))});
+    };
+    if (before.slack_events == 0 && record.history.slack_events != 0) {
+      log(storage::Event::tendon_slack);
+    }
+    if (!before.broken && record.history.broken) {
+      log(storage::Event::tendon_broken);
     }
   }
 
@@ -241,6 +272,8 @@ class App {
     emergencies_.set(Code::life_inspect, state >= protocol::LifeState::inspect);
     emergencies_.set(Code::life_replace, state >= protocol::LifeState::replace);
     emergencies_.set(Code::life_worn, state >= protocol::LifeState::worn);
+    emergencies_.set(Code::tendon_broken, book_.broken() != 0);
+    emergencies_.set(Code::tendon_slack, book_.slack() != 0);
     emergencies_.set(Code::overload, book_.flags().has(lifemodel::Flag::overload));
     emergencies_.set(Code::emergency_stop, safety_.pulled());
     emergencies_.set(Code::record_damaged, !book_.whole());
@@ -256,9 +289,11 @@ class App {
   bool state_changed() {
     const protocol::LifeState state = book_.state();
     const lifemodel::Flags flags = book_.flags();
-    const bool changed = state != kept_state_ || flags != kept_flags_;
+    const std::uint32_t broken = book_.broken();
+    const bool changed = state != kept_state_ || flags != kept_flags_ || broken != kept_broken_;
     kept_state_ = state;
     kept_flags_ = flags;
+    kept_broken_ = broken;
     return changed;
   }
 
@@ -284,8 +319,8 @@ class App {
   }
 
   void show(hal::Time now) {
-    const bool at_fault = safety_.locked() || emergencies_.active(Code::sensor) ||
-                          emergencies_.active(Code::storage) ||
+    const bool at_fault = safety_.locked() || emergencies_.active(Code::tendon_broken) ||
+                          emergencies_.active(Code::sensor) || emergencies_.active(Code::storage) ||
                           emergencies_.active(Code::parameters) ||
                           emergencies_.active(Code::record_damaged);
     const bool lit = light_.lit(now, book_.state(), at_fault);
@@ -319,6 +354,7 @@ class App {
   hal::Time next_reading_{};
   protocol::LifeState kept_state_ = protocol::LifeState::unknown;
   lifemodel::Flags kept_flags_;
+  std::uint32_t kept_broken_ = 0;
   bool lit_ = false;
 };
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "firmware/app/intake.hpp"
 #include "firmware/app/models.hpp"
 #include "hal/devices.hpp"
 #include "lifemodel/extension/corrector.hpp"
@@ -18,7 +19,7 @@ namespace app {
 template <class SensorT, std::size_t kTendons>
 class ExtendedSensor {
  public:
-  using Sample = lifemodel::Tension;
+  using Sample = Moving<lifemodel::Tension>;
   using Models = ExtendedModels<kTendons>;
 
   /// Both outlive this object.
@@ -31,7 +32,8 @@ class ExtendedSensor {
       correctors_[tendon].gap();
       return sample.error();
     }
-    return correctors_[tendon].input_tension(extended(*sample), flags_[tendon]);
+    const auto& whole = extended(*sample);
+    return Sample{correctors_[tendon].input_tension(whole, flags_[tendon]), whole.at.velocity};
   }
   /// The control loop left out periods, so that no tendon has a rate.
   void isr_missed() {

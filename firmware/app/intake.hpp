@@ -8,9 +8,11 @@
 #include "firmware/app/intake.hpp"
 #include "hal/devices.hpp"
 #include "lifemodel/estimator.hpp"
+#include "lifemodel/extension/sample.hpp"
 #include "lifemodel/input/capstan.hpp"
 #include "lifemodel/quantity/flags.hpp"
 #include "lifemodel/support/shared_word.hpp"
+#include "lifemodel/watch/wire_watch.hpp"
 
 namespace app {
 
@@ -22,11 +24,22 @@ concept ExtendingSensor = requires(T& sensor, std::size_t tendon) {
   { sensor.isr_flags(tendon) } -> std::same_as<lifemodel::Flags>;
 };
 
+using lifemodel::extension::Velocity;
+
 /// A sample of output tension, which the estimator carries to the motor end.
 struct OutputTension {
   lifemodel::Tension tension;
   lifemodel::Direction direction;
   lifemodel::Angle bend;
+  Velocity velocity{};  ///< 0 where it is not measured
+};
+
+/// A sample of input tension or motor current with the velocity of the tendon, positive while
+/// pulling.
+template <class SampleT>
+struct Moving {
+  SampleT sample;
+  Velocity velocity{};
 };
 
 /// Takes the samples of all tendons into the estimator, in the interrupt of the control loop, and
@@ -39,12 +52,21 @@ class Intake {
   /// Samples in a row without a value that make the sensor faulty.
   static constexpr std::uint32_t kFaultySamples = 16;
 
+  /// What is watched of a tendon besides its cycles.
+  void watch(std::size_t tendon, const lifemodel::Parameters& parameters) {
+    watches_[tendon] =
+        lifemodel::WireWatch(parameters.watch, parameters.hysteresis, parameters.sample_period_us);
+  }
+  [[nodiscard]] lifemodel::WatchReading watched(std::size_t tendon) const {
+    return watches_[tendon].reading();
+  }
+
   /// A tendon without parameters is left out.
   void leave_out(std::size_t tendon) { left_out_[tendon] = true; }
 
-  /// Flags of the samples of a tendon so far are not those of its new wire: they go before its next
-  /// sample is taken in, because only the interrupt may write them.
-  void forget_flags(std::size_t tendon) {
+  /// Flags of the samples of a tendon so far, its peak and its break are not those of its new wire:
+  /// they go before its next sample is taken in, because only the interrupt may write them.
+  void begin_wire(std::size_t tendon) {
     if (!forgetting(tendon)) {
       asked_.release(asked_.own() ^ (std::uint32_t{1} << tendon));
     }
@@ -67,10 +89,10 @@ class Intake {
           lifemodel::Flags& flags = estimator.input_flags(tendon);
           flags = flags | sensor.isr_flags(tendon);
         }
-        push(estimator, tendon, *sample);
+        isr_push(estimator, tendon, *sample);
         without_[tendon].set_relaxed(0);
       } else {
-        estimator.push_missing(tendon);
+        isr_miss(estimator, tendon, 1);
         const std::uint32_t without = without_[tendon].own();
         without_[tendon].set_relaxed(without < kFaultySamples ? without + 1 : without);
       }
@@ -82,7 +104,7 @@ class Intake {
     isr_forget(estimator);
     for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
       if (!left_out_[tendon]) {
-        estimator.push_missing(tendon, periods);
+        isr_miss(estimator, tendon, periods);
       }
     }
     missed_.set_relaxed(missed_.own() + periods);
@@ -111,21 +133,43 @@ class Intake {
     for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
       if (((open >> tendon) & 1u) != 0) {
         estimator.input_flags(tendon) = {};
+        watches_[tendon].begin();
       }
     }
     done_.release(asked);
   }
 
-  static void push(Estimator& estimator, std::size_t tendon, const OutputTension& sample) {
-    estimator.push(tendon, sample.tension, sample.direction, sample.bend);
+  void isr_miss(Estimator& estimator, std::size_t tendon, std::uint32_t samples) {
+    estimator.push_missing(tendon, samples);
+    watches_[tendon].miss(samples);
+  }
+
+  void isr_push(Estimator& estimator, std::size_t tendon, lifemodel::Tension tension,
+                Velocity velocity = {}) {
+    estimator.push(tendon, tension);
+    watches_[tendon].push(tension, velocity);
+  }
+  void isr_push(Estimator& estimator, std::size_t tendon, lifemodel::MotorCurrent current,
+                Velocity velocity = {}) {
+    if (!estimator.parameters(tendon).has_drive()) {
+      isr_miss(estimator, tendon, 1);
+      return;
+    }
+    isr_push(estimator, tendon, estimator.input_tension(tendon, current), velocity);
+  }
+  void isr_push(Estimator& estimator, std::size_t tendon, const OutputTension& sample) {
+    isr_push(estimator, tendon,
+             estimator.input_tension(tendon, sample.tension, sample.direction, sample.bend),
+             sample.velocity);
   }
   template <class Sample>
-  static void push(Estimator& estimator, std::size_t tendon, const Sample& sample) {
-    estimator.push(tendon, sample);
+  void isr_push(Estimator& estimator, std::size_t tendon, const Moving<Sample>& moving) {
+    isr_push(estimator, tendon, moving.sample, moving.velocity);
   }
 
   static_assert(kTendons <= 32, "a bit each");
 
+  std::array<lifemodel::WireWatch, kTendons> watches_;
   std::array<bool, kTendons> left_out_{};
   lifemodel::SharedWord<std::uint32_t> asked_;  ///< changes its bit to have flags forgotten
   lifemodel::SharedWord<std::uint32_t> done_;   ///< follows

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "firmware/app/rates.hpp"
+#include "firmware/app/wire_log.hpp"
 #include "firmware/protocol/messages.hpp"
 #include "firmware/storage/life_record.hpp"
 #include "lifemodel/block/parameter_block.hpp"
@@ -63,6 +64,7 @@ class TendonLife {
     past_.past_lost = past_.past_lost || (record == nullptr && lost);
     past_.tendon = tendon;
     past_.configuration = configuration;
+    wire_.resume(past_.history);
   }
 
   /// Takes in a reading; readings never fall.
@@ -71,6 +73,12 @@ class TendonLife {
     cycles_ = reading.closed_cycles.raw();
     flags_ = flags_ | reading.flags;
   }
+
+  /// Takes in what the watch has seen.
+  void take(const lifemodel::WatchReading& watched, std::uint32_t sample_period_us) {
+    wire_.take(watched, sample_period_us);
+  }
+  [[nodiscard]] const WireLog& wire() const { return wire_; }
 
   /// What a save now would store, but for the sequence.
   [[nodiscard]] storage::LifeRecord record() const {
@@ -83,6 +91,7 @@ class TendonLife {
     now.lifetime_damage.add(total_, flags);
     now.epoch_cycles = lifemodel::saturating_add(now.epoch_cycles, cycles_ - cycles_at_opening_);
     now.flags = static_cast<std::uint8_t>(flags.bits());
+    now.history = wire_.history();
     return now;
   }
   [[nodiscard]] lifemodel::Damage damage() const { return record().epoch_damage; }
@@ -99,6 +108,7 @@ class TendonLife {
     next.epoch_cycles = 0;
     next.flags = 0;
     next.past_lost = false;
+    next.history = {};
     return next;
   }
   /// Begins the epoch of `next`, which was made by next_epoch() with no reading taken since.
@@ -109,6 +119,7 @@ class TendonLife {
     total_at_opening_ = total_;
     cycles_at_opening_ = cycles_;
     flags_ = {};
+    wire_.begin();
   }
 
  private:
@@ -118,6 +129,7 @@ class TendonLife {
   std::uint64_t cycles_ = 0;
   std::uint64_t cycles_at_opening_ = 0;
   lifemodel::Flags flags_;
+  WireLog wire_;
 };
 
 /// The lives of all tendons as of the last reading, which is what is reported and saved.
@@ -141,7 +153,9 @@ class LifeBook {
     records_[tendon] = lives_[tendon].record();
   }
 
-  void take(hal::Time now, std::size_t tendon, const lifemodel::Reading& reading) {
+  void take(hal::Time now, std::size_t tendon, const lifemodel::Reading& reading,
+            const lifemodel::WatchReading& watched = {}, std::uint32_t sample_period_us = 0) {
+    lives_[tendon].take(watched, sample_period_us);
     lives_[tendon].take(reading);
     rates_[tendon].take(now, reading.total, reading.closed_cycles.raw());
     records_[tendon] = lives_[tendon].record();
@@ -189,6 +203,22 @@ class LifeBook {
       gravest = state(tendon) > gravest ? state(tendon) : gravest;
     }
     return gravest;
+  }
+
+  /// A bit for each tendon whose wire has broken, or hangs loose now.
+  [[nodiscard]] std::uint32_t broken() const {
+    std::uint32_t bits = 0;
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      bits |= records_[tendon].history.broken ? 1u << tendon : 0;
+    }
+    return bits;
+  }
+  [[nodiscard]] std::uint32_t slack() const {
+    std::uint32_t bits = 0;
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      bits |= lives_[tendon].wire().slack() ? 1u << tendon : 0;
+    }
+    return bits;
   }
 
   [[nodiscard]] lifemodel::Flags flags() const {

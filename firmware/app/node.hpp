@@ -70,7 +70,8 @@ class Node {
     return devices_.store.log(number);
   }
 
-  /// A new wire: its epoch begins at the last reading, its flags with the next sample. Cycles of a
+  /// A new wire: its epoch begins at the last reading, its flags, peak and
+  /// break with the next sample. Cycles of a
   /// sheath are those of its wire.
   hal::Error open_epoch(std::uint8_t tendon) {
     auto records = book_.records();
@@ -84,7 +85,7 @@ class Node {
       devices_.hold.hold();
       estimator_.forget_flags(tendon);
       devices_.hold.release();
-      intake_.forget_flags(tendon);
+      intake_.begin_wire(tendon);
       if constexpr (ExtendingSensor<typename Devices::Sensor>) {
         devices_.sensor.start_at(tendon, 0);  // the sheath is changed with the wire
       }

@@ -55,7 +55,9 @@ class Reporter {
             .gap = flags.has(Flag::gap),
             .saturated = flags.has(Flag::saturated),
             .overrun = flags.has(Flag::overrun),
-            .locked = node_state_.locked};
+            .locked = node_state_.locked,
+            .broken = book_.broken() != 0,
+            .slack = book_.slack() != 0};
   }
 
   /// Damage of the worst tendon, rounded down.

@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "firmware/app/extended_sensor.hpp"
+#include "firmware/app/intake.hpp"
 #include "lifemodel/extension/life.hpp"
 #include "lifemodel/quantity/units.hpp"
 #include "lifemodel/tendon.hpp"
@@ -31,7 +32,9 @@ class NominalSensing {
 /// tension only those of the life act.
 template <class SensorT, std::size_t kTendons>
 class ExtendedSensing {
-  static constexpr bool kAsItIs = std::is_same_v<typename SensorT::Sample, lifemodel::Tension>;
+  static constexpr bool kAsItIs =
+      std::is_same_v<typename SensorT::Sample, lifemodel::Tension> ||
+      std::is_same_v<typename SensorT::Sample, Moving<lifemodel::Tension>>;
   using Held = std::conditional_t<kAsItIs, SensorT&, ExtendedSensor<SensorT, kTendons>>;
 
  public:

@@ -8,8 +8,8 @@
 namespace app {
 
 /// What the status light shows: lit while all is well, one, two or three flashes every two seconds
-/// as the life is used (inspect, replace, worn), even slow blinking when locked or at fault, and
-/// even fast blinking when asked to identify.
+/// as the life is used (inspect, replace, worn), even slow blinking when locked, broken or at
+/// fault, and even fast blinking when asked to identify.
 class StatusLight {
  public:
   void start(hal::Time now) { began_ = now; }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "firmware/storage/wire_history.hpp"
 #include "lifemodel/damage/damage.hpp"
 #include "lifemodel/quantity/flags.hpp"
 #include "lifemodel/support/bytes.hpp"
@@ -26,6 +27,7 @@ struct LifeRecord {
   /// An earlier record of this wire was lost, so the damage is a lower bound. Set by the store,
   /// until the next wire is put in.
   bool past_lost = false;
+  WireHistory history{};
 
   friend constexpr bool operator==(const LifeRecord&, const LifeRecord&) = default;
 };

@@ -25,6 +25,8 @@ enum class Event : std::uint8_t {
   not_done,  ///< what the line before announces could not be done
   parameters_refused,  ///< what was stored or configured, at a start, or a block that was proven
                        ///< and that this board cannot count with
+  tendon_broken,       ///< a wire was found broken; detail: its cycles, stops
+  tendon_slack,        ///< a wire was found loose for the first time; detail: its cycles, stops
 };
 
 /// One line of the append-only log.

@@ -117,7 +117,8 @@ class ProfileReader::Impl {
                      values[bend_column_],
                      values[kMotorAngle],
                      values[kSheathTemperature],
-                     values[kWindingTemperature]};
+                     values[kWindingTemperature],
+                     rows_.lines().line_number() - 1};
       ++count;
     }
     return count;

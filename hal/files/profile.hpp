@@ -40,6 +40,7 @@ struct ProfileRow {
   double motor_angle_rad = 0;
   double sheath_temperature_C = 0;
   double winding_temperature_C = 0;
+  std::uint64_t line = 0;  ///< of the file, from 1
 };
 
 /// Reads a profile (RFC 4180 CSV, see profile_columns.hpp) of any length in constant memory.

@@ -25,12 +25,17 @@ ProfileInput::ProfileInput(const ProfileReader& profile, const Model& model,
                            std::uint32_t start_cycle)
     : kind_(profile.kind()),
       has_bend_angle_(profile.has_bend_angle()),
+      has_velocity_(profile.channels()[hal::files::kTendonVelocity]),
+      rate_Hz_(model.counting.sample_rate_Hz),
       ultimate_tension_N_(model.cable.ultimate_tension_N),
       friction_coefficient_(model.sheath.friction_coefficient),
       model_bend_rad_(radians(model.sheath.bend_angle_deg)),
       parameters_(parameters.nominal) {
   if (parameters.extension.effects != 0) {
     extended_.emplace(model, parameters, start_cycle);
+  }
+  if (!has_velocity_ && profile.channels()[hal::files::kMotorAngle] && model.drive) {
+    radius_m_ = model.drive->spool_radius_m() / model.drive->gear_ratio;
   }
   if (kind_ == InputKind::kMotorCurrent) {
     drive_ = model.drive->reference();
@@ -46,6 +51,7 @@ ProfileInput::Extended::Extended(const Model& model,
 }
 
 void ProfileInput::gap() {
+  angle_rad_.reset();
   if (extended_) {
     extended_->corrector.gap();
     extended_->exact.gap();
@@ -54,6 +60,7 @@ void ProfileInput::gap() {
 
 void ProfileInput::take(const ProfileRow& row, lifemodel::Flags& flags) {
   sample_flags_ = {};
+  take_motion(row);
   switch (kind_) {
     case InputKind::kInputTension:
       tension_N_ = row.value;
@@ -75,6 +82,16 @@ void ProfileInput::take(const ProfileRow& row, lifemodel::Flags& flags) {
   tension_ = converted(flags);
 }
 
+void ProfileInput::take_motion(const ProfileRow& row) {
+  double velocity_m_s = row.tendon_velocity_m_s;
+  if (!has_velocity_ && radius_m_ > 0) {
+    velocity_m_s = angle_rad_ ? (row.motor_angle_rad - *angle_rad_) * rate_Hz_ * radius_m_ : 0;
+    angle_rad_ = row.motor_angle_rad;
+  }
+  // What is faster has gone far enough in one sample.
+  velocity_ = from_double<app::Velocity>(velocity_m_s);
+}
+
 void ProfileInput::take_output(const ProfileRow& row) {
   if (!extended_) {
     direction_ = reference::direction_of(row.tendon_velocity_m_s, direction_);
@@ -91,6 +108,9 @@ void ProfileInput::take_surroundings(const ProfileRow& row) {
   target = lifemodel::pack::covariates({row.tendon_velocity_m_s, row.motor_angle_rad,
                                         row.sheath_temperature_C, row.winding_temperature_C},
                                        sample_flags_);
+  if (kind_ == InputKind::kMotorCurrent) {
+    target.velocity = velocity_;
+  }
 
   Covariates& exact = extended_->exact_covariates;
   // The direction is the sample's: what rounds to no velocity keeps it.
@@ -143,19 +163,19 @@ Direction ProfileInput::direction() const {
 BoardSample ProfileInput::sample() const {
   switch (kind_) {
     case InputKind::kInputTension:
-      return measured_;
+      return app::Moving<Tension>{measured_, velocity_};
     case InputKind::kMotorCurrent:
       if (extended_) {
         return lifemodel::extension::DriveSample{current_, extended_->covariates};
       }
-      return current_;
+      return app::Moving<lifemodel::MotorCurrent>{current_, velocity_};
     case InputKind::kOutputTension:
       if (extended_) {
         return lifemodel::extension::SheathSample{measured_, bend_, extended_->covariates};
       }
-      return app::OutputTension{measured_, direction(), bend_};
+      return app::OutputTension{measured_, direction(), bend_, velocity_};
   }
-  return measured_;
+  return app::Moving<Tension>{measured_, velocity_};
 }
 
 }  // namespace host_sim

@@ -66,11 +66,16 @@ class ProfileInput {
 
   /// Samples are missing before the next row.
   void gap();
+  /// Whether the profile tells how the tendon moves: by its velocity, or by the angle of the motor
+  /// where the model has the drive between them.
+  [[nodiscard]] bool has_motion() const { return has_velocity_ || radius_m_ > 0; }
 
   /// Sets the tensions of the next row; raises flags as the target would.
   void take(const hal::files::ProfileRow& row, lifemodel::Flags& flags);
 
   [[nodiscard]] lifemodel::Tension tension() const { return tension_; }
+  /// Of the tendon; 0 where the profile does not tell, and with the first angle after a gap.
+  [[nodiscard]] app::Velocity velocity() const { return velocity_; }
   /// The row as the sensor of a board would give it.
   [[nodiscard]] BoardSample sample() const;
   /// What became of the row on its way into that sample.
@@ -89,6 +94,7 @@ class ProfileInput {
     bool pulled = true;  ///< before the last turn
   };
 
+  void take_motion(const hal::files::ProfileRow& row);
   void take_output(const hal::files::ProfileRow& row);
   void take_surroundings(const hal::files::ProfileRow& row);
   void take_extended(const hal::files::ProfileRow& row);
@@ -97,6 +103,9 @@ class ProfileInput {
 
   hal::files::InputKind kind_;
   bool has_bend_angle_;
+  bool has_velocity_;
+  double radius_m_ = 0;  ///< of the spool behind the gear, where the angle tells the motion
+  double rate_Hz_;
   double ultimate_tension_N_;
   double friction_coefficient_;
   double model_bend_rad_;
@@ -104,6 +113,8 @@ class ProfileInput {
   std::optional<Extended> extended_;
   reference::Drive drive_{};
   reference::Direction direction_ = reference::Direction::kPulling;
+  std::optional<double> angle_rad_;  ///< of the sample before
+  app::Velocity velocity_;
   lifemodel::Flags sample_flags_;
   lifemodel::Tension measured_;
   lifemodel::MotorCurrent current_;

@@ -157,18 +157,20 @@ VirtualBoard::VirtualBoard(InputKind kind, const lifemodel::ExtendedParameters& 
   };
   const bool extended = parameters.extension.effects != 0;
   using app::ExtendedSensing;
+  using app::Moving;
   using app::NominalSensing;
+  using lifemodel::Tension;
   using lifemodel::extension::DriveSample;
   using lifemodel::extension::SheathSample;
   switch (kind) {
     case InputKind::kInputTension:
-      extended ? run.template operator()<lifemodel::Tension, ExtendedSensing>(Input::input_tension)
-               : run.template operator()<lifemodel::Tension, NominalSensing>(Input::input_tension);
+      extended ? run.template operator()<Moving<Tension>, ExtendedSensing>(Input::input_tension)
+               : run.template operator()<Moving<Tension>, NominalSensing>(Input::input_tension);
       return;
     case InputKind::kMotorCurrent:
-      extended
-          ? run.template operator()<DriveSample, ExtendedSensing>(Input::motor_current)
-          : run.template operator()<lifemodel::MotorCurrent, NominalSensing>(Input::motor_current);
+      extended ? run.template operator()<DriveSample, ExtendedSensing>(Input::motor_current)
+               : run.template operator()<Moving<lifemodel::MotorCurrent>, NominalSensing>(
+                     Input::motor_current);
       return;
     case InputKind::kOutputTension:
       extended ? run.template operator()<SheathSample, ExtendedSensing>(Input::output_tension)

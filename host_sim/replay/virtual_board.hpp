@@ -21,8 +21,9 @@ namespace host_sim {
 /// What the sensor of a board gives for one tendon; the kind follows InputKind and
 /// whether the model is extended.
 using BoardSample =
-    std::variant<lifemodel::Tension, lifemodel::MotorCurrent, app::OutputTension,
-                 lifemodel::extension::DriveSample, lifemodel::extension::SheathSample>;
+    std::variant<app::Moving<lifemodel::Tension>, app::Moving<lifemodel::MotorCurrent>,
+                 app::OutputTension, lifemodel::extension::DriveSample,
+                 lifemodel::extension::SheathSample>;
 
 /// The firmware for one tendon on a board of fakes: virtual time from 0, blank storage, a bus on
 /// which nobody else talks. The same input gives the same frames.

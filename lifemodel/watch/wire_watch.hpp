@@ -61,7 +61,10 @@ class WireWatch {
   WireWatch() = default;
   /// @param hysteresis of the excursions, that of the counting
   WireWatch(const WatchLimits& limits, TensionRange hysteresis, std::uint32_t sample_period_us)
-      : limits_(limits),
+      : minimum_(static_cast<std::uint32_t>(limits.minimum.raw())),
+        friction_alone_(static_cast<std::uint32_t>(limits.broken.raw())),
+        broken_travel_um_(limits.finds_broken() ? limits.broken_travel_um : 0),
+        slack_travel_um_(limits.finds_slack() ? limits.slack_travel_um : 0),
         hysteresis_(hysteresis.raw()),
         period_us_(sample_period_us < kLongestPeriod_us ? sample_period_us : kLongestPeriod_us) {}
 
@@ -97,8 +100,6 @@ class WireWatch {
             (state & kBroken) != 0};
   }
 
-  [[nodiscard]] const WatchLimits& limits() const { return limits_; }
-
  private:
   static constexpr std::uint32_t kSlack = 1;
   static constexpr std::uint32_t kBroken = 2;
@@ -116,26 +117,9 @@ class WireWatch {
     if (size > peak_.own()) {
       peak_.set_relaxed(size);
     }
-    // The band reaches from floor_ up to, and without, the top.
-    std::uint32_t top = peak_.own() + 1;
-    floor_ = 0;
-    for (std::size_t i = 0; i < kLevels.size(); ++i) {
-      const std::uint32_t back = kLevels[i] - (hysteresis_ < kLevels[i] ? hysteresis_ : kLevels[i]);
-      const std::uint32_t bit = 1u << i;
-      if ((above_ & bit) == 0 && size >= kLevels[i]) {
-        above_ |= bit;
-        counts_[i].set_relaxed(counts_[i].own() + 1);
-      } else if ((above_ & bit) != 0 && size < back) {
-        above_ &= ~bit;
-      }
-      if ((above_ & bit) != 0) {
-        floor_ = floor_ < back ? back : floor_;
-      } else {
-        top = top < kLevels[i] ? top : kLevels[i];
-      }
-    }
+    climb(size);
     const std::uint32_t low = this->low();
-    if (size < low) {
+    if (size < low) [[unlikely]] {
       take_low(size, velocity);
       width_ = 0;
       return;
@@ -145,19 +129,32 @@ class WireWatch {
       set(kSlack, false);
     }
     gap_ = 0;
-    floor_ = floor_ < low ? low : floor_;
-    width_ = top - floor_;
+    // The band reaches from floor_ up to, and without, the next peak or level.
+    const std::uint32_t back = above_ == 0 ? 0 : end_of(above_ - 1);
+    const std::uint32_t peak = peak_.own() + 1;
+    const std::uint32_t level = above_ < kLevels.size() ? kLevels[above_] : peak;
+    floor_ = back < low ? low : back;
+    width_ = (peak < level ? peak : level) - floor_;
+  }
+
+  void climb(std::uint32_t size) {
+    while (above_ < kLevels.size() && size >= kLevels[above_]) {
+      counts_[above_].set_relaxed(counts_[above_].own() + 1);
+      ++above_;
+    }
+    while (above_ > 0 && size < end_of(above_ - 1)) {
+      --above_;
+    }
+  }
+  /// Below it the excursion above a level is over.
+  [[nodiscard]] std::uint32_t end_of(std::uint32_t level) const {
+    return kLevels[level] - (hysteresis_ < kLevels[level] ? hysteresis_ : kLevels[level]);
   }
 
   /// The size below which each sample has to be looked at.
   [[nodiscard]] std::uint32_t low() const {
-    const auto minimum = static_cast<std::uint32_t>(limits_.minimum.raw());
-    const std::uint32_t broken = limits_.finds_broken() ? friction_alone() + 1 : 0;
-    return minimum < broken ? broken : minimum;
-  }
-
-  [[nodiscard]] std::uint32_t friction_alone() const {
-    return static_cast<std::uint32_t>(limits_.broken.raw());
+    const std::uint32_t broken = broken_travel_um_ != 0 ? friction_alone_ + 1 : 0;
+    return minimum_ < broken ? broken : minimum_;
   }
 
   void take_low(std::uint32_t size, Velocity velocity) {
@@ -166,13 +163,13 @@ class WireWatch {
     }
     gap_ = 0;
     move(velocity);
-    if (size < static_cast<std::uint32_t>(limits_.minimum.raw())) {
+    if (size < minimum_) {
       below_minimum_.set_relaxed(below_minimum_.own() + 1);
     } else {
       lowest_ = highest_ = position_;
       set(kSlack, false);
     }
-    if (size > friction_alone()) {
+    if (size > friction_alone_) {
       released_ = position_;
     }
     judge();
@@ -192,12 +189,12 @@ class WireWatch {
   }
 
   void judge() {
-    if (limits_.finds_broken() && position_ - released_ >= travel_of(limits_.broken_travel_um)) {
+    if (broken_travel_um_ != 0 && position_ - released_ >= travel_of(broken_travel_um_)) {
       set(kBroken, true);
       set(kSlack, false);
     }
-    if (state_.own() == 0 && limits_.finds_slack() &&
-        highest_ - lowest_ >= travel_of(limits_.slack_travel_um)) {
+    if (state_.own() == 0 && slack_travel_um_ != 0 &&
+        highest_ - lowest_ >= travel_of(slack_travel_um_)) {
       set(kSlack, true);
       slack_events_.set_relaxed(slack_events_.own() + 1);
     }
@@ -215,13 +212,17 @@ class WireWatch {
     released_ = 0;
   }
 
-  WatchLimits limits_;
+  std::uint32_t minimum_ = 0;
+  std::uint32_t friction_alone_ = 0;
+  // 0: off.
+  std::uint32_t broken_travel_um_ = 0;
+  std::uint32_t slack_travel_um_ = 0;
   std::uint32_t hysteresis_ = 0;
   std::uint32_t period_us_ = 0;
 
   std::uint32_t floor_ = 0;
   std::uint32_t width_ = 0;  ///< 0: each sample is looked at
-  std::uint32_t above_ = 0;  ///< a bit for each level
+  std::uint32_t above_ = 0;  ///< how many levels have an excursion under way
   std::uint32_t gap_ = 0;
   // In um, Q24.
   std::int64_t position_ = 0;

@@ -43,7 +43,7 @@ class ExtendedSensorTest : public testing::Test {
 
   double read_N(double current_A) {
     raw.give(0, amperes(current_A));
-    return 177.4 * to_double(*sensor.isr_read(0));
+    return 177.4 * to_double((*sensor.isr_read(0)).sample);
   }
 
   hal::fake::Clock clock;
@@ -56,6 +56,11 @@ TEST_F(ExtendedSensorTest, GivesTheTensionOfTheExtendedModel) {
   // 20.592 N/A: 1.5 A, then a step of 0.1 A that came five periods late.
   EXPECT_NEAR(read_N(2), 30.888, 1e-5);
   EXPECT_NEAR(read_N(2.1), 30.888 + 6 * 2.0592, 1e-4);
+}
+
+TEST_F(ExtendedSensorTest, HandsTheVelocityOn) {
+  raw.give(0, amperes(2, -0.25));
+  EXPECT_EQ((*sensor.isr_read(0)).velocity, from_double<Velocity>(-0.25));
 }
 
 TEST_F(ExtendedSensorTest, AMissingSampleLeavesNoRate) {
@@ -78,9 +83,9 @@ TEST(ExtendedSensorOfCurrent, EvaluatesWhatNeedsNothingBesides) {
   const ExtendedModels<1> models{extended()};
   ExtendedSensor<decltype(raw), 1> sensor{raw, models};
   raw.give(0, amperes(2).current);
-  EXPECT_NEAR(177.4 * to_double(*sensor.isr_read(0)), 30.888, 1e-5);
+  EXPECT_NEAR(177.4 * to_double((*sensor.isr_read(0)).sample), 30.888, 1e-5);
   raw.give(0, amperes(2.1).current);
-  EXPECT_NEAR(177.4 * to_double(*sensor.isr_read(0)), 30.888 + 6 * 2.0592, 1e-4);
+  EXPECT_NEAR(177.4 * to_double((*sensor.isr_read(0)).sample), 30.888 + 6 * 2.0592, 1e-4);
 }
 
 /// An application over an extended sensor whose model has wear.
@@ -110,7 +115,7 @@ class ExtendedAppTest : public testing::Test {
                         Config{}, starting_models<1>(store, {models[0]}, evaluates));
     app.start();
     raw.give(0, {lifemodel::pack::tension(49, 177.4), models[0].nominal.bend, amperes(0).at});
-    return 177.4 * to_double(*sensor.isr_read(0));
+    return 177.4 * to_double((*sensor.isr_read(0)).sample);
   }
 
   hal::fake::Clock clock;

@@ -21,10 +21,10 @@ inline constexpr protocol::Node kNode = 5;
 
 /// The application over fakes at 1 kHz, with a listener on its bus. Everything but the application
 /// itself outlives a restart.
-template <std::size_t kTendons = 1>
+template <std::size_t kTendons = 1, class SampleT = lifemodel::Tension>
 class Rig {
  public:
-  using Sensor = hal::fake::Sensor<lifemodel::Tension, kTendons>;
+  using Sensor = hal::fake::Sensor<SampleT, kTendons>;
   using Devices =
       app::Devices<hal::fake::CanPort, Sensor, hal::fake::Clock, RamStore, hal::fake::DigitalOut,
                    hal::fake::DigitalOut, hal::fake::DigitalOut, hal::fake::DigitalIn,
@@ -43,10 +43,11 @@ class Rig {
   }
 
   /// One period of 1 ms with these tensions.
-  void step(double tension_N) {
+  void step(double tension_N) { step(SampleT{lifemodel::pack::tension(tension_N, 177.4)}); }
+  void step(const SampleT& sample) {
     clock.advance(hal::milliseconds(1));
     for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-      sensor.give(tendon, lifemodel::pack::tension(tension_N, 177.4));
+      sensor.give(tendon, sample);
     }
     app->isr_sample();
     while (app->settle()) {

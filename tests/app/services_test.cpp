@@ -108,11 +108,17 @@ TEST_F(Services, ANewWireHasNoneOfTheFlagsOfTheOld) {
        {Flag::overload, Flag::negative_tension, Flag::gap, Flag::saturated, Flag::overrun}) {
     ASSERT_TRUE(rig.app->lives().flags().has(flag)) << static_cast<unsigned>(flag);
   }
+  ASSERT_EQ(rig.app->lives().records()[0].history.above_90, 2u);
 
   EXPECT_EQ(client.ask(start_request(order_for(client, 0x0201, hex("00")))), hex("71 01 0201"));
   EXPECT_EQ(rig.store.load(0)->flags, 0);
+  EXPECT_EQ(rig.store.load(0)->history, storage::WireHistory{});
   rig.run(2'000);
   EXPECT_TRUE(rig.app->lives().flags().none()) << rig.app->lives().flags().bits();
+  // It has swung between 10 and 60 N.
+  storage::WireHistory of_the_new;
+  of_the_new.peak = static_cast<std::uint32_t>(lifemodel::pack::tension(60, 177.4).raw());
+  EXPECT_EQ(rig.app->lives().records()[0].history, of_the_new);
   const protocol::LifeStatus status = rig.sent<protocol::LifeStatus>().back();
   EXPECT_EQ(status.quality, protocol::Quality::measured);
   EXPECT_FALSE(status.gap || status.saturated || status.overrun);

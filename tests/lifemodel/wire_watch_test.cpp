@@ -25,9 +25,19 @@ WireWatch::Velocity velocity(double mm_s) {
   return pack::from_double<WireWatch::Velocity>(mm_s * 1e-3);
 }
 
+WatchLimits limits(Tension minimum, Tension broken, std::uint32_t broken_travel_um,
+                   std::uint32_t slack_travel_um) {
+  WatchLimits limits{};
+  limits.minimum = minimum;
+  limits.broken = broken;
+  limits.broken_travel_um = broken_travel_um;
+  limits.slack_travel_um = slack_travel_um;
+  return limits;
+}
+
 /// Slack below 5 N over 4 mm, broken below 2 N over 20 mm; 2 N of hysteresis, 1 kHz.
 WireWatch watch() {
-  return {{newtons(5), newtons(2), 20'000, 4'000}, range_of(2), kPeriod_us};
+  return {limits(newtons(5), newtons(2), 20'000, 4'000), range_of(2), kPeriod_us};
 }
 
 double peak_N(const WireWatch& watch) {
@@ -282,7 +292,7 @@ TEST(WireWatch, WithoutLimitsOnlyPeaksAreWatched) {
 }
 
 TEST(WireWatch, ATravelOfNoneIsOff) {
-  WireWatch wire({newtons(5), newtons(2), 0, 0}, range_of(2), kPeriod_us);
+  WireWatch wire(limits(newtons(5), newtons(2), 0, 0), range_of(2), kPeriod_us);
   move(wire, 0, 1000);
   EXPECT_EQ(wire.reading().below_minimum, 10'000u);
   EXPECT_EQ(wire.reading().slack_events, 0u);
@@ -290,7 +300,7 @@ TEST(WireWatch, ATravelOfNoneIsOff) {
 }
 
 TEST(WireWatch, AMinimumBelowThatOfFrictionAloneHoldsToo) {
-  WireWatch wire({newtons(2), newtons(5), 20'000, 4'000}, range_of(2), kPeriod_us);
+  WireWatch wire(limits(newtons(2), newtons(5), 20'000, 4'000), range_of(2), kPeriod_us);
   move(wire, 3, 19.9);
   EXPECT_EQ(wire.reading().slack_events, 0u);
   EXPECT_EQ(wire.reading().below_minimum, 0u);
@@ -299,7 +309,8 @@ TEST(WireWatch, AMinimumBelowThatOfFrictionAloneHoldsToo) {
 }
 
 TEST(WireWatch, TheEndsOfTheRangesAreOrdinaryValues) {
-  WireWatch wire({Tension::highest(), Tension::highest(), ~0u, ~0u}, TensionRange::highest(), ~0u);
+  WireWatch wire(limits(Tension::highest(), Tension::highest(), ~0u, ~0u), TensionRange::highest(),
+                 ~0u);
   for (int i = 0; i < 100; ++i) {
     wire.push(Tension::from_raw(0), WireWatch::Velocity::lowest());
   }

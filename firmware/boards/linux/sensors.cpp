@@ -71,7 +71,9 @@ class Conversion {
       direction_ = row.tendon_velocity_m_s > 0 ? Direction::pulling : Direction::releasing;
     }
     const auto tension = within_range<Tension>(row.value / ultimate_N_);
-    return tension ? std::optional(app::OutputTension{*tension, direction_, bend(row)})
+    // What is faster than it can hold has gone far enough in one sample.
+    const auto velocity = lifemodel::pack::from_double<app::Velocity>(row.tendon_velocity_m_s);
+    return tension ? std::optional(app::OutputTension{*tension, direction_, bend(row), velocity})
                    : std::nullopt;
   }
 
