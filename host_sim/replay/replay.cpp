@@ -165,6 +165,7 @@ class Pass {
             {lifemodel::extension::life_parameters(parameters_.nominal, parameters_.extension)}),
         exact_(reference_constants_of(model), extended_effective_tension(acting_model_)),
         input_(profile, acting_model_, parameters_, options.start_cycle),
+        wire_(model, parameters_.nominal, input_.has_motion()),
         clock_(1 / model.counting.sample_rate_Hz) {
     if (options.report != nullptr) {
       plots_.emplace(model, parameters_.nominal);
@@ -188,10 +189,15 @@ class Pass {
     if (missing != 0) {
       estimator_.push_missing(0, missing);
       input_.gap();
+      wire_.miss(missing);
     }
     input_.take(row, estimator_.input_flags(0));
     estimator_.push(0, input_.tension());
     while (estimator_.settle([this](std::size_t) { return cycles_to_plots(); })) {
+    }
+    wire_.take(row.time_s, row.line, input_.tension(), input_.velocity());
+    if (wire_.just_broken()) {
+      seen_life_ = seen_life(estimator_.reading(0, cycles_to_plots()), true);
     }
     exact_.push(input_.tension_N());
     if (board_) {
@@ -236,6 +242,9 @@ class Pass {
     result.overloads = reading.overloads.raw();
     result.missing_samples = reading.missing_samples.raw();
     result.peak_tension_N = exact.peak_tension_N;
+    result.watched = wire_.result();
+    result.seen_life = result.watched.broken ? seen_life_ : seen_life(reading, false);
+    add_findings(result);
     result.model_digest = model_digest(model_);
     result.not_evaluated = acting_.others;
     for (const Extension& extension : acting_.extensions) {
@@ -259,6 +268,43 @@ class Pass {
 
  private:
   using Layout = lifemodel::extension::ExtendedLife<lifemodel::DefaultLayout>;
+
+  /// By the damage of the estimator; overloads, which are whole lives, have no tension of their
+  /// own.
+  [[nodiscard]] std::optional<SeenLife> seen_life(const Reading& reading, bool failed) const {
+    const double cycles = static_cast<double>(reading.closed_cycles.raw()) +
+                          static_cast<double>(reading.open_half_cycles.raw()) / 2;
+    const reference::Reading counted{
+        .damage = {to_double(reading.closed), to_double(reading.open), to_double(reading.total)},
+        .closed_cycles = reading.closed_cycles.raw(),
+        .open_half_cycles = reading.open_half_cycles.raw()};
+    if (cycles == 0) {
+      return std::nullopt;
+    }
+    return SeenLife{
+        cycles, reference::equivalent_effective_tension(counted, reference_constants_of(model_)),
+        failed};
+  }
+
+  static void add_findings(ReplayResult& result) {
+    const Model::Watch& limits = result.watched.limits;
+    for (const FoundInWire& found : result.watched.found) {
+      if (found.event == WireEvent::broken) {
+        result.warnings.push_back(fmt::format(
+            "the wire is broken, found at {:.6g} s, line {}: pulled over {:.4g} mm at "
+            "no more than {:.4g} N",
+            found.time_s, found.line, limits.broken_travel_mm, limits.broken_tension_N));
+      }
+    }
+    if (result.watched.slack_events > 0) {
+      const FoundInWire& first = result.watched.found.front();
+      result.warnings.push_back(fmt::format(
+          "the wire hangs loose {} times, first found at {:.6g} s, line {}: moved over {:.4g} mm "
+          "below {:.4g} N",
+          result.watched.slack_events, first.time_s, first.line, limits.slack_travel_mm,
+          limits.minimum_tension_N));
+    }
+  }
 
   static hal::Time since_start(double time_s) {
     return hal::microseconds(static_cast<std::uint64_t>(std::llround(time_s * 1e6)));
@@ -298,7 +344,9 @@ class Pass {
   lifemodel::Estimator<1, Layout> estimator_;
   reference::Reference exact_;
   ProfileInput input_;
+  WireFollower wire_;
   SampleClock clock_;
+  std::optional<SeenLife> seen_life_;
   std::optional<Plots> plots_;
   std::optional<TrajectoryFile> trajectory_;
   std::optional<VirtualBoard> board_;

@@ -14,9 +14,17 @@
 #include "host_sim/reference/life.hpp"
 #include "host_sim/reference/reference.hpp"
 #include "host_sim/replay/virtual_board.hpp"
+#include "host_sim/replay/watched.hpp"
 #include "host_sim/report/replay/report_data.hpp"
 
 namespace host_sim {
+
+/// How long a wire was seen to live, as a campaign has it.
+struct SeenLife {
+  double cycles = 0;               ///< full ones and half of the half ones
+  double effective_tension_N = 0;  ///< the constant one that does the same damage in as many cycles
+  bool failed = false;             ///< else it was whole at the end of the profile
+};
 
 /// What one pass of a profile did to the wire, by the estimator and by the reference.
 struct ReplayResult {
@@ -35,6 +43,8 @@ struct ReplayResult {
   std::uint64_t overloads = 0;
   std::uint64_t missing_samples = 0;
   double peak_tension_N = 0;
+  Watched watched;
+  std::optional<SeenLife> seen_life;  ///< up to the break; nothing where there was no cycle
   std::string model_digest;
   std::vector<std::string> extensions;      ///< ids of those that were evaluated
   std::vector<NotEvaluated> not_evaluated;  ///< extensions of the model that were not, and why

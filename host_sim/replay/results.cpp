@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 #include "hal/files/csv.hpp"
@@ -24,8 +25,73 @@ namespace {
 
 using nlohmann::ordered_json;
 
+// As the Emergency codes are called.
+constexpr std::string_view kTendonBroken = "tendon_broken";
+constexpr std::string_view kTendonSlack = "tendon_slack";
+
 ordered_json damage_json(const DamageSplit& damage) {
   return {{"closed", damage.closed}, {"open", damage.open}, {"total", damage.total}};
+}
+
+ordered_json watched_json(const Watched& watched) {
+  ordered_json events = ordered_json::array();
+  for (const FoundInWire& found : watched.found) {
+    events.push_back(
+        {{"event", to_string(found.event)}, {"time_s", found.time_s}, {"line", found.line}});
+  }
+  return {{"limits",
+           {{"minimum_tension_N", watched.limits.minimum_tension_N},
+            {"broken_tension_N", watched.limits.broken_tension_N},
+            {"broken_travel_mm", watched.limits.broken_travel_mm},
+            {"slack_travel_mm", watched.limits.slack_travel_mm},
+            {"suggested", watched.suggested}}},
+          {"motion", watched.motion},
+          {"peak_ratio", watched.peak_ratio},
+          {"above_50", watched.above[0]},
+          {"above_70", watched.above[1]},
+          {"above_90", watched.above[2]},
+          {"below_minimum_s", watched.below_minimum_s},
+          {"slack_events", watched.slack_events},
+          {"broken", watched.broken},
+          {"events", events}};
+}
+
+/// As in specimens.csv.
+std::string_view status_of(const SeenLife& life) {
+  return life.failed ? "failed" : "suspended";
+}
+
+ordered_json seen_life_json(const std::optional<SeenLife>& life) {
+  return life ? ordered_json{{"cycles", life->cycles},
+                             {"effective_tension_N", life->effective_tension_N},
+                             {"status", status_of(*life)}}
+              : ordered_json(nullptr);
+}
+
+void write_watched(std::ostream& out, const Watched& watched) {
+  fmt::print(out,
+             "  peak          {:.4g} % of the ultimate tension; {} excursions above 50 %, {} above "
+             "70 %, {} above 90 %\n",
+             100 * watched.peak_ratio, watched.above[0], watched.above[1], watched.above[2]);
+  const Model::Watch& limits = watched.limits;
+  if (limits.minimum_tension_N > 0) {
+    fmt::print(out, "  slack         {:.6g} s below {:.4g} N", watched.below_minimum_s,
+               limits.minimum_tension_N);
+    if (watched.motion && limits.slack_travel_mm > 0) {
+      fmt::print(out, "; loose {} times over {:.4g} mm", watched.slack_events,
+                 limits.slack_travel_mm);
+    }
+    fmt::print(out, "\n");
+  }
+  if (!watched.motion) {
+    fmt::print(out, "  break         not watched: the profile tells no motion of the tendon\n");
+  } else if (limits.broken_travel_mm > 0) {
+    fmt::print(out, "  break         {}: no more than {:.4g} N over {:.4g} mm of pulling\n",
+               watched.broken ? "FOUND" : "none", limits.broken_tension_N, limits.broken_travel_mm);
+  }
+  if (watched.suggested && limits.broken_travel_mm > 0) {
+    fmt::print(out, "  limits        suggested, because the model has no [watch]\n");
+  }
 }
 
 std::string repeats_text(double repeats) {
@@ -87,6 +153,8 @@ std::string replay_json(const ReplayResult& result) {
         {"B50", json_number(result.repeats_to.b50)},
         {"mean", json_number(result.repeats_to.mean)},
         {"B90", json_number(result.repeats_to.b90)}}},
+      {"watch", watched_json(result.watched)},
+      {"seen_life", seen_life_json(result.seen_life)},
       {"overloads", result.overloads},
       {"missing_samples", result.missing_samples},
       {"flags", result.flags},
@@ -118,6 +186,7 @@ void write_summary(std::ostream& out, const ReplayResult& result, const std::str
              result.reference_damage.total, result.relative_error);
   fmt::print(out, "  survival      {:.4f} %  after one pass\n", 100 * result.survival_probability);
   write_repeats(out, result);
+  write_watched(out, result.watched);
   for (const std::string& id : result.extensions) {
     fmt::print(out, "  {:<13} {}\n", id == kEmpirical ? "correction" : "extension", id);
   }
@@ -153,6 +222,12 @@ void fill_report(ReplayReport& report, const ReplayResult& result, const Model& 
   report.weibull_shape = model.life.weibull_shape;
   report.ultimate_tension_N = model.cable.ultimate_tension_N;
   report.hysteresis_N = model.counting.hysteresis_N;
+  report.peak_ratio = result.watched.peak_ratio;
+  report.above = result.watched.above;
+  report.below_minimum_s = result.watched.below_minimum_s;
+  report.slack_events = result.watched.slack_events;
+  report.broken = result.watched.broken;
+  report.motion = result.watched.motion;
   report.model_constants = {
       {"cable diameter", model.cable.diameter_mm, "mm"},
       {"ultimate tension", model.cable.ultimate_tension_N, "N"},
@@ -164,6 +239,17 @@ void fill_report(ReplayReport& report, const ReplayResult& result, const Model& 
       {"exponent gamma of the inverse power law", model.life.ipl_exponent, ""},
       {"Weibull shape beta", model.life.weibull_shape, ""},
   };
+  const Model::Watch& limits = result.watched.limits;
+  const std::string from = result.watched.suggested ? ", suggested" : "";
+  for (const ModelConstant& limit : std::initializer_list<ModelConstant>{
+           {"minimum tension", limits.minimum_tension_N, "N"},
+           {"tension of friction alone", limits.broken_tension_N, "N"},
+           {"travel of a slack wire", limits.slack_travel_mm, "mm"},
+           {"travel of a broken wire", limits.broken_travel_mm, "mm"}}) {
+    if (limit.value > 0) {
+      report.model_constants.push_back({limit.name + from, limit.value, limit.unit});
+    }
+  }
   if (model.drive) {
     report.model_constants.push_back(
         {"torque constant", model.drive->torque_constant_Nm_per_A, "Nm/A"});
@@ -175,9 +261,44 @@ void fill_report(ReplayReport& report, const ReplayResult& result, const Model& 
   add_extensions(report, result, model);
 }
 
+std::string specimens_head() {
+  constexpr std::array<std::string_view, 6> kSpecimenColumns{
+      "specimen", "lot", "input_tension_mean_N", "input_tension_amplitude_N", "cycles", "status"};
+  return csv_head(kSpecimenColumns);
+}
+
+std::string specimen_row(std::string_view specimen, const SeenLife& life) {
+  CsvRow row;
+  row.add(specimen);
+  row.add("field");
+  row.add(0.0);
+  row.add(life.effective_tension_N);
+  row.add(life.cycles);
+  row.add(status_of(life));
+  return row.line();
+}
+
+std::vector<std::string> found_in(const ReplayResult& result) {
+  std::vector<std::string> found = result.flags;
+  if (result.watched.broken) {
+    found.emplace_back(kTendonBroken);
+  }
+  if (result.watched.slack_events > 0) {
+    found.emplace_back(kTendonSlack);
+  }
+  return found;
+}
+
+std::vector<std::string> all_findings() {
+  std::vector<std::string> names = all_flag_names();
+  names.emplace_back(kTendonBroken);
+  names.emplace_back(kTendonSlack);
+  return names;
+}
+
 namespace {
 
-constexpr std::array<std::string_view, 29> kColumns{"profile",
+constexpr std::array<std::string_view, 40> kColumns{"profile",
                                                     "model",
                                                     "input",
                                                     "samples",
@@ -203,9 +324,22 @@ constexpr std::array<std::string_view, 29> kColumns{"profile",
                                                     "flags",
                                                     "extensions",
                                                     "not_evaluated",
+                                                    "watch_motion",
+                                                    "watch_peak_ratio",
+                                                    "watch_above_50",
+                                                    "watch_above_70",
+                                                    "watch_above_90",
+                                                    "watch_below_minimum_s",
+                                                    "watch_slack_events",
+                                                    "watch_broken",
+                                                    "seen_life_cycles",
+                                                    "seen_life_effective_tension_N",
+                                                    "seen_life_status",
                                                     "warnings",
                                                     "model_digest",
                                                     "error"};
+
+constexpr double kNothing = std::numeric_limits<double>::quiet_NaN();
 
 void add(CsvRow& row, const DamageSplit& damage) {
   row.add(damage.closed);
@@ -218,6 +352,23 @@ void add(CsvRow& row, const reference::LifePoints& repeats) {
   row.add(repeats.b50);
   row.add(repeats.mean);
   row.add(repeats.b90);
+}
+
+void add(CsvRow& row, const Watched& watched) {
+  row.add(watched.motion ? 1U : 0U);
+  row.add(watched.peak_ratio);
+  for (const std::uint32_t count : watched.above) {
+    row.add(count);
+  }
+  row.add(watched.below_minimum_s);
+  row.add(watched.slack_events);
+  row.add(watched.broken ? 1U : 0U);
+}
+
+void add(CsvRow& row, const std::optional<SeenLife>& life) {
+  row.add(life ? life->cycles : kNothing);
+  row.add(life ? life->effective_tension_N : kNothing);
+  row.add(life ? status_of(*life) : "");
 }
 
 std::vector<std::string_view> ids_of(const std::vector<NotEvaluated>& effects) {
@@ -257,6 +408,8 @@ std::string replay_table_row(std::string_view profile, std::string_view model,
   row.add(fmt::format("{}", fmt::join(result.flags, " ")));
   row.add(fmt::format("{}", fmt::join(result.extensions, " ")));
   row.add(fmt::format("{}", fmt::join(ids_of(result.not_evaluated), " ")));
+  add(row, result.watched);
+  add(row, result.seen_life);
   row.add(fmt::format("{}", fmt::join(result.warnings, "; ")));
   row.add(result.model_digest);
   row.fill_to(kColumns.size());

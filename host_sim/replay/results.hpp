@@ -11,6 +11,15 @@ namespace host_sim {
 /// The result as JSON, one object with the fields of the file format; what is infinite is null.
 std::string replay_json(const ReplayResult& result);
 
+/// The header line of a specimens.csv that `calibrate` reads, and a row of it. The effective
+/// tension stands as the cycle that is that tension: no mean, and it as the amplitude.
+std::string specimens_head();
+std::string specimen_row(std::string_view specimen, const SeenLife& life);
+
+/// What is found in a profile and `--fail-on` knows: its flags, `tendon_broken`, `tendon_slack`.
+std::vector<std::string> found_in(const ReplayResult& result);
+std::vector<std::string> all_findings();
+
 /// The result in a few lines for people.
 void write_summary(std::ostream& out, const ReplayResult& result, const std::string& profile_name,
                    const std::string& model_name);

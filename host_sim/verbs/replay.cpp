@@ -58,6 +58,9 @@ void add_outputs(CLI::App& verb, ReplayArguments& arguments) {
       ->check(command_line::not_negative())
       ->capture_default_str();
   verb.add_option("--report", arguments.report, "Write a page with plots as HTML");
+  verb.add_option("--specimens", arguments.specimens,
+                  "Write how long each wire was seen to live as a specimens.csv for calibrate: "
+                  "failed up to its break, else suspended at the end of the profile");
   CLI::Option* can = verb.add_option(
       "--can", arguments.can,
       "Write what the firmware sends on the bus as candump -L does; time 0 is the first sample");
@@ -94,7 +97,7 @@ std::string conflict_in_table(const CLI::App& verb, const ReplayArguments& argum
   if (std::find(profiles.begin(), profiles.end(), "-") != profiles.end()) {
     return "standard input is no profile of a table; accepted: files and folders";
   }
-  if (arguments.table.empty() && arguments.json.empty()) {
+  if (arguments.table.empty() && arguments.json.empty() && arguments.specimens.empty()) {
     return "several profiles give a table: --table FILE or --json FILE is required; - is standard "
            "output";
   }
@@ -128,6 +131,7 @@ int replay_one(const ReplayArguments& arguments) {
   auto trajectory = open_if_asked(arguments.trajectory);
   auto page = open_if_asked(arguments.report);
   auto can = open_if_asked(arguments.can);
+  auto specimens = open_if_asked(arguments.specimens);
 
   ReplayReport report;
   ReplayOptions options;
@@ -160,9 +164,17 @@ int replay_one(const ReplayArguments& arguments) {
     fill_report(report, result, model);
     write_replay_report(page->stream(), report);
   }
-  commit_all({&json, &trajectory, &page, &can});
+  if (specimens) {
+    if (!result.seen_life) {
+      throw InputError(path, 0, 0, "no cycle, and --specimens is for lives in cycles",
+                       "a profile with at least half a cycle");
+    }
+    specimens->write(specimens_head() +
+                     specimen_row(std::filesystem::path(path).stem().string(), *result.seen_life));
+  }
+  commit_all({&json, &trajectory, &page, &can, &specimens});
   write_summary(summary_stream(arguments.outputs()), result, path, arguments.model);
-  return fails_on(arguments.fail_on, result.flags) ? kFoundInData : 0;
+  return fails_on(arguments.fail_on, found_in(result)) ? kFoundInData : 0;
 }
 
 int run(const CLI::App& verb, const ReplayArguments& arguments) {
@@ -194,8 +206,8 @@ void add_replay(CLI::App& app, int& status) {
   verb->add_option("--start-cycle", arguments->start_cycle,
                    "Cycles that the sheath has seen before, for a model with friction_wear")
       ->default_str("0");
-  add_fail_on(*verb, arguments->fail_on, all_flag_names(),
-              "Exit with status 3 if one of these flags is raised");
+  add_fail_on(*verb, arguments->fail_on, all_findings(),
+              "Exit with status 3 if one of these is found");
   verb->footer(
       "Example: host_sim replay host_sim/examples/upper_arm.csv --model "
       "host_sim/examples/upper_arm.toml --report upper_arm.html\n"

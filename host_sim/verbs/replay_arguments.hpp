@@ -23,12 +23,13 @@ struct ReplayArguments {
   double trajectory_step_s = 0.1;
   std::string report;
   std::string can;
+  std::string specimens;
   protocol::Node node = 1;
   std::optional<std::uint32_t> start_cycle;
   std::vector<std::string> fail_on;
 
-  [[nodiscard]] std::array<std::string, 5> outputs() const {
-    return {json, table, trajectory, report, can};
+  [[nodiscard]] std::array<std::string, 6> outputs() const {
+    return {json, table, trajectory, report, can, specimens};
   }
   /// Without the profiles.
   [[nodiscard]] VerbFiles files() const {
@@ -37,7 +38,8 @@ struct ReplayArguments {
                        {"--table", table},
                        {"--trajectory", trajectory},
                        {"--report", report},
-                       {"--can", can}},
+                       {"--can", can},
+                       {"--specimens", specimens}},
             .fills = {}};
   }
 };

@@ -170,8 +170,10 @@ batch::Answer replayed(const ListedProfile& listed, const ReplayArguments& argum
   const ReplayResult result = result_of(listed, arguments, means);
   ordered_json object = named(listed);
   object["result"] = ordered_json::parse(replay_json(result));
-  return {
-      replay_table_row(listed.name, listed.model_name, result), object.dump(), {}, result.flags};
+  return {replay_table_row(listed.name, listed.model_name, result),
+          object.dump(),
+          {},
+          found_in(result)};
 }
 
 batch::Answer refused(const ListedProfile& listed, const std::string& error) {
@@ -189,6 +191,24 @@ std::vector<std::string> pieces_of(const std::vector<ListedProfile>& profiles) {
   return pieces;
 }
 
+/// A row for each profile with a cycle.
+std::string specimens_of(const std::vector<batch::Answer>& answers) {
+  std::string rows = specimens_head();
+  for (const batch::Answer& answer : answers) {
+    if (!answer.error.empty()) {
+      continue;
+    }
+    const nlohmann::json profile = nlohmann::json::parse(answer.json);
+    const nlohmann::json& life = profile["result"]["seen_life"];
+    if (!life.is_null()) {
+      rows += specimen_row(profile["profile"].get<std::string>(),
+                           {life["cycles"].get<double>(), life["effective_tension_N"].get<double>(),
+                            life["status"] == "failed"});
+    }
+  }
+  return rows;
+}
+
 /// What a table of profiles shows, in a few lines for people. Lives of different cables are not
 /// added up.
 void write_totals(std::ostream& out, const std::vector<batch::Answer>& answers) {
@@ -200,7 +220,7 @@ void write_totals(std::ostream& out, const std::vector<batch::Answer>& answers) 
     fmt::print(out, "  most damage   {:.6g} in {}\n", life_used(most),
                most["profile"].get<std::string>());
   }
-  for (const std::string& flag : all_flag_names()) {
+  for (const std::string& flag : all_findings()) {
     if (const auto count = profiles_with(flag, answers); count > 0) {
       fmt::print(out, "  flag          {} in {} of them\n", flag, count);
     }
@@ -212,12 +232,14 @@ void write_totals(std::ostream& out, const std::vector<batch::Answer>& answers) 
 int replay_many(const ReplayArguments& arguments) {
   batch::Ranks ranks;
   BatchOutputs outputs;
+  std::optional<hal::files::OutputFile> specimens;
   batch::Batch batch;
   batch.label = "replay";
   batch.threads = arguments.threads;
   batch.list = [&] {
     const std::vector<ListedProfile> profiles = profiles_with_models(arguments);
     outputs.open(arguments.table, arguments.json);
+    specimens = open_if_asked(arguments.specimens);
     return pieces_of(profiles);
   };
   batch.work = [&](const std::string& piece, const batch::Means& means) {
@@ -228,6 +250,10 @@ int replay_many(const ReplayArguments& arguments) {
     return refused(listed, batch::error_line(error, listed.path.string()));
   };
   batch.report = [&](const std::vector<batch::Answer>& answers) {
+    if (specimens) {
+      specimens->write(specimens_of(answers));
+      specimens->commit();
+    }
     outputs.write(replay_table_head(), "profiles", answers);
     report_errors(answers);
     write_totals(summary_stream(arguments.outputs()), answers);

@@ -228,4 +228,38 @@ TEST_F(Program, PacksAndReplaysWhatExtendsTheModel) {
   EXPECT_EQ(json["not_evaluated"][0]["id"], "slack");
 }
 
+// 10 and 60 N in turn: three half cycles of T_a 25 and T_m 35 N, T_eff 26.0125 N.
+TEST_F(Program, SpecimensAreTheLivesThatWereSeen) {
+  ASSERT_EQ(run("replay good.csv --model model.toml --specimens s.csv"), 0) << err_;
+  const std::string head =
+      "specimen,lot,input_tension_mean_N,input_tension_amplitude_N,cycles,status\ngood,field,0,";
+  const std::string text = contents(folder_ / "s.csv");
+  ASSERT_EQ(text.substr(0, head.size()), head);
+  EXPECT_NEAR(std::stod(text.substr(head.size())), 26.0125, 1e-3);
+  EXPECT_EQ(text.substr(text.find(',', head.size())), ",1.5,suspended\n");
+}
+
+TEST_F(Program, ALifeWithoutACycleIsNoSpecimen) {
+  write("idle.csv", "time_s,input_tension_N\n0,10\n0.005,10\n0.01,10\n");
+  EXPECT_EQ(run("replay idle.csv --model model.toml --specimens s.csv"), 1);
+  EXPECT_EQ(
+      err_,
+      "idle.csv: no cycle, and --specimens is for lives in cycles; accepted: a profile with at "
+      "least half a cycle\n");
+  EXPECT_FALSE(fs::exists(folder_ / "s.csv"));
+}
+
+TEST_F(Program, FailsOnABrokenWireWhereItIsAsked) {
+  std::string text = "time_s,input_tension_N,tendon_velocity_m_s\n0,60,0.1\n";
+  for (int i = 1; i < 100; ++i) {
+    text += std::to_string(i * 0.005) + ",0.1,0.1\n";
+  }
+  write("cut.csv", text);
+  EXPECT_EQ(run("replay cut.csv --model model.toml"), 0) << err_;
+  EXPECT_NE(out_.find("break         FOUND: no more than 0.2 N over 21.54 mm"), std::string::npos)
+      << out_;
+  EXPECT_EQ(run("replay cut.csv --model model.toml --fail-on tendon_broken"), 3);
+  EXPECT_EQ(run("replay good.csv --model model.toml --fail-on tendon_broken,tendon_slack"), 0);
+}
+
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -92,6 +93,13 @@ struct ReplayReport {
   RepeatsTo repeats_to;
   std::vector<std::string> flags;     ///< names as in lifemodel::Flag; empty when nothing happened
   std::vector<std::string> warnings;  ///< sentences for people, shown after the flags
+
+  double peak_ratio = 0;                 ///< highest tension by its size, of the ultimate one
+  std::array<std::uint32_t, 3> above{};  ///< excursions above 50, 70 and 90 % of it
+  double below_minimum_s = 0;            ///< time below the minimum tension
+  std::uint32_t slack_events = 0;
+  bool broken = false;
+  bool motion = false;  ///< slack and breaks were watched
 
   Envelope tension;
   TurningPoints turning_points;

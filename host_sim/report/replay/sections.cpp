@@ -46,6 +46,15 @@ std::string key_numbers(const ReplayReport& report) {
   number("Damage in total", report.damage.total);
   number("Relative error against the reference", report.relative_error);
   number("Equivalent effective tension", report.equivalent_effective_tension_N, "N");
+  number("Highest tension of the ultimate one", report.peak_ratio);
+  table.row("Excursions above 50, 70 and 90 %",
+            {fmt::format("{}, {}, {}", report.above[0], report.above[1], report.above[2])});
+  number("Time below the minimum tension", report.below_minimum_s, "s");
+  table.row("Times that the wire hung loose",
+            {report.motion ? count_text(report.slack_events) : "not watched, no motion"});
+  table.row("Wire broken", {!report.motion  ? "not watched, no motion"
+                            : report.broken ? "yes"
+                                            : "no"});
   number("Probability of surviving one pass", report.survival_probability);
   number("Repeats until 10 % have broken (B10)", report.repeats_to.B10);
   number("Repeats until 50 % have broken (B50)", report.repeats_to.B50);
