@@ -67,8 +67,8 @@ void add_fmeca(CLI::App& app, int& status) {
                    "Write a page with the criticality matrix as HTML");
   verb->footer(
       "Example: host_sim fmeca --report fmeca.html\n"
-      "         host_sim fmeca host_sim/examples/fmeca.toml --field "
-      "host_sim/examples/fmeca_field.csv");
+      "         host_sim fmeca host_sim/examples/fmeca/soft_robot.toml --field "
+      "host_sim/examples/fmeca/field.csv");
   verb->callback([arguments, &status] { status = run_fmeca(*arguments); });
 }
 

@@ -16,12 +16,12 @@ TEST_F(FmecaProgram, HasTheTableOfThePaper) {
   EXPECT_EQ(own["failures"][0]["risk"], 20);
   EXPECT_EQ(own["failures"][1]["risk"], 20);
   EXPECT_NE(err_.find("14 failure modes, 2 severe"), std::string::npos) << err_;
-  ASSERT_EQ(run("fmeca " EXAMPLES "/fmeca.toml --json -"), 0) << err_;
+  ASSERT_EQ(run("fmeca " EXAMPLES "/fmeca/soft_robot.toml --json -"), 0) << err_;
   EXPECT_EQ(json::parse(out_), own);
 }
 
 TEST_F(FmecaProgram, WritesATableAndAPage) {
-  ASSERT_EQ(run("fmeca --table t.csv --report r.html --field " EXAMPLES "/fmeca_field.csv"), 0)
+  ASSERT_EQ(run("fmeca --table t.csv --report r.html --field " EXAMPLES "/fmeca/field.csv"), 0)
       << err_;
   const std::string table = host_sim_test::contents(folder_ / "t.csv");
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 15);
@@ -34,7 +34,7 @@ TEST_F(FmecaProgram, WritesATableAndAPage) {
 }
 
 TEST_F(FmecaProgram, RefusesATableAndFieldRecordsInOneLine) {
-  std::string table = host_sim_test::contents(EXAMPLES "/fmeca.toml");
+  std::string table = host_sim_test::contents(EXAMPLES "/fmeca/soft_robot.toml");
   table.replace(table.find("LifeStatus.Slack"), 16, "LifeStatus.Slak_");
   write("bad.toml", table);
   EXPECT_EQ(run("fmeca bad.toml --json f.json --table f.csv --report f.html"), 1);

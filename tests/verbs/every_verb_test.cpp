@@ -132,8 +132,8 @@ class EveryVerb : public CampaignProgram {
       write(name, profile);
     }
     write("logs/model.toml", model);
-    write("fmeca.toml", contents(fs::path(EXAMPLES) / "fmeca.toml"));
-    write("field.csv", contents(fs::path(EXAMPLES) / "fmeca_field.csv"));
+    write("fmeca.toml", contents(fs::path(EXAMPLES) / "fmeca/soft_robot.toml"));
+    write("field.csv", contents(fs::path(EXAMPLES) / "fmeca/field.csv"));
     write("plan.toml", contents(fs::path(EXAMPLES) / "synth/lives.toml"));
     std::string recording = "time_s,input_tension_N,output_tension_N,tendon_velocity_m_s\n";
     for (int i = 0; i < 16; ++i) {
