@@ -107,6 +107,7 @@ class TendonLife {
     next.epoch_damage = {};
     next.epoch_cycles = 0;
     next.flags = 0;
+    next.history = {};
     next.past_lost = false;
     next.history = {};
     return next;

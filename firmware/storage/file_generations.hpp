@@ -17,7 +17,6 @@
 
 #include "firmware/storage/file_io.hpp"
 #include "firmware/storage/life_record.hpp"
-#include "firmware/storage/slot.hpp"
 #include "lifemodel/extension/extended_block.hpp"
 #include "lifemodel/support/bytes.hpp"
 #include "lifemodel/support/saturating.hpp"
@@ -38,21 +37,40 @@ struct FileImage {
 namespace file_image {
 
 inline constexpr std::uint32_t kMagic = 0x46534c54;  ///< "TLSF"
-inline constexpr std::uint32_t kSchema = 2;
-/// That of blocks without extensions, which is still read.
-inline constexpr std::uint32_t kNominalSchema = 1;
+inline constexpr std::uint32_t kSchema = 3;
 inline constexpr std::size_t kHeaderBytes = 16;
-inline constexpr std::size_t kBlockAt = 4 + kRecordBytes + 4;
-inline constexpr std::size_t kTendonBytes = kBlockAt + kBlockRoomBytes;
-inline constexpr std::size_t kNominalBlockAt = 4 + kRecordBytes;
-inline constexpr std::size_t kNominalTendonBytes = kNominalBlockAt + lifemodel::kBlockBytes;
+
+/// Where things stand in the part of a tendon, by schema: all that were ever written are read.
+struct Layout {
+  std::size_t record_bytes;
+  bool block_has_size;
+  std::size_t block_room;
+
+  [[nodiscard]] constexpr std::size_t block_at() const {
+    return 4 + record_bytes + (block_has_size ? 4 : 0);
+  }
+  [[nodiscard]] constexpr std::size_t tendon_bytes() const { return block_at() + block_room; }
+};
+inline constexpr std::array<Layout, kSchema> kLayouts{{
+    {kFormerRecordBytes, false, lifemodel::kBlockBytes},
+    {kFormerRecordBytes, true, lifemodel::kBlockBytes + lifemodel::kMostExtensionBytes},
+    {kRecordBytes, true, lifemodel::kMostExtendedBytes},
+}};
+constexpr bool known(std::uint32_t schema) {
+  return schema >= 1 && schema <= kSchema;
+}
+/// @pre known(schema)
+constexpr const Layout& layout(std::uint32_t schema) {
+  return kLayouts[schema - 1];
+}
+inline constexpr std::size_t kBlockAt = layout(kSchema).block_at();
+inline constexpr std::size_t kTendonBytes = layout(kSchema).tendon_bytes();
 inline constexpr std::uint32_t kHasLife = 1;
 inline constexpr std::uint32_t kHasParameters = 2;
 inline constexpr std::uint32_t kLost = 4;
 
 constexpr std::size_t size(std::size_t tendons, std::uint32_t schema = kSchema) {
-  return kHeaderBytes + tendons * (schema == kNominalSchema ? kNominalTendonBytes : kTendonBytes) +
-         4;
+  return kHeaderBytes + tendons * layout(schema).tendon_bytes() + 4;
 }
 /// Of any controller: more tendons than these have no place on the bus.
 inline constexpr std::size_t kMostBytes = size(32);
@@ -62,7 +80,8 @@ inline constexpr std::size_t kMostBytes = size(32);
 /// In little-endian words: magic, schema, number of tendons, sequence; of each tendon what there is
 /// (bit 0 a record, 1 parameters, 2 the past was lost), the record, the size of the parameter block
 /// and the block in room for the largest, zeros where there is none; CRC-32 of all before it. In
-/// schema 1 a block has no size and no extension.
+/// schema 2 records have no history of the wire, and there is room for blocks of version 1 alone;
+/// in schema 1 besides a block has no size and no extension.
 template <std::size_t kTendons>
 std::array<std::byte, file_image::size(kTendons)> encode(const FileImage<kTendons>& image) {
   using namespace file_image;
@@ -116,16 +135,16 @@ std::variant<FileImage<kTendons>, ImageFault> decode_image(std::span<const std::
     return ImageFault{false,
                       "damaged, the CRC-32 at its end does not fit; accepted: a whole life file"};
   }
-  if (schema != kSchema && schema != kNominalSchema) {
-    return ImageFault{true, "schema " + std::to_string(schema) + "; accepted: schema " +
-                                std::to_string(kNominalSchema) + " or " + std::to_string(kSchema)};
+  if (!known(schema)) {
+    return ImageFault{true, "schema " + std::to_string(schema) + "; accepted: schema 1 to " +
+                                std::to_string(kSchema)};
   }
+  const Layout& layout = file_image::layout(schema);
   if (bytes.size() != size(tendons, schema)) {
     return ImageFault{false, std::to_string(bytes.size()) + " bytes for " +
                                  std::to_string(tendons) +
                                  " tendons; accepted: " + std::to_string(size(tendons, schema))};
   }
-  const std::size_t tendon_bytes = (bytes.size() - kHeaderBytes - 4) / kTendons;
   if (tendons != kTendons) {
     return ImageFault{true, "it holds the life of " + std::to_string(tendons) +
                                 " tendons; accepted: as many as are configured, " +
@@ -134,11 +153,12 @@ std::variant<FileImage<kTendons>, ImageFault> decode_image(std::span<const std::
   FileImage<kTendons> image;
   image.sequence = in.u32();
   for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-    const auto part = bytes.subspan(kHeaderBytes + tendon * tendon_bytes, tendon_bytes);
+    const auto part =
+        bytes.subspan(kHeaderBytes + tendon * layout.tendon_bytes(), layout.tendon_bytes());
     const std::uint32_t what = lifemodel::ByteReader(part).u32();
     image.lost[tendon] = (what & kLost) != 0;
     if ((what & kHasLife) != 0) {
-      const auto life = decode(part.subspan(4, kRecordBytes));
+      const auto life = decode(part.subspan(4, layout.record_bytes));
       if (!life || life->tendon != tendon || life->sequence > image.sequence) {
         return ImageFault{false, "the record of tendon " + std::to_string(tendon) + " is " +
                                      (life ? "of another" : to_string(life.error())) +
@@ -147,17 +167,16 @@ std::variant<FileImage<kTendons>, ImageFault> decode_image(std::span<const std::
       image.lives[tendon] = *life;
     }
     if ((what & kHasParameters) != 0) {
-      const bool nominal = schema == kNominalSchema;
-      const std::size_t block_bytes = nominal
-                                          ? lifemodel::kBlockBytes
-                                          : lifemodel::ByteReader(part.subspan(kBlockAt - 4)).u32();
-      if (block_bytes > kBlockRoomBytes) {
+      const std::size_t block_bytes =
+          layout.block_has_size ? lifemodel::ByteReader(part.subspan(layout.block_at() - 4)).u32()
+                                : layout.block_room;
+      if (block_bytes > layout.block_room) {
         return ImageFault{false, "the parameter block of tendon " + std::to_string(tendon) +
                                      " has " + std::to_string(block_bytes) + " bytes; accepted: " +
-                                     std::to_string(kBlockRoomBytes) + " at most"};
+                                     std::to_string(layout.block_room) + " at most"};
       }
       image.parameters[tendon] =
-          lifemodel::ExtendedBlock(part.subspan(nominal ? kNominalBlockAt : kBlockAt, block_bytes));
+          lifemodel::ExtendedBlock(part.subspan(layout.block_at(), block_bytes));
     }
   }
   return image;

@@ -136,7 +136,7 @@ class FileStore {
 
  public:
   /// Bytes that a parameter block may have.
-  static constexpr std::size_t kLargestBlock = kBlockRoomBytes;
+  static constexpr std::size_t kLargestBlock = lifemodel::kMostExtendedBytes;
 
   /// Refuses a folder that is missing, cannot be written or is in use, and files that cannot be
   /// read or are of another configuration. Damaged files are worked around; see notices().

@@ -24,7 +24,25 @@ namespace storage {
 struct RecordSlot {
   static constexpr std::size_t kBytes = kRecordBytes;
 
+  /// A record of schema 1.
+  struct Former {
+    static constexpr std::size_t kBytes = kFormerRecordBytes;
+
+    static constexpr std::optional<SlotName> name(std::span<const std::byte, kBytes> bytes) {
+      return RecordSlot::name_of(bytes);
+    }
+  };
+  /// @pre Former::name() trusts the slot in front
+  static constexpr void renew(RecordBytes& bytes) {
+    bytes = encode(*decode(std::span<const std::byte>(bytes).first(Former::kBytes)));
+  }
+
   static constexpr std::optional<SlotName> name(std::span<const std::byte, kBytes> bytes) {
+    return name_of(bytes);
+  }
+
+ private:
+  static constexpr std::optional<SlotName> name_of(std::span<const std::byte> bytes) {
     const auto record = decode(bytes);
     if (!record) {
       return {};
@@ -36,15 +54,13 @@ struct RecordSlot {
 /// A parameter block of up to `kLargest` bytes as it is kept in flash, in little-endian words:
 /// magic; schema and tendon in a byte each; the number of the write; the size of the block; the
 /// block, and zeros; CRC-32 of all before it.
-template <std::size_t kLargest>
-struct ParameterSlot {
+template <std::size_t kLargest, std::uint32_t kSchema>
+struct BlockSlot {
   static constexpr std::size_t kHeaderBytes = 16;
   static constexpr std::size_t kBytes = kHeaderBytes + kLargest + 4;
   using Bytes = std::array<std::byte, kBytes>;
 
   static constexpr std::uint32_t kMagic = 0x53504c54;  ///< "TLPS"
-  static constexpr std::uint32_t kSchema = 2;
-
   /// @pre the block has at most kLargest bytes
   static constexpr Bytes make(SlotName name, std::span<const std::byte> block) {
     Bytes bytes{};
@@ -54,30 +70,50 @@ struct ParameterSlot {
     out.u32(name.sequence);
     out.u32(static_cast<std::uint32_t>(block.size()));
     std::ranges::copy(block, bytes.begin() + kHeaderBytes);
-    lifemodel::ByteWriter(std::span(bytes).last(4))
-        .u32(lifemodel::crc32(std::span(bytes).first(kBytes - 4)));
+    close(bytes);
     return bytes;
   }
 
   /// Nothing where the slot cannot be trusted.
   static constexpr std::optional<SlotName> name(std::span<const std::byte, kBytes> bytes) {
     lifemodel::ByteReader in(bytes);
-    if (in.u32() != kMagic ||
+    const bool ours = in.u32() == kMagic;
+    const std::uint32_t what = in.u32();
+    if (!ours || (what & 0xff) != kSchema ||
         lifemodel::crc32(bytes.first(kBytes - 4)) != lifemodel::ByteReader(bytes.last(4)).u32()) {
       return {};
     }
-    const std::uint32_t what = in.u32();
     const SlotName name{what >> 8, in.u32()};
-    if ((what & 0xff) != kSchema || in.u32() > kLargest) {
+    if (in.u32() > kLargest) {
       return {};
     }
     return name;
+  }
+
+  /// Sets the schema and the CRC.
+  static constexpr void close(Bytes& bytes) {
+    bytes[4] = static_cast<std::byte>(kSchema);
+    lifemodel::ByteWriter(std::span(bytes).last(4))
+        .u32(lifemodel::crc32(std::span(bytes).first(kBytes - 4)));
   }
 
   /// @pre name() trusts the slot
   static constexpr lifemodel::ExtendedBlock block(std::span<const std::byte, kBytes> bytes) {
     const std::uint32_t size = lifemodel::ByteReader(bytes.subspan(kHeaderBytes - 4)).u32();
     return lifemodel::ExtendedBlock(bytes.subspan(kHeaderBytes, size));
+  }
+};
+
+/// The slot of today. Those of schema 2 were made for blocks of version 1, which are shorter.
+template <std::size_t kLargest>
+struct ParameterSlot : BlockSlot<kLargest, 3> {
+  static constexpr std::size_t kMore = lifemodel::kWatchedBlockBytes - lifemodel::kBlockBytes;
+  using Former = BlockSlot<kLargest - kMore, 2>;
+
+  /// @pre Former::name() trusts the slot in front
+  static constexpr void renew(typename ParameterSlot::Bytes& bytes) {
+    std::fill(bytes.begin() + Former::kBytes - 4, bytes.end(), std::byte{0});
+    ParameterSlot::close(bytes);
   }
 };
 

@@ -9,6 +9,7 @@
 #include "firmware/storage/slot.hpp"
 #include "hal/error.hpp"
 #include "hal/non_volatile.hpp"
+#include "lifemodel/support/inlining.hpp"
 
 namespace storage {
 
@@ -74,12 +75,22 @@ class PageRing {
 /// copies are made the originals stay.
 ///
 /// A page that fails to erase or program is left out until no other is left or until the next
-/// start; what it holds still counts. One append tries each page once, so that it erases at most
-/// one page for each that fails and one more; after prepare() none where none fails. The start
-/// reads every slot once. Sequences are the caller's, each higher than the ones before.
+/// start; what it holds still counts. Pages that an earlier firmware has filled with slots of the
+/// Former of a format are read, and nothing is added to them: what is newest on them moves to
+/// others in the new format. One append tries each page once, so that it erases at most one page
+/// for each that fails and one more; after prepare() none where none fails. The start reads every
+/// slot once, where there is a Former twice. Sequences are the caller's, each higher than the ones
+/// before.
 template <hal::NonVolatile Memory, SlotFormat Format, std::size_t kKeys, PageRange kPages>
 class NewestLog {
   static constexpr std::uint32_t kStride = slot_stride<Memory>(Format::kBytes);
+  static constexpr std::uint32_t kFormerStride = [] {
+    if constexpr (SucceedingFormat<Format>) {
+      return slot_stride<Memory>(Format::Former::kBytes);
+    } else {
+      return kStride;
+    }
+  }();
   using Ring = PageRing<Memory, kPages>;
   using Bytes = std::array<std::byte, Format::kBytes>;
   using View = std::span<const std::byte, Format::kBytes>;
@@ -159,13 +170,35 @@ class NewestLog {
     std::uint32_t sequence;
   };
 
-  static constexpr std::uint32_t address(std::uint32_t page, std::uint32_t slot) {
-    return Ring::address(page) + slot * kStride;
+  /// Whether slots of a former format are on the page.
+  [[nodiscard]] bool is_former(std::uint32_t page) const {
+    return (former_ & Ring::bit(page)) != 0;
+  }
+  [[nodiscard]] std::uint32_t stride(std::uint32_t page) const {
+    return is_former(page) ? kFormerStride : kStride;
+  }
+  [[nodiscard]] std::uint32_t slots(std::uint32_t page) const {
+    return static_cast<std::uint32_t>(Memory::kPageBytes / stride(page));
+  }
+  [[nodiscard]] std::uint32_t address(std::uint32_t page, std::uint32_t slot) const {
+    return Ring::address(page) + slot * stride(page);
   }
 
   std::optional<Bytes> read(const SlotPosition& position) {
     Bytes bytes;
-    if (ring_.memory().read(address(position.page, position.slot), bytes) != hal::Error::none) {
+    const std::uint32_t from = address(position.page, position.slot);
+    if constexpr (SucceedingFormat<Format>) {
+      if (is_former(position.page)) {
+        const auto former = std::span(bytes).template first<Format::Former::kBytes>();
+        if (ring_.memory().read(from, former) != hal::Error::none ||
+            !Format::Former::name(former)) {
+          return {};
+        }
+        Format::renew(bytes);
+        return bytes;
+      }
+    }
+    if (ring_.memory().read(from, bytes) != hal::Error::none) {
       return {};
     }
     return bytes;
@@ -175,14 +208,30 @@ class NewestLog {
     return bytes ? Format::name(*bytes) : std::nullopt;
   }
 
+  /// Notes a page on which a slot of a former format is whole.
+  LIFEMODEL_ONE_COPY void look_for_former(std::uint32_t page) {
+    if constexpr (SucceedingFormat<Format>) {
+      using Former = typename Format::Former;
+      for (std::uint32_t at = 0; at + kFormerStride <= Memory::kPageBytes; at += kFormerStride) {
+        std::array<std::byte, Former::kBytes> bytes;
+        if (ring_.memory().read(Ring::address(page) + at, bytes) == hal::Error::none &&
+            Former::name(bytes)) {
+          former_ |= Ring::bit(page);
+          return;
+        }
+      }
+    }
+  }
+
   /// True where something was begun on the page and nothing of it is whole.
   bool scan(std::uint32_t page) {
+    look_for_former(page);
     std::uint32_t used = 0;
     bool newest_here = false;
     bool torn = false;
     bool whole = false;
-    for (std::uint32_t slot = 0; slot < kSlots; ++slot) {
-      if (is_blank(ring_.memory(), address(page, slot), kStride)) {
+    for (std::uint32_t slot = 0; slot < slots(page); ++slot) {
+      if (is_blank(ring_.memory(), address(page, slot), stride(page))) {
         continue;
       }
       used = slot + 1;
@@ -197,7 +246,7 @@ class NewestLog {
     }
     if (newest_here) {
       page_ = page;
-      slot_ = used;
+      slot_ = is_former(page) ? kSlots : used;
       torn_ = torn;
     }
     return torn && !whole;
@@ -206,7 +255,7 @@ class NewestLog {
   void note_damaged(std::uint32_t page, std::uint32_t slot) {
     constexpr std::uint32_t kUnit = Memory::kUnitBytes;
     ++spent_;
-    if (!is_blank(ring_.memory(), address(page, slot) + kStride - kUnit, kUnit)) {
+    if (!is_blank(ring_.memory(), address(page, slot) + stride(page) - kUnit, kUnit)) {
       ++finished_;
     }
   }
@@ -299,6 +348,7 @@ class NewestLog {
       if (ring_.make_blank(page)) {
         page_ = page;
         slot_ = 0;
+        former_ &= ~Ring::bit(page);
         prepared_ = false;
         return true;
       }
@@ -323,7 +373,7 @@ class NewestLog {
   }
   std::optional<SlotPosition> find(SlotName wanted, std::uint32_t except) {
     for (std::uint32_t page = 0; page < Ring::kCount; ++page) {
-      for (std::uint32_t slot = 0; page != except && slot < kSlots; ++slot) {
+      for (std::uint32_t slot = 0; page != except && slot < slots(page); ++slot) {
         if (name_at(page, slot) == wanted) {
           return SlotPosition{page, slot, wanted.sequence};
         }
@@ -334,6 +384,7 @@ class NewestLog {
 
   Ring ring_;
   std::array<std::optional<SlotPosition>, kKeys> where_{};
+  std::uint32_t former_ = 0;               ///< a bit for each page
   std::uint32_t page_ = Ring::kCount - 1;  ///< in use
   std::uint32_t slot_ = kSlots;            ///< next of it; all from it on are blank
   std::uint32_t highest_ = 0;

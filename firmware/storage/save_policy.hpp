@@ -63,7 +63,7 @@ class SavePolicy {
 struct Wear {
   std::uint32_t pages = 16;
   std::uint32_t page_bytes = 2'048;
-  std::uint32_t record_bytes = 64;
+  std::uint32_t record_bytes = 88;
   std::uint32_t erases = 10'000;  ///< a page (STM32G431 data sheet, flash endurance)
 
   /// Records that can be written in all.

@@ -22,17 +22,12 @@ struct PageRange {
   [[nodiscard]] constexpr std::uint32_t end() const { return first + count; }
 };
 
-/// Room for a parameter block, in flash and in files. All but the largest of version 2 fit: those
-/// that extend their model by nearly all effects there are.
-inline constexpr std::size_t kBlockRoomBytes =
-    lifemodel::kBlockBytes + lifemodel::kMostExtensionBytes;
-
 /// What is kept where. The defaults are 20 pages of an STM32G431.
 struct FlashLayout {
   PageRange life{0, 16};
   PageRange parameters{16, 2};
   PageRange log{18, 2};
-  std::size_t largest_block = kBlockRoomBytes;
+  std::size_t largest_block = lifemodel::kMostExtendedBytes;
 };
 
 /// What distinguishes slots of a log: the newest of a key is the one with the highest sequence.
@@ -49,6 +44,14 @@ template <class T>
 concept SlotFormat = requires(std::span<const std::byte, T::kBytes> bytes) {
   { T::kBytes } -> std::convertible_to<std::size_t>;
   { T::name(bytes) } -> std::same_as<std::optional<SlotName>>;
+};
+
+/// A format that took the place of another one, its Former, slots of which are still read: renew()
+/// makes a slot of this one where it stands, of one of it that Former::name() trusts.
+template <class T>
+concept SucceedingFormat = SlotFormat<T> && SlotFormat<typename T::Former> && T::Former::kBytes <=
+                           T::kBytes&& requires(std::array<std::byte, T::kBytes>& bytes) {
+  { T::renew(bytes) } -> std::same_as<void>;
 };
 
 /// Bytes that `bytes` take up in units of the memory.

@@ -137,9 +137,9 @@ TEST_F(FileStore, AFileThatHasGrownGivesWayToTheSaveBefore) {
     ASSERT_EQ(store.notices().size(), 1u) << more;
     EXPECT_EQ(store.notices()[0].path, folder_.file("life"));
   }
-  // 16 bytes of head, 4 + 64 + 4 + 572 for each of 32 tendons, and 4.
+  // 16 bytes of head, 4 + 88 + 4 + 616 for each of 32 tendons, and 4.
   EXPECT_EQ(opened(folder_).notices()[0].what,
-            "longer than a life file, 20628 bytes at most; accepted: a whole life file; the save "
+            "longer than a life file, 22804 bytes at most; accepted: a whole life file; the save "
             "before is used");
   folder_.write("life.previous", folder_.read("life"));
   const Store store = opened(folder_);
@@ -245,46 +245,61 @@ TEST_F(FileStore, TheLifeOfAnotherConfigurationIsRefusedAndLeftAlone) {
             folder_.file("life") +
                 ": it holds the life of 2 tendons; accepted: as many as are configured, 3");
   auto other = before;
-  other[4] = 3;
+  other[4] = 4;
   const auto covered = std::as_bytes(std::span(other).first(other.size() - 4));
   lifemodel::ByteWriter(std::as_writable_bytes(std::span(other).last(4)))
       .u32(lifemodel::crc32(covered));
   folder_.write("life", other);
-  EXPECT_EQ(refusal(folder_.path()), folder_.file("life") + ": schema 3; accepted: schema 1 or 2");
+  EXPECT_EQ(refusal(folder_.path()), folder_.file("life") + ": schema 4; accepted: schema 1 to 3");
   EXPECT_EQ(folder_.read("life"), other);
 }
 
-/// By hand: 84 bytes of a block follow the record at once.
-TEST_F(FileStore, AFileOfSchema1IsReadWithItsBlocks) {
-  std::vector<std::byte> file(16 + 2 * (4 + 64 + 84) + 4);
-  lifemodel::ByteWriter out(file);
-  for (const std::uint32_t word : {0x46534c54u, 1u, 2u, 7u}) {
-    out.u32(word);
-  }
-  for (std::size_t tendon = 0; tendon < 2; ++tendon) {
-    auto record = record_of(tendon, 4);
-    record.sequence = 7;
-    const auto part = std::span(file).subspan(16 + tendon * 152, 152);
-    lifemodel::ByteWriter(part).u32(tendon == 0 ? 1 : 3);
-    std::ranges::copy(storage::encode(record), part.begin() + 4);
-    std::ranges::copy(block_of(8).bytes(), part.begin() + 68);
-  }
-  const auto covered = std::span(std::as_const(file)).first(file.size() - 4);
-  lifemodel::ByteWriter(std::span(file).last(4)).u32(lifemodel::crc32(covered));
-  const auto* const chars = reinterpret_cast<const char*>(file.data());
-  folder_.write("life", {chars, chars + file.size()});
-  {
+/// By hand. Of schema 1, 84 bytes of a block follow the record at once; of schema 2 their size and
+/// 572 bytes do.
+TEST_F(FileStore, AFileOfAFormerSchemaIsReadWithItsBlocks) {
+  for (const std::uint32_t schema : {1u, 2u}) {
+    SCOPED_TRACE(schema);
+    const std::size_t block_at = schema == 1 ? 68 : 72;
+    const std::size_t room = schema == 1 ? 84 : 572;
+    const std::size_t tendon_bytes = block_at + room;
+    std::vector<std::byte> file(16 + 2 * tendon_bytes + 4);
+    lifemodel::ByteWriter out(file);
+    for (const std::uint32_t word : {0x46534c54u, schema, 2u, 7u}) {
+      out.u32(word);
+    }
+    for (std::size_t tendon = 0; tendon < 2; ++tendon) {
+      auto record = record_of(tendon, 4);
+      record.sequence = 7;
+      const auto part = std::span(file).subspan(16 + tendon * tendon_bytes, tendon_bytes);
+      lifemodel::ByteWriter(part).u32(tendon == 0 ? 1 : 3);
+      std::ranges::copy(former_bytes(record), part.begin() + 4);
+      if (schema == 2) {
+        lifemodel::ByteWriter(part.subspan(68)).u32(84);
+      }
+      std::ranges::copy(block_of(8).bytes(), part.subspan(block_at).begin());
+    }
+    const auto covered = std::span(std::as_const(file)).first(file.size() - 4);
+    lifemodel::ByteWriter(std::span(file).last(4)).u32(lifemodel::crc32(covered));
+    const auto* const chars = reinterpret_cast<const char*>(file.data());
+    folder_.write("life", {chars, chars + file.size()});
+    auto without = record_of(1, 4);
+    without.history = {};
+    {
+      Store store = opened(folder_);
+      EXPECT_TRUE(store.notices().empty());
+      EXPECT_EQ(store.sequence(), 7u);
+      EXPECT_TRUE(same_life(*store.load(1), without));
+      EXPECT_FALSE(store.load_parameters(0));
+      EXPECT_EQ(store.load_parameters(1), block_of(8));
+      EXPECT_EQ(store.save_parameters(0, block_of(9, 616)), Error::none);
+    }
     Store store = opened(folder_);
-    EXPECT_TRUE(store.notices().empty());
-    EXPECT_EQ(store.sequence(), 7u);
-    EXPECT_TRUE(same_life(*store.load(1), record_of(1, 4)));
-    EXPECT_FALSE(store.load_parameters(0));
+    EXPECT_EQ(store.load_parameters(0), block_of(9, 616));
     EXPECT_EQ(store.load_parameters(1), block_of(8));
-    ASSERT_EQ(store.save_parameters(0, block_of(9, 572)), Error::none);
+    EXPECT_TRUE(same_life(*store.load(1), without));
+    EXPECT_EQ(store.save(records_of<2>(5)), Error::none);
+    EXPECT_TRUE(same_life(*store.load(1), record_of(1, 5)));
   }
-  const Store store = opened(folder_);
-  EXPECT_EQ(store.load_parameters(0), block_of(9, 572));
-  EXPECT_EQ(store.load_parameters(1), block_of(8));
 }
 
 TEST_F(FileStore, AnEntryThatWasCutIsIgnoredAndReplaced) {

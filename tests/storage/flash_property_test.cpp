@@ -117,7 +117,7 @@ TEST(FlashProperty, RotIsNeverTakenForARecord) {
       RC_ASSERT(store.save(records_of<2>(step)) == Error::none);
     }
     for (const std::uint32_t where : rot) {
-      const std::uint32_t at = where / 16 % (4 * 640);
+      const std::uint32_t at = where / 16 % (4 * 880);
       where % 2 == 0 ? flash.spoil(at) : flash.flip(at, where / 2 % 8);
     }
     StoreOn<Small, 2> next(socket);

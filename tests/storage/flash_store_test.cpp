@@ -34,7 +34,7 @@ class Rig {
 template <class Geometry>
 constexpr std::uint32_t slot_address(std::uint32_t n) {
   constexpr auto kPage = static_cast<std::uint32_t>(Geometry::Flash::kPageBytes);
-  return n / (kPage / 64) * kPage + n % (kPage / 64) * 64;
+  return n / (kPage / 88) * kPage + n % (kPage / 88) * 88;
 }
 
 TEST(FlashStore, BlankHoldsNothingAndHasLostNothing) {
@@ -50,21 +50,21 @@ TEST(FlashStore, BlankHoldsNothingAndHasLostNothing) {
   EXPECT_EQ(rig.flash.operations(), 0u);
 }
 
-TEST(FlashStore, ARecordIsEightUnitsWithTheCrcLast) {
+TEST(FlashStore, ARecordIsElevenUnitsWithTheCrcLast) {
   Rig<Large, 1> rig;
   auto store = rig.start();
   ASSERT_EQ(store.save(records_of<1>(1)), Error::none);
-  EXPECT_EQ(rig.flash.operations(), 8u);
-  for (std::uint64_t last = 0; last < 8; ++last) {
+  EXPECT_EQ(rig.flash.operations(), 11u);
+  for (std::uint64_t last = 0; last < 11; ++last) {
     Rig<Large, 1> cut;
     cut.flash.fault(last, {FlashFault::Kind::cut_after});
     auto first = cut.start();
     (void)first.save(records_of<1>(1));
     cut.flash.power_on();
-    EXPECT_EQ(cut.start().load(0).has_value(), last == 7) << last;
-    const auto crc_unit = cut.flash.content().subspan(56, 8);
+    EXPECT_EQ(cut.start().load(0).has_value(), last == 10) << last;
+    const auto crc_unit = cut.flash.content().subspan(80, 8);
     const bool blank = std::ranges::count(crc_unit, std::byte{0xff}) == 8;
-    EXPECT_EQ(blank, last != 7) << last;
+    EXPECT_EQ(blank, last != 10) << last;
   }
 }
 
@@ -177,7 +177,7 @@ TEST(FlashStore, TheSequenceDoesNotWrap) {
   auto record = record_of(0, 1);
   record.sequence = 0xffff'fffe;
   const auto bytes = storage::encode(record);
-  for (std::uint32_t at = 0; at < 64; at += 8) {
+  for (std::uint32_t at = 0; at < 88; at += 8) {
     ASSERT_EQ(rig.flash.program(at, std::span(bytes).subspan(at, 8)), Error::none);
   }
   auto store = rig.start();
@@ -405,10 +405,10 @@ TEST(FlashStore, ABlockThatWasCutIsToldAndTheOneBeforeStays) {
   Rig<Large, 1> rig;
   auto store = rig.start();
   EXPECT_FALSE(store.parameters_torn(0));
-  constexpr std::size_t kMost = storage::kBlockRoomBytes;
+  constexpr std::size_t kMost = lifemodel::kMostExtendedBytes;
   for (std::uint32_t i = 1; i < 12; ++i) {
     const auto last = store.load_parameters(0);
-    // In the middle of its 74 double words; an erase may come before them.
+    // In the middle of its 80 double words; an erase may come before them.
     rig.flash.fault(rig.flash.operations() + 40, {FlashFault::Kind::cut_torn, i});
     EXPECT_NE(store.save_parameters(0, block_of(i, kMost)), Error::none);
     rig.flash.power_on();
@@ -430,6 +430,161 @@ TEST(FlashStore, ABlockLargerThanItsRoomIsRefused) {
   EXPECT_EQ(store.save_parameters(0, block_of(1, 85)), Error::out_of_range);
   EXPECT_EQ(store.save_parameters(0, block_of(1, 84)), Error::none);
   EXPECT_EQ(store.load_parameters(0), block_of(1, 84));
+}
+
+// What firmware with records of schema 1 and blocks of schema 2 left.
+template <class Geometry, std::size_t kTendons>
+class FormerStore {
+ public:
+  using Memory = Socket<typename Geometry::Flash>;
+  using BlockSlot = storage::ParameterSlot<Geometry::kLayout.largest_block>;
+
+  explicit FormerStore(Memory& memory) : life_(memory), parameters_(memory) {}
+
+  void save(std::uint32_t step) {
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      auto record = record_of(tendon, step);
+      record.sequence = step;
+      ASSERT_EQ(life_.append(former_bytes(record)), Error::none);
+    }
+  }
+  void save_parameters(std::uint32_t tendon, std::uint32_t number, std::size_t size) {
+    const storage::SlotName name{tendon, number};
+    ASSERT_EQ(parameters_.append(BlockSlot::Former::make(name, block_of(number, size).bytes())),
+              Error::none);
+  }
+
+ private:
+  storage::NewestLog<Memory, storage::RecordSlot::Former, kTendons, Geometry::kLayout.life> life_;
+  storage::NewestLog<Memory, typename BlockSlot::Former, kTendons, Geometry::kLayout.parameters>
+      parameters_;
+};
+
+storage::LifeRecord without_history(storage::LifeRecord record) {
+  record.history = {};
+  return record;
+}
+
+template <class Geometry, std::size_t kTendons>
+void expect_life(typename Rig<Geometry, kTendons>::Store& store, std::uint32_t step,
+                 const char* what) {
+  EXPECT_FALSE(store.past_lost()) << what;
+  for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+    ASSERT_TRUE(store.load(tendon)) << what;
+    EXPECT_TRUE(same_life(*store.load(tendon), without_history(record_of(tendon, step)))) << what;
+  }
+}
+
+template <class Geometry, std::size_t kTendons>
+void update_after(std::uint32_t former_saves) {
+  SCOPED_TRACE(former_saves);
+  Rig<Geometry, kTendons> rig;
+  {
+    FormerStore<Geometry, kTendons> former(rig.socket);
+    for (std::uint32_t step = 1; step <= former_saves; ++step) {
+      former.save(step);
+    }
+  }
+  auto store = rig.start();
+  EXPECT_EQ(store.sequence(), former_saves);
+  expect_life<Geometry, kTendons>(store, former_saves, "at the first start");
+  // Enough to go around all pages.
+  for (std::uint32_t step = former_saves + 1; step < former_saves + 400; ++step) {
+    ASSERT_EQ(store.save(records_of<kTendons>(step)), Error::none) << step;
+    store = rig.start();
+    ASSERT_EQ(store.sequence(), step);
+    for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+      ASSERT_TRUE(same_life(*store.load(tendon), record_of(tendon, step))) << step;
+    }
+    ASSERT_FALSE(store.past_lost());
+    (void)store.prepare();
+  }
+  EXPECT_EQ(rig.flash.overwrites(), 0u);
+}
+
+TEST(FlashStore, AnUpdateKeepsTheLife) {
+  for (const std::uint32_t saves : {1u, 2u, 12u, 13u, 14u, 25u, 26u, 51u, 52u, 53u, 100u}) {
+    update_after<Small, 1>(saves);
+    update_after<Small, 2>(saves);
+    update_after<Tiny, 2>(saves);
+  }
+  update_after<Large, 1>(31);
+  update_after<Large, 1>(600);
+}
+
+/// At each operation of the first saves after the update.
+template <std::size_t kTendons>
+void cut_after(std::uint32_t former_saves) {
+  Rig<Small, kTendons> former;
+  {
+    FormerStore<Small, kTendons> store(former.socket);
+    for (std::uint32_t step = 1; step <= former_saves; ++step) {
+      store.save(step);
+    }
+  }
+  using Kind = FlashFault::Kind;
+  for (std::uint64_t operation = 0;; ++operation) {
+    for (const Kind kind : {Kind::cut_before, Kind::cut_torn, Kind::cut_after}) {
+      Rig<Small, kTendons> rig;
+      rig.flash.load(former.flash.content());
+      rig.flash.fault(operation, {kind, static_cast<std::uint32_t>(operation)});
+      std::uint32_t saved = former_saves;
+      {
+        auto store = rig.start();
+        while (saved < former_saves + 3 &&
+               store.save(records_of<kTendons>(saved + 1)) == Error::none) {
+          ++saved;
+        }
+      }
+      const bool reached = rig.flash.operations() > operation;
+      if (!reached) {
+        return;
+      }
+      rig.flash.power_on();
+      auto store = rig.start();
+      ASSERT_FALSE(store.past_lost()) << former_saves << ' ' << operation;
+      for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
+        const auto life = store.load(tendon);
+        ASSERT_TRUE(life) << former_saves << ' ' << operation;
+        const auto before = saved == former_saves ? without_history(record_of(tendon, saved))
+                                                  : record_of(tendon, saved);
+        ASSERT_TRUE(same_life(*life, before) || same_life(*life, record_of(tendon, saved + 1)))
+            << former_saves << ' ' << operation;
+      }
+      ASSERT_EQ(store.save(records_of<kTendons>(saved + 2)), Error::none);
+      auto next = rig.start();
+      ASSERT_TRUE(same_life(*next.load(0), record_of(0, saved + 2)));
+    }
+  }
+}
+
+TEST(FlashStore, APowerCutInTheFirstSavesAfterAnUpdateLosesNothing) {
+  for (const std::uint32_t saves : {1u, 5u, 12u, 13u, 26u, 51u, 52u, 60u}) {
+    cut_after<1>(saves);
+    cut_after<2>(saves);
+  }
+}
+
+TEST(FlashStore, AnUpdateKeepsTheParameters) {
+  Rig<Large, 2> rig;
+  {
+    FormerStore<Large, 2> former(rig.socket);
+    former.save_parameters(0, 1, 572);
+    former.save_parameters(1, 2, 84);
+    former.save_parameters(0, 3, 100);
+    former.save_parameters(1, 4, 90);
+  }
+  auto store = rig.start();
+  EXPECT_FALSE(store.parameters_torn(0));
+  EXPECT_EQ(store.load_parameters(0), block_of(3, 100));
+  EXPECT_EQ(store.load_parameters(1), block_of(4, 90));
+  for (std::uint32_t i = 10; i < 30; ++i) {
+    ASSERT_EQ(store.save_parameters(1, block_of(i, 616)), Error::none);
+    store = rig.start();
+    EXPECT_EQ(store.load_parameters(0), block_of(3, 100));
+    EXPECT_EQ(store.load_parameters(1), block_of(i, 616));
+  }
+  EXPECT_FALSE(store.parameters_torn(0));
 }
 
 struct Unit4 {

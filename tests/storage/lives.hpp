@@ -26,7 +26,36 @@ inline storage::LifeRecord record_of(std::size_t tendon, std::uint32_t step,
       lifemodel::Damage::from_words({step * 7 + 1, 0x1000 * key + 5, step + 1, key});
   record.epoch_cycles = (std::uint64_t{step - opened} << 30) + key;
   record.configuration = 0xc0ffee00u + key;
+  record.history = {.peak = step << 12,
+                    .above_50 = 3 * (step - opened),
+                    .above_70 = 2 * (step - opened) + key,
+                    .above_90 = step - opened,
+                    .below_minimum_s = 5 * (step - opened),
+                    .operated_s = 60 * (step - opened),
+                    .slack_events = (step - opened) / 4,
+                    .broken = step - opened > 50};
   return record;
+}
+
+/// A record as firmware stored it before there were histories of wires, without that of this one.
+inline std::array<std::byte, storage::kFormerRecordBytes> former_bytes(
+    const storage::LifeRecord& record) {
+  std::array<std::byte, storage::kFormerRecordBytes> bytes{};
+  lifemodel::ByteWriter out(bytes);
+  out.u32(storage::kRecordMagic);
+  out.u32(1u | (std::uint32_t{record.tendon} << 8) | (std::uint32_t{record.flags} << 16) |
+          (record.past_lost ? 1u << 24 : 0u));
+  out.u32(record.sequence);
+  out.u32(record.epoch);
+  for (const lifemodel::Damage& damage : {record.epoch_damage, record.lifetime_damage}) {
+    for (const std::uint32_t word : damage.words()) {
+      out.u32(word);
+    }
+  }
+  out.u64(record.epoch_cycles);
+  out.u32(record.configuration);
+  out.u32(lifemodel::crc32(std::span(bytes).first(60)));
+  return bytes;
 }
 
 template <std::size_t kTendons>

@@ -45,15 +45,15 @@ struct LargeNominal {
   static constexpr storage::FlashLayout kLayout{{0, 16}, {16, 2}, {18, 2}, lifemodel::kBlockBytes};
 };
 
-/// So small that every page turn comes soon: 10 records, 6 parameter blocks, 26 entries a page.
+/// So small that every page turn comes soon: 10 records, 8 parameter blocks, 36 entries a page.
 struct Small {
-  using Flash = hal::fake::Flash<8, 640, 8>;
+  using Flash = hal::fake::Flash<8, 880, 8>;
   static constexpr storage::FlashLayout kLayout{{0, 4}, {4, 2}, {6, 2}, lifemodel::kBlockBytes};
 };
 
 /// As little as there can be: two pages of records, so that the newest are always moved on.
 struct Tiny {
-  using Flash = hal::fake::Flash<6, 640, 8>;
+  using Flash = hal::fake::Flash<6, 880, 8>;
   static constexpr storage::FlashLayout kLayout{{0, 2}, {2, 2}, {4, 2}, lifemodel::kBlockBytes};
 };
 

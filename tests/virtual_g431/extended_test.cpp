@@ -137,7 +137,7 @@ TEST_F(ExtendedModel, ThatNeedsWhatIsNotMeasuredIsRefusedAndTheOneBeforeCounts) 
   EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 
-/// Cut in the first, in an early, a middle and the last of its 74 double words.
+/// Cut in the first, in an early, a middle and the last of its 80 double words.
 TEST_F(ExtendedModel, ThatIsCutWhileItIsWrittenIsToldAndTheOneBeforeCounts) {
   constexpr storage::FlashLayout kLayout;
   constexpr std::uint32_t kFrom = (kNodePageOffset / kPageBytes + 1 + kLayout.parameters.first);
@@ -146,7 +146,7 @@ TEST_F(ExtendedModel, ThatIsCutWhileItIsWrittenIsToldAndTheOneBeforeCounts) {
   const Bytes before = Tester(board).read(0x0220);
   ASSERT_EQ(before.size(), 7u);
   const Bytes block = block_of(model_of_current());
-  for (const unsigned cut : {1u, 5u, 40u, 74u}) {
+  for (const unsigned cut : {1u, 5u, 40u, 80u}) {
     Tester tester(board);
     ASSERT_TRUE(tester.transfer(block));
     unsigned programmed = 0;

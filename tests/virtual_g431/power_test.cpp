@@ -131,7 +131,7 @@ TEST_P(EveryCut, KeepsTheLife) {
   }
   check_all();
   EXPECT_EQ(saves, 4u);
-  EXPECT_GE(words, 4 * 8u);
+  EXPECT_GE(words, 4 * 11u);
   EXPECT_EQ(checked, words + erases);
   EXPECT_THAT(board.broken_rules(), IsEmpty());
   EXPECT_THAT(board.resets, IsEmpty());
