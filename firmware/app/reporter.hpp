@@ -99,6 +99,8 @@ class Reporter {
         return send(node_state_.timing);
       case Bus::kPage:
         return send(bus());
+      case WireHistory::kPage:
+        return send_history(send);
     }
     return false;
   }
@@ -118,6 +120,35 @@ class Reporter {
     const bool left = send(protocol::detail::TendonDamage{
         static_cast<std::uint8_t>(tendon), book_.damage_ppb(tendon), book_.state(tendon)});
     tendon_ = left ? (tendon + 1) % kTendons : tendon;
+    return left;
+  }
+
+  /// The tendons in turn, each with all that is counted of its wire.
+  template <class Send>
+  bool send_history(Send& send) {
+    using protocol::WireEvent;
+    constexpr std::uint32_t kEvents = 4;
+    const std::size_t tendon = wire_ / kEvents;
+    const auto event = static_cast<WireEvent>(wire_ % kEvents);
+    const storage::WireHistory& history = book_.records()[tendon].history;
+    const auto stopped = [](std::uint32_t value, std::uint32_t most) {
+      return static_cast<std::uint16_t>(value < most ? value : most);
+    };
+    const std::uint32_t count = event == WireEvent::above_50   ? history.above_50
+                                : event == WireEvent::above_70 ? history.above_70
+                                : event == WireEvent::above_90 ? history.above_90
+                                                               : history.slack_events;
+    // 100 / 2^29, rounded up.
+    const std::uint32_t percent = (history.peak / 32 * 25 + ((1u << 22) - 1)) >> 22;
+    const bool left = send(protocol::detail::WireHistory{
+        .tendon = static_cast<std::uint8_t>(tendon),
+        .broken = history.broken,
+        .slack = ((book_.slack() >> tendon) & 1u) != 0,
+        .peak_percent = static_cast<std::uint8_t>(stopped(percent, 0xff)),
+        .event = event,
+        .count = stopped(count, 0x3fff),
+        .below_minimum_min = stopped(history.below_minimum_s / 60, 0xffff)});
+    wire_ = left ? (wire_ + 1) % (kTendons * kEvents) : wire_;
     return left;
   }
 
@@ -244,6 +275,7 @@ class Reporter {
   const NodeState& node_state_;
   std::size_t tendon_ = 0;
   std::uint32_t bin_ = 0;
+  std::uint32_t wire_ = 0;
   std::uint32_t published_unsaved_ppb_ = 0;
 };
 

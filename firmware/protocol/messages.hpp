@@ -52,6 +52,14 @@ struct LifeStatus {
   friend constexpr bool operator==(const LifeStatus&, const LifeStatus&) = default;
 };
 
+/// What is counted of a wire.
+enum class WireEvent : std::uint8_t {
+  above_50,  ///< excursions above 50 % of the ultimate tension
+  above_70,
+  above_90,
+  slack,  ///< times that it hung loose
+};
+
 /// Pages of LifeDetail. Each has its number as the multiplexor.
 namespace detail {
 
@@ -162,7 +170,21 @@ struct BreakRisk {
   friend constexpr bool operator==(const BreakRisk&, const BreakRisk&) = default;
 };
 
-inline constexpr std::uint8_t kPages = 11;
+/// One tendon after the other, and of each the counts in turn.
+struct WireHistory {
+  static constexpr std::uint8_t kPage = 11;
+  std::uint8_t tendon = 0;        ///< 0 .. 31
+  bool broken = false;            ///< until its new epoch
+  bool slack = false;             ///< now
+  std::uint8_t peak_percent = 0;  ///< highest tension of the ultimate one, rounded up; stops at 255
+  WireEvent event = WireEvent::above_50;
+  std::uint16_t count = 0;              ///< of that, with this wire; 14 bits, stops
+  std::uint16_t below_minimum_min = 0;  ///< time below the minimum tension; stops
+
+  friend constexpr bool operator==(const WireHistory&, const WireHistory&) = default;
+};
+
+inline constexpr std::uint8_t kPages = 12;
 
 }  // namespace detail
 

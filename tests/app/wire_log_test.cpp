@@ -218,5 +218,31 @@ TEST_F(WatchedApp, SeesPeaksExcursionsAndTimeWithoutMotion) {
   EXPECT_TRUE(told().empty());
 }
 
+/// 170 N of 177.4 N are 95.8 %; 66 s below the minimum.
+TEST_F(WatchedApp, APageTellsTheHistoryOfTheWire) {
+  using protocol::WireEvent;
+  using protocol::detail::WireHistory;
+  stand(170, 5);
+  stand(100, 5);
+  stand(80, 5);
+  stand(130, 5);
+  stand(1, 66'000);
+  const auto pages = rig.sent<WireHistory>();
+  ASSERT_GT(pages.size(), 8u);
+  WireHistory expected{.peak_percent = 96, .below_minimum_min = 1};
+  for (const auto& [event, count] :
+       {std::pair{WireEvent::above_50, 2}, std::pair{WireEvent::above_70, 2},
+        std::pair{WireEvent::above_90, 1}, std::pair{WireEvent::slack, 0}}) {
+    expected.event = event;
+    expected.count = static_cast<std::uint16_t>(count);
+    EXPECT_NE(std::find(pages.end() - 4, pages.end(), expected), pages.end()) << count;
+  }
+  move(1, 20.1);
+  stand(1, 6'000);
+  const WireHistory last = rig.sent<WireHistory>().back();
+  EXPECT_TRUE(last.broken);
+  EXPECT_FALSE(last.slack);
+}
+
 }  // namespace
 }  // namespace app

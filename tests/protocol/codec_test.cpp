@@ -99,6 +99,16 @@ TEST(Codec, PagesOfLifeDetail) {
       detail::Timing{
           .worst_jitter_us = 0x0102, .p99_jitter_us = 0x0304, .missed_deadlines = 0x0506},
       5, frame(0x285, {0x00, 0x70, 0x02, 0x01, 0x04, 0x03, 0x06, 0x05}));
+  // Tendon 3, broken; 83 %; 300 above 90 %: 2 + 4 * 300 = 0x04b2; 0x0102 minutes.
+  expect_both_ways(detail::WireHistory{.tendon = 3,
+                                       .broken = true,
+                                       .peak_percent = 83,
+                                       .event = WireEvent::above_90,
+                                       .count = 300,
+                                       .below_minimum_min = 0x0102},
+                   5, frame(0x285, {0x00, 0xb0, 0x23, 0x53, 0xb2, 0x04, 0x02, 0x01}));
+  expect_both_ways(detail::WireHistory{.slack = true, .event = WireEvent::slack, .count = 0x3fff},
+                   5, frame(0x285, {0x00, 0xb0, 0x40, 0x00, 0xff, 0xff, 0x00, 0x00}));
   expect_both_ways(detail::Bus{.transmit_errors = 1,
                                .receive_errors = 2,
                                .bus_offs = 3,

@@ -74,7 +74,7 @@ TEST(Dbc, IsWhatTheFramePlanSays) {
     EXPECT_THAT(lines, Contains(line));
   }
   EXPECT_EQ(matches(lines, "BO_ .*").size(), 15u);
-  EXPECT_EQ(matches(lines, kSignalLine).size(), 3u * (1 + 14 + 3 + 35 + 5 + 4));
+  EXPECT_EQ(matches(lines, kSignalLine).size(), 3u * (1 + 14 + 3 + 42 + 5 + 4));
 }
 
 TEST(Dbc, EveryLineIsOneOfTheKnownKinds) {

@@ -42,6 +42,19 @@ inline std::string label_of(Quality quality) {
   }
   return {};
 }
+inline std::string label_of(WireEvent event) {
+  switch (event) {
+    case WireEvent::above_50:
+      return "above_50";
+    case WireEvent::above_70:
+      return "above_70";
+    case WireEvent::above_90:
+      return "above_90";
+    case WireEvent::slack:
+      return "slack";
+  }
+  return {};
+}
 inline std::string label_of(NmtState state) {
   switch (state) {
     case NmtState::boot_up:
@@ -224,6 +237,18 @@ inline Expected expected(const detail::BreakRisk& m) {
     result.labels["HoursToRisk10High"] = "unknown";
   }
   return result;
+}
+inline Expected expected(const detail::WireHistory& m) {
+  return {"LifeDetail",
+          "WireHistory",
+          {{"WireTendon", m.tendon},
+           {"WireBroken", m.broken ? 1 : 0},
+           {"WireSlack", m.slack ? 1 : 0},
+           {"WirePeak", m.peak_percent},
+           {"WireEvent", code_of(m.event)},
+           {"WireCount", m.count},
+           {"BelowMinimum", m.below_minimum_min}},
+          {{"WireEvent", label_of(m.event)}}};
 }
 inline Expected expected(const detail::Storage& m) {
   return {"LifeDetail",

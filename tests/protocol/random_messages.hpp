@@ -107,6 +107,15 @@ inline void fill(Random& random, detail::BreakRisk& m) {
        .to_10_low_30min = bits(14),
        .to_10_high_30min = bits(14)};
 }
+inline void fill(Random& random, detail::WireHistory& m) {
+  m = {.tendon = u8(random, 5),
+       .broken = coin(random),
+       .slack = coin(random),
+       .peak_percent = u8(random),
+       .event = static_cast<WireEvent>(random() % 4),
+       .count = static_cast<std::uint16_t>(number(random, 14)),
+       .below_minimum_min = u16(random)};
+}
 inline void fill(Random& random, Emergency& m) {
   constexpr std::array kCodes{EmergencyCode::none,           EmergencyCode::emergency_stop,
                               EmergencyCode::life_inspect,   EmergencyCode::life_replace,
@@ -131,7 +140,7 @@ void with_random_message(Random& random, Act act) {
     fill(random, message);
     act(message);
   };
-  switch (random() % 15) {
+  switch (random() % 16) {
     case 0:
       return run(Heartbeat{});
     case 1:
@@ -159,6 +168,8 @@ void with_random_message(Random& random, Act act) {
     case 12:
       return run(detail::BreakRisk{});
     case 13:
+      return run(detail::WireHistory{});
+    case 14:
       return run(Emergency{});
     default:
       return run(Command{});

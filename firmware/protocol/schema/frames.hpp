@@ -97,6 +97,13 @@ inline constexpr std::array kEmergencyCodes{
     name_of(EmergencyCode::authority, "authority"),
 };
 
+inline constexpr std::array kWireEvents{
+    name_of(WireEvent::above_50, "above_50"),
+    name_of(WireEvent::above_70, "above_70"),
+    name_of(WireEvent::above_90, "above_90"),
+    name_of(WireEvent::slack, "slack"),
+};
+
 inline constexpr std::array kCommandCodes{
     name_of(CommandCode::identify, "identify"),
     name_of(CommandCode::select_page, "select_page"),

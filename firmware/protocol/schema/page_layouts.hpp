@@ -323,4 +323,45 @@ struct Layout<detail::BreakRisk> : PageLayout {
   };
 };
 
+template <>
+struct Layout<detail::WireHistory> : PageLayout {
+  static constexpr std::string_view kName = "WireHistory";
+  static constexpr std::string_view kComment =
+      "what happened to the wire of one tendon after the other";
+  static constexpr std::tuple kFields{
+      field(
+          &detail::WireHistory::tendon,
+          {.name = "WireTendon", .start_bit = 16, .bits = 5, .comment = "of which tendon, from 0"}),
+      field(&detail::WireHistory::broken, {.name = "WireBroken",
+                                           .start_bit = 21,
+                                           .bits = 1,
+                                           .comment = "it has broken, until its new epoch"}),
+      field(&detail::WireHistory::slack,
+            {.name = "WireSlack", .start_bit = 22, .bits = 1, .comment = "it hangs loose"}),
+      field(&detail::WireHistory::peak_percent,
+            {.name = "WirePeak",
+             .start_bit = 24,
+             .bits = 8,
+             .comment = "highest tension in percent of the ultimate one, stops at the end",
+             .stops = true}),
+      field(&detail::WireHistory::event, {.name = "WireEvent",
+                                          .start_bit = 32,
+                                          .bits = 2,
+                                          .comment = "what is counted, one after the other",
+                                          .values = kWireEvents}),
+      field(&detail::WireHistory::count, {.name = "WireCount",
+                                          .start_bit = 34,
+                                          .bits = 14,
+                                          .comment = "of that, stops at the end of its range",
+                                          .stops = true}),
+      field(&detail::WireHistory::below_minimum_min,
+            {.name = "BelowMinimum",
+             .start_bit = 48,
+             .bits = 16,
+             .unit = "min",
+             .comment = "time below the minimum tension, stops at the end of its range",
+             .stops = true}),
+  };
+};
+
 }  // namespace protocol::schema

@@ -34,10 +34,11 @@ inline constexpr std::uint8_t kSchemaVersion = 4;
 template <class... Messages>
 struct MessageList {};
 
-using AllMessages = MessageList<Heartbeat, LifeStatus, detail::Identity, detail::Cycles,
-                                detail::DamageRate, detail::TendonDamage, detail::RainflowBin,
-                                detail::RemainingLife, detail::Storage, detail::Timing, detail::Bus,
-                                detail::ConditionalLife, detail::BreakRisk, Emergency, Command>;
+using AllMessages =
+    MessageList<Heartbeat, LifeStatus, detail::Identity, detail::Cycles, detail::DamageRate,
+                detail::TendonDamage, detail::RainflowBin, detail::RemainingLife, detail::Storage,
+                detail::Timing, detail::Bus, detail::ConditionalLife, detail::BreakRisk,
+                detail::WireHistory, Emergency, Command>;
 
 /// A message without its type, for what writes about it.
 struct MessageView {

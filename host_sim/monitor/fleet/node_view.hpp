@@ -110,6 +110,8 @@ struct NodeView {
   std::optional<Timed<protocol::detail::RemainingLife>> remaining;  ///< of the whole life
   std::optional<Timed<protocol::detail::ConditionalLife>> conditional;
   std::optional<Timed<protocol::detail::BreakRisk>> break_risk;
+  /// What happened to the wires, by tendon and what is counted: index 4 tendon + event.
+  std::map<std::uint8_t, Timed<protocol::detail::WireHistory>> wires;
   std::optional<Timed<protocol::detail::Storage>> storage;
   std::optional<Timed<protocol::detail::Timing>> timing;
   std::optional<Timed<protocol::detail::Bus>> bus;
@@ -135,6 +137,7 @@ inline constexpr std::tuple kNodePages{std::pair{"identity", &NodeView::identity
                                        std::pair{"tendons", &NodeView::tendons},
                                        std::pair{"bins", &NodeView::bins},
                                        std::pair{"remaining", &NodeView::remaining},
+                                       std::pair{"wires", &NodeView::wires},
                                        std::pair{"storage", &NodeView::storage},
                                        std::pair{"timing", &NodeView::timing},
                                        std::pair{"bus", &NodeView::bus},

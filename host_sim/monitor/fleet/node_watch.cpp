@@ -75,6 +75,10 @@ std::uint16_t key_of(const detail::RainflowBin& bin) {
   return static_cast<std::uint16_t>(64 * bin.tendon + 8 * bin.range_class + bin.mean_class);
 }
 
+std::uint8_t key_of(const detail::WireHistory& wire) {
+  return static_cast<std::uint8_t>(4 * wire.tendon + static_cast<std::uint8_t>(wire.event));
+}
+
 template <class Page>
 bool take_into(std::optional<Timed<Page>>& last, const hal::CanFrame& frame, std::int64_t time_ns) {
   const auto page = protocol::decode<Page>(frame);
