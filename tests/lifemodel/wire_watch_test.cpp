@@ -187,6 +187,9 @@ TEST(WireWatch, TheTensionOfFrictionAloneIsAmongThoseOfABreak) {
   WireWatch wire = watch();
   move(wire, 2, 20.1);
   EXPECT_TRUE(wire.reading().broken);
+  WireWatch alone(limits({}, newtons(2), 20'000, 0), range_of(2), kPeriod_us);
+  move(alone, 2, 20.1);
+  EXPECT_TRUE(alone.reading().broken);
   WireWatch other = watch();
   for (int i = 0; i < 300; ++i) {
     other.push(Tension::from_raw(newtons(2).raw() + 1), velocity(100));
@@ -244,7 +247,7 @@ TEST(WireWatch, AShortGapIsLeftOutAndALongOneBeginsAnew) {
   move(wire, 1, 19.9);
   EXPECT_FALSE(wire.reading().broken);
   wire.miss(~0u);
-  wire.miss(~0u);
+  wire.miss(1);
   move(wire, 1, 19.9);
   EXPECT_FALSE(wire.reading().broken);
   move(wire, 1, 0.2);
