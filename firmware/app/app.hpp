@@ -141,14 +141,16 @@ class App {
   void resume(std::size_t tendon) {
     const ParameterState& state = parameters_[tendon];
     std::optional<lifemodel::LifeDistribution> life;
+    Outlook outlook;
     if (counts(tendon)) {
       life = estimator_.parameters(tendon).life;
       intake_.watch(tendon, estimator_.parameters(tendon));
+      outlook = Outlook::of(estimator_.parameters(tendon));
     } else {
       intake_.leave_out(tendon);
     }
     book_.resume(tendon, devices_.store.load(tendon), devices_.store.past_lost(),
-                 state.configuration, life);
+                 state.configuration, life, outlook);
     log_refusal(devices_.store, tendon, state, book_.records()[tendon].epoch);
     if constexpr (ExtendingSensor<typename Devices::Sensor>) {
       devices_.sensor.start_at(tendon, book_.records()[tendon].epoch_cycles);

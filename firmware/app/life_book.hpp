@@ -133,6 +133,17 @@ class TendonLife {
   WireLog wire_;
 };
 
+/// What a forecast of a tendon takes besides its life distribution.
+struct Outlook {
+  std::uint32_t horizon_s = lifemodel::WatchLimits::kStandardHorizon_s;
+  lifemodel::LifeUncertainty fit;
+  lifemodel::IplExponent exponent = lifemodel::IplExponent::lowest();
+
+  static Outlook of(const lifemodel::Parameters& parameters) {
+    return {parameters.watch.horizon(), parameters.uncertainty, parameters.law.exponent};
+  }
+};
+
 /// The lives of all tendons as of the last reading, which is what is reported and saved.
 template <std::size_t kTendons>
 class LifeBook {
@@ -147,10 +158,12 @@ class LifeBook {
 
   /// What is known of a tendon before the first reading. Without `life` it has no parameters.
   void resume(std::size_t tendon, const std::optional<storage::LifeRecord>& record, bool lost,
-              std::uint32_t configuration, const std::optional<lifemodel::LifeDistribution>& life) {
+              std::uint32_t configuration, const std::optional<lifemodel::LifeDistribution>& life,
+              const Outlook& outlook = {}) {
     lives_[tendon].resume(record ? &*record : nullptr, lost, static_cast<std::uint8_t>(tendon),
                           configuration);
     distributions_[tendon] = life;
+    outlooks_[tendon] = outlook;
     records_[tendon] = lives_[tendon].record();
   }
 
@@ -183,6 +196,8 @@ class LifeBook {
       std::size_t tendon) const {
     return distributions_[tendon];
   }
+
+  [[nodiscard]] const Outlook& outlook(std::size_t tendon) const { return outlooks_[tendon]; }
 
   /// The tendon with the highest damage.
   [[nodiscard]] std::size_t worst() const {
@@ -271,6 +286,7 @@ class LifeBook {
   std::array<TendonLife, kTendons> lives_;
   std::array<Rates, kTendons> rates_;
   std::array<std::optional<lifemodel::LifeDistribution>, kTendons> distributions_;
+  std::array<Outlook, kTendons> outlooks_;
   Records records_;
 };
 

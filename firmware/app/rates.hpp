@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -7,6 +8,7 @@
 #include "firmware/protocol/messages.hpp"
 #include "hal/clock.hpp"
 #include "lifemodel/damage/damage.hpp"
+#include "lifemodel/life/interval.hpp"
 #include "lifemodel/life/weibull.hpp"
 
 namespace app {
@@ -36,6 +38,21 @@ class Rates {
     position_ = (position_ + 1) % kSlots;
     marked_ += marked_ < kSlots ? 1 : 0;
     next_ = now + kSlot;
+    if (known() && position_ == 0) {
+      add_stretch();
+    }
+  }
+
+  /// Whether load_spread() is known: ten minutes with damage were seen.
+  [[nodiscard]] bool spread_known() const { return stretches_ >= kFewestStretches; }
+  /// Half of the width of the 95 % interval of log2 of the damage rate of a minute, Q21, as if the
+  /// minutes to come scattered as those that were seen since the start, of which the last hour
+  /// weighs most. Minutes without damage are left out: they are rest, not operation. A controller
+  /// knows no more of the future than that; a load that is averaged over hours scatters less.
+  [[nodiscard]] std::uint32_t load_spread() const {
+    const auto variance = static_cast<std::uint32_t>(variance_ + variance_ / (stretches_ - 1));
+    constexpr std::uint32_t kQuantile = 2007;  // 1.96, Q10
+    return (lifemodel::root(variance) * kQuantile) << 1;
   }
 
   /// False until a whole minute has passed.
@@ -66,6 +83,11 @@ class Rates {
                ? below(kUnknown, lifemodel::repeats_within(left, damage_per_min().multiplied(6)))
                : kUnknown;
   }
+  /// Half hours that `left` lasts at this rate, rounded down; 2^32 - 1 at most.
+  /// @pre known()
+  [[nodiscard]] std::uint32_t lasts_30min(const lifemodel::Damage& left) const {
+    return lifemodel::repeats_within(left, damage_per_min().multiplied(30));
+  }
   /// The same until `end`, a point of the whole life of a new wire.
   [[nodiscard]] std::uint16_t remaining_dh(const lifemodel::Damage& used,
                                            lifemodel::LifePoint end) const {
@@ -84,6 +106,32 @@ class Rates {
     return lifemodel::Damage::difference(newest_.damage, oldest_.damage);
   }
 
+  /// Mean and variance, which forget what lies longer back than kMostStretches.
+  void add_stretch() {
+    const lifemodel::Damage damage = damage_per_min();
+    if (damage.none()) {
+      return;
+    }
+    constexpr std::int32_t kFarthest = 8 << kScatterBits;
+    const auto log2 = static_cast<std::int32_t>(lifemodel::log2_of(damage) >>
+                                                (lifemodel::numeric::kLogBits - kScatterBits));
+    stretches_ += stretches_ < kMostStretches ? 1 : 0;
+    if (stretches_ == 1) {
+      mean_ = log2;
+    }
+    const std::int32_t before = std::clamp(log2 - mean_, -kFarthest, kFarthest);
+    mean_ += before / stretches_;
+    const std::int32_t after = std::clamp(log2 - mean_, -kFarthest, kFarthest);
+    variance_ += (before * after - variance_) / stretches_;
+  }
+
+  static constexpr int kScatterBits = 10;
+  static constexpr std::int32_t kFewestStretches = 10;
+  static constexpr std::int32_t kMostStretches = 60;
+
+  std::int32_t stretches_ = 0;
+  std::int32_t mean_ = 0;      ///< of log2 of the damage of a minute, Q10
+  std::int32_t variance_ = 0;  ///< Q20
   std::array<Mark, kSlots> marks_{};
   Mark oldest_;
   Mark newest_;

@@ -223,10 +223,17 @@ class Reporter {
     return {lasts_dh(tendon, lifemodel::kHazard10), lasts_dh(tendon, lifemodel::kHazard50),
             lasts_dh(tendon, lifemodel::kHazard90)};
   }
+  /// In whole hours, rounded up; as many as the field holds.
+  [[nodiscard]] std::uint8_t horizon_h(std::size_t tendon) const {
+    constexpr std::uint32_t kHighest = std::numeric_limits<std::uint8_t>::max();
+    const std::uint32_t seconds = book_.outlook(tendon).horizon_s;
+    const std::uint32_t hours = seconds / 3600 + (seconds % 3600 != 0 ? 1 : 0);
+    return static_cast<std::uint8_t>(std::clamp(hours, std::uint32_t{1}, kHighest));
+  }
   [[nodiscard]] protocol::detail::BreakRisk break_risk(std::size_t tendon) const {
     using protocol::detail::BreakRisk;
     BreakRisk result;
-    result.horizon_h = kHorizon_h;
+    result.horizon_h = horizon_h(tendon);
     const auto& life = book_.distribution(tendon);
     const Rates& rates = book_.rates(tendon);
     if (life && rates.known()) {
@@ -236,8 +243,39 @@ class Reporter {
       result.within_horizon =
           static_cast<std::uint16_t>((std::uint64_t{risk.raw()} * BreakRisk::kSure + kOne - 1) >>
                                      lifemodel::Ratio::kFractionBits);
+      bound(result, tendon, life->shape);
     }
     return result;
+  }
+
+  /// Fills the ends of the interval, where the model says how sure its fit is and the load was seen
+  /// long enough.
+  void bound(protocol::detail::BreakRisk& page, std::size_t tendon,
+             lifemodel::WeibullShape shape) const {
+    using protocol::detail::BreakRisk;
+    const Outlook& outlook = book_.outlook(tendon);
+    const Rates& rates = book_.rates(tendon);
+    const storage::LifeRecord& record = book_.records()[tendon];
+    if (!outlook.fit.known() || !rates.spread_known() || record.epoch_cycles == 0 ||
+        record.epoch_damage.none()) {
+      return;
+    }
+    constexpr std::uint64_t kMost = std::numeric_limits<std::uint32_t>::max();
+    const auto cycles = static_cast<std::uint32_t>(std::min(record.epoch_cycles, kMost));
+    const lifemodel::numeric::Normal count = lifemodel::numeric::normal(cycles, 0);
+    const std::int64_t log2_each =
+        lifemodel::log2_of(record.epoch_damage) - lifemodel::numeric::log2(count);
+    constexpr int kDrop = lifemodel::numeric::kLogBits - lifemodel::numeric::kExpBits;
+    const lifemodel::LifeSpread spread{
+        .life = lifemodel::life_spread(outlook.fit, outlook.exponent,
+                                       static_cast<std::int32_t>(log2_each >> kDrop)),
+        .shape = outlook.fit.log2_shape,
+        .load = rates.load_spread()};
+    const auto interval = lifemodel::further_damage_interval(shape, record.epoch_damage,
+                                                             lifemodel::kHazard10, spread);
+    page.to_10_low_30min = below(BreakRisk::kUnknownBound, rates.lasts_30min(interval.low));
+    page.to_10_high_30min =
+        below(BreakRisk::kUnknownBound, std::uint64_t{rates.lasts_30min(interval.high)} + 1);
   }
 
   /// At least a step of the save policy, and a quarter of headroom over what was seen, so that a
@@ -265,8 +303,6 @@ class Reporter {
             .refused = node_state_.refused};
   }
 
-  /// Of the probability of a break.
-  static constexpr std::uint8_t kHorizon_h = 8;
   /// What the field of the storage page holds.
   static constexpr std::uint32_t kMostPublished_ppb = (1u << 24) - 1;
 

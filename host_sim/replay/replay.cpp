@@ -238,6 +238,11 @@ class Pass {
     result.survival_probability =
         reference::weibull_survival(result.damage.total, model_.life.weibull_shape);
     result.repeats_to = reference::repeats_to(result.damage.total, model_.life.weibull_shape);
+    if (options_.survivor) {
+      result.given_survival =
+          given_survival(*options_.survivor, result.damage.total, result.duration_s,
+                         result.equivalent_effective_tension_N, model_.life);
+    }
     result.flags = flag_names(reading.flags);
     result.overloads = reading.overloads.raw();
     result.missing_samples = reading.missing_samples.raw();

@@ -13,6 +13,7 @@
 #include "host_sim/reference/equations.hpp"
 #include "host_sim/reference/life.hpp"
 #include "host_sim/reference/reference.hpp"
+#include "host_sim/replay/given_survival.hpp"
 #include "host_sim/replay/virtual_board.hpp"
 #include "host_sim/replay/watched.hpp"
 #include "host_sim/report/replay/report_data.hpp"
@@ -37,7 +38,8 @@ struct ReplayResult {
   double relative_error = 0;  ///< damage.total / reference_damage.total - 1
   double equivalent_effective_tension_N = 0;
   double survival_probability = 1;
-  reference::LifePoints repeats_to{};
+  reference::LifePoints repeats_to{};           ///< points of the whole life of a new wire
+  std::optional<GivenSurvival> given_survival;  ///< where it was asked for
   std::vector<std::string> flags;
   std::vector<std::string> warnings;
   std::uint64_t overloads = 0;
@@ -58,7 +60,8 @@ struct ReplayOptions {
   ReplayReport* report = nullptr;  ///< its plots are filled
   VirtualBoard::Listener can;      ///< hears what the firmware sends; time 0 is the first sample
   protocol::Node node = 1;         ///< of that firmware
-  std::uint32_t start_cycle = 0;   ///< cycles that the sheath has seen before, for its wear
+  std::optional<AskedOfSurvivor> survivor;
+  std::uint32_t start_cycle = 0;  ///< cycles that the sheath has seen before, for its wear
   std::function<void(std::uint64_t bytes)> progress;
 };
 

@@ -108,6 +108,61 @@ void write_repeats(std::ostream& out, const ReplayResult& result) {
              repeats_text(result.repeats_to.mean), repeats_text(result.repeats_to.b90));
 }
 
+std::string interval_text(const Estimate& estimate, double factor, const char* format) {
+  return estimate.interval
+             ? fmt::format(" ({} .. {})",
+                           fmt::format(fmt::runtime(format), factor * (*estimate.interval)[0]),
+                           fmt::format(fmt::runtime(format), factor * (*estimate.interval)[1]))
+             : std::string();
+}
+
+void write_given_survival(std::ostream& out, const GivenSurvival& given) {
+  const auto repeats = [](const Estimate& estimate) {
+    return fmt::format("{}{}", repeats_text(estimate.value), interval_text(estimate, 1, "{:.4g}"));
+  };
+  fmt::print(out, "  whole now     at damage {:.6g}; from there, not from new:\n", given.used);
+  if (std::isfinite(given.to_10.value)) {
+    fmt::print(out, "                {} repeats to 10 % risk of a break, {} to 50 %, {} to 90 %\n",
+               repeats(given.to_10), repeats(given.to_50), repeats(given.to_90));
+  } else {
+    fmt::print(out, "                unlimited repeats to 10 % risk of a break\n");
+  }
+  if (given.risk) {
+    const std::string hours =
+        given.risk->horizon.back() == 'h' ? given.risk->horizon + ", " : std::string();
+    fmt::print(out, "                {:.4g} %{} risk of a break within {}{:.5g} repeats\n",
+               100 * given.risk->probability.value,
+               interval_text(given.risk->probability, 100, "{:.3g}"), hours, given.risk->repeats);
+  }
+  if (given.level > 0) {
+    fmt::print(out, "                in parentheses: {:g} % intervals by the fit alone\n",
+               100 * given.level);
+  }
+}
+
+ordered_json estimate_json(const Estimate& estimate) {
+  ordered_json json{{"value", json_number(estimate.value)}, {"interval", nullptr}};
+  if (estimate.interval) {
+    json["interval"] = *estimate.interval;
+  }
+  return json;
+}
+
+ordered_json given_survival_json(const GivenSurvival& given) {
+  ordered_json json{{"used", given.used},
+                    {"repeats_to",
+                     {{"10_percent", estimate_json(given.to_10)},
+                      {"50_percent", estimate_json(given.to_50)},
+                      {"90_percent", estimate_json(given.to_90)}}},
+                    {"level", given.level > 0 ? ordered_json(given.level) : ordered_json(nullptr)}};
+  if (given.risk) {
+    json["break_risk"] = estimate_json(given.risk->probability);
+    json["break_risk"]["horizon"] = given.risk->horizon;
+    json["break_risk"]["repeats"] = json_number(given.risk->repeats);
+  }
+  return json;
+}
+
 std::string_view prose_of(InputKind kind) {
   switch (kind) {
     case InputKind::kInputTension:
@@ -168,6 +223,9 @@ std::string replay_json(const ReplayResult& result) {
       json["not_evaluated"].push_back({{"id", effect.id}, {"why", effect.why}});
     }
   }
+  if (result.given_survival) {
+    json["given_survival"] = given_survival_json(*result.given_survival);
+  }
   if (result.can_frames) {
     json["can_frames"] = *result.can_frames;
   }
@@ -187,6 +245,9 @@ void write_summary(std::ostream& out, const ReplayResult& result, const std::str
   fmt::print(out, "  survival      {:.4f} %  after one pass\n", 100 * result.survival_probability);
   write_repeats(out, result);
   write_watched(out, result.watched);
+  if (result.given_survival) {
+    write_given_survival(out, *result.given_survival);
+  }
   for (const std::string& id : result.extensions) {
     fmt::print(out, "  {:<13} {}\n", id == kEmpirical ? "correction" : "extension", id);
   }

@@ -33,8 +33,9 @@ using hal::files::stop_if_interrupted;
 
 namespace {
 
-constexpr std::array<const char*, 6> kForOneProfile{
-    "--trajectory", "--trajectory-step", "--report", "--can", "--node", "--start-cycle"};
+constexpr std::array<const char*, 8> kForOneProfile{
+    "--trajectory", "--trajectory-step", "--report", "--can",
+    "--node",       "--start-cycle",     "--used",   "--horizon"};
 
 void add_inputs(CLI::App& verb, ReplayArguments& arguments) {
   verb.add_option("PROFILE", arguments.profiles,
@@ -140,6 +141,10 @@ int replay_one(const ReplayArguments& arguments) {
   options.report = page ? &report : nullptr;
   options.node = arguments.node;
   options.start_cycle = arguments.start_cycle.value_or(0);
+  if (arguments.used || !arguments.horizon.empty()) {
+    options.survivor = {arguments.used.value_or(0),
+                        arguments.horizon.empty() ? std::nullopt : horizon_from(arguments.horizon)};
+  }
   if (can) {
     options.can = [&log = can->stream()](hal::Time time, const hal::CanFrame& frame) {
       stop_if_interrupted();
@@ -206,6 +211,21 @@ void add_replay(CLI::App& app, int& status) {
   verb->add_option("--start-cycle", arguments->start_cycle,
                    "Cycles that the sheath has seen before, for a model with friction_wear")
       ->default_str("0");
+  verb->add_option("--used", arguments->used,
+                   "Damage that the wire has survived before, 1 is its characteristic life: tells "
+                   "its life given that it is whole")
+      ->check(command_line::not_negative())
+      ->default_str("0");
+  verb->add_option("--horizon", arguments->horizon,
+                   "Tells the probability of a break within that many repeats, or hours of the "
+                   "profile with an h, given that the wire is whole: 200, 8h")
+      ->check(CLI::Validator(
+          [](const std::string& text) {
+            return horizon_from(text)
+                       ? std::string()
+                       : text + " is no horizon; accepted: repeats or hours above 0: 200, 8h";
+          },
+          "REPEATS|HOURSh"));
   add_fail_on(*verb, arguments->fail_on, all_findings(),
               "Exit with status 3 if one of these is found");
   verb->footer(

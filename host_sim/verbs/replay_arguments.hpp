@@ -26,6 +26,8 @@ struct ReplayArguments {
   std::string specimens;
   protocol::Node node = 1;
   std::optional<std::uint32_t> start_cycle;
+  std::optional<double> used;
+  std::string horizon;
   std::vector<std::string> fail_on;
 
   [[nodiscard]] std::array<std::string, 6> outputs() const {

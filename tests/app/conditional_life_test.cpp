@@ -24,17 +24,19 @@ struct Load {
 template <std::size_t kTendons>
 class Pages {
  public:
-  explicit Pages(const std::array<Load, kTendons>& loads, std::uint32_t seconds = 60) {
+  explicit Pages(const std::array<Load, kTendons>& loads, std::uint32_t seconds = 60,
+                 const Outlook& outlook = {}) {
     book_.start({});
     for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
       storage::LifeRecord record;
       record.epoch_damage = lifemodel_test::damage_of(loads[tendon].used);
-      book_.resume(tendon, record, false, 1, paper_parameters().life);
+      book_.resume(tendon, record, false, 1, paper_parameters().life, outlook);
     }
     for (std::uint32_t s = 1; s <= seconds; ++s) {
       for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
         lifemodel::Reading reading{};
         reading.total = lives(s, loads[tendon].exponent);
+        reading.closed_cycles = lifemodel::Cycles::from_raw(s);
         book_.take(hal::seconds(s), tendon, reading);
       }
     }
@@ -73,6 +75,19 @@ TEST(ConditionalLife, OfAWireAtItsB10) {
   EXPECT_EQ(risk.horizon_h, 8);
 }
 
+// 24 h of 8.583e-4 are 0.0206: 1 - exp(-0.1053605 ((1 + 0.0300870)^5.94 - 1)) = 2.008 %.
+TEST(BreakRisk, IsWithinTheHorizonOfTheModelInWholeHours) {
+  const auto within = [](std::uint32_t horizon_s) {
+    return Pages<1>({Load{0.684648495 - 60 * 0x1p-22, 22}}, 60, {.horizon_s = horizon_s, .fit = {}})
+        .page<BreakRisk>();
+  };
+  EXPECT_EQ(within(24 * 3600).horizon_h, 24);
+  EXPECT_EQ(within(24 * 3600).within_horizon, 81);
+  EXPECT_EQ(within(23 * 3600 + 1).horizon_h, 24);
+  EXPECT_EQ(within(4).horizon_h, 1);
+  EXPECT_EQ(within(87600u * 3600).horizon_h, 255);
+}
+
 TEST(ConditionalLife, IsUnknownBeforeAMinuteHasPassed) {
   Pages<1> pages({Load{0.5, 22}}, 59);
   EXPECT_EQ(pages.page<ConditionalLife>(), ConditionalLife{});
@@ -102,6 +117,27 @@ TEST(ConditionalLife, OfAWornWireUnderLoadIsNoneAndSure) {
   Pages<1> pages({Load{3.0, 8}});
   EXPECT_EQ(pages.page<ConditionalLife>(), (ConditionalLife{0, 0, 0}));
   EXPECT_EQ(pages.page<BreakRisk>().within_horizon, 4000);
+}
+
+lifemodel::LifeUncertainty fit_of(double log2_life, double exponent, double log2_shape) {
+  return {.log2_life = static_cast<std::uint32_t>(log2_life * 0x1p21),
+          .exponent = static_cast<std::uint32_t>(exponent * 0x1p27),
+          .log2_shape = static_cast<std::uint32_t>(log2_shape * 0x1p21),
+          .log2_damage_at_pivot = -22 << 21};
+}
+
+// After 600 s the damage is 0.684648, B10 of the paper's shape, and 98.73 h are left to 10 % at
+// 3600 * 2^-22 an hour. With 2^-0.25 of the life 0.814189 is used, (0.814189^5.94 +
+// 0.1053605)^(1/5.94) - 0.814189 = 0.0429642 left, of a life that is as much shorter: 42.09 h. With
+// 2^0.25 of it 0.575718 is used and 0.1450585 left: 200.98 h.
+TEST(BreakRisk, HasTheIntervalOfTheFitOnceTheLoadIsKnown) {
+  const Outlook outlook{.horizon_s = 1, .fit = fit_of(0.25, 0, 0)};
+  const Load load{0.684648495 - 600 * 0x1p-22, 22};
+  const auto page = Pages<1>({load}, 600, outlook).page<BreakRisk>();
+  EXPECT_EQ(page.to_10_low_30min, 84);
+  EXPECT_EQ(page.to_10_high_30min, 402);
+  EXPECT_EQ(Pages<1>({load}, 599, outlook).page<BreakRisk>().to_10_low_30min, 0x3fff);
+  EXPECT_EQ(Pages<1>({load}, 600).page<BreakRisk>().to_10_high_30min, 0x3fff);
 }
 
 }  // namespace

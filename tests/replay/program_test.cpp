@@ -65,6 +65,36 @@ TEST_F(Program, BadInputIsOneLineWithFileAndLineAndLeavesNothingBehind) {
   }
 }
 
+// tests/replay/given_survival_test.cpp has the numbers.
+TEST_F(Program, TellsLifeGivenSurvival) {
+  ASSERT_EQ(run("replay good.csv --model model.toml --used 0.684648495 --horizon 8h --json r.json"),
+            0)
+      << err_;
+  const auto json = nlohmann::json::parse(contents(folder_ / "r.json"));
+  const auto& given = json["given_survival"];
+  const double each = json["damage"]["total"];
+  EXPECT_NEAR(given["repeats_to"]["10_percent"]["value"], 0.0847407 / each,
+              1e-5 * 0.0847407 / each);
+  EXPECT_TRUE(given["repeats_to"]["10_percent"]["interval"].is_null());
+  EXPECT_NEAR(given["break_risk"]["repeats"], 8 * 3600 / json["duration_s"].get<double>(), 1);
+  EXPECT_NE(out_.find("whole now     at damage 0.684648"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("risk of a break within 8h"), std::string::npos) << out_;
+  ASSERT_EQ(run("replay good.csv --model model.toml --json r.json"), 0);
+  EXPECT_FALSE(nlohmann::json::parse(contents(folder_ / "r.json")).contains("given_survival"));
+}
+
+TEST_F(Program, AHorizonOfNoneIsRefusedInALine) {
+  for (const char* bad : {"0", "0h", "-1", "soon"}) {
+    EXPECT_EQ(run(std::string("replay good.csv --model model.toml --json r.json --horizon=") + bad),
+              2);
+    EXPECT_NE(err_.find(std::string(bad) + " is no horizon; accepted: repeats or hours above 0"),
+              std::string::npos)
+        << err_;
+    EXPECT_FALSE(fs::exists(folder_ / "r.json"));
+  }
+  EXPECT_EQ(run("replay good.csv --model model.toml --used=-0.1"), 2);
+}
+
 TEST_F(Program, BadModelsAreRefusedWithTheLine) {
   write("unknown.toml", contents(folder_ / "model.toml") + "\n[cable2]\nx = 1\n");
   EXPECT_EQ(run("replay good.csv --model unknown.toml"), 1);

@@ -13,6 +13,8 @@ namespace host_sim::monitor {
 namespace {
 
 using nlohmann::ordered_json;
+using protocol::detail::BreakRisk;
+using protocol::detail::ConditionalLife;
 using protocol::detail::DamageRate;
 using protocol::detail::RemainingLife;
 
@@ -74,6 +76,25 @@ std::string status_json(const NodeView& node) {
     put("b10", &RemainingLife::b10_dh);
     put("b50", &RemainingLife::b50_dh);
     put("b90", &RemainingLife::b90_dh);
+  }
+  if (node.conditional && !node.conditional->stale) {
+    const ConditionalLife& life = node.conditional->value;
+    const auto put = [&](const char* name, std::uint16_t ConditionalLife::*member) {
+      json["hours_given_survival"][name] = hours_of(life.*member);
+      if (is_at_least(protocol::schema::signal_of(member), life.*member)) {
+        at_least.push_back(fmt::format("hours_given_survival.{}", name));
+      }
+    };
+    put("risk_10_percent", &ConditionalLife::to_10_dh);
+    put("risk_50_percent", &ConditionalLife::to_50_dh);
+    put("risk_90_percent", &ConditionalLife::to_90_dh);
+  }
+  if (node.break_risk && !node.break_risk->stale) {
+    const BreakRisk& risk = node.break_risk->value;
+    json["break_risk_percent"] = risk.within_horizon == BreakRisk::kUnknownRisk
+                                     ? ordered_json(nullptr)
+                                     : ordered_json(100.0 * risk.within_horizon / BreakRisk::kSure);
+    json["break_risk_horizon_h"] = risk.horizon_h;
   }
   if (!at_least.empty()) {
     json["at_least"] = at_least;

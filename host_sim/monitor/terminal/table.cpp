@@ -34,6 +34,7 @@ struct Cell {
   CellStyle style = CellStyle::plain;
 };
 
+using protocol::detail::BreakRisk;
 using protocol::detail::DamageRate;
 using protocol::detail::RemainingLife;
 
@@ -107,6 +108,19 @@ Cell remaining_cell(const NodeView& node) {
                         : Cell{std::string(kNothing), CellStyle::plain};
 }
 
+Cell break_risk_cell(const NodeView& node) {
+  if (!node.break_risk) {
+    return {std::string(kNothing), CellStyle::plain};
+  }
+  const BreakRisk& risk = node.break_risk->value;
+  return value_cell(
+      risk.within_horizon == BreakRisk::kUnknownRisk
+          ? "unknown"
+          : fmt::format("{:.4g} % in {} h", 100.0 * risk.within_horizon / BreakRisk::kSure,
+                        risk.horizon_h),
+      node.break_risk->stale);
+}
+
 std::string rate_of(const DamageRate& rate) {
   return rate.ppb_per_h == DamageRate::kUnknownRate ? "unknown"
                                                     : percent_of(rate.ppb_per_h, kRateSignal);
@@ -177,8 +191,9 @@ struct Column {
 
 /// In the order of cells_of().
 std::vector<Column> columns() {
-  return {{"NODE", 9},      {"STATE", 8},  {"DAMAGE %", 7}, {"LEFT B10 - B90", 4}, {"RATE %/h", 3},
-          {"HEARTBEAT", 5}, {"FAILED", 6}, {"LOST", 1},     {"NOTES", 2}};
+  return {{"NODE", 10},      {"STATE", 9},    {"DAMAGE %", 8},  {"LEFT B10 - B90", 4},
+          {"BREAK RISK", 5}, {"RATE %/h", 3}, {"HEARTBEAT", 6}, {"FAILED", 7},
+          {"LOST", 1},       {"NOTES", 2}};
 }
 
 /// What a node is called, shows and suffers from, a cell for each of columns().
@@ -187,6 +202,7 @@ std::vector<Cell> cells_of(const NodeView& node, std::int64_t now_ns) {
           state_cell(node),
           damage_cell(node),
           remaining_cell(node),
+          break_risk_cell(node),
           rate_cell(node),
           heartbeat_cell(node, now_ns),
           failures_cell(node),

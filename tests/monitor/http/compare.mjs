@@ -74,6 +74,8 @@ function compareTiles(tiles, { messages, damage }, problems, at) {
     Cycles: cycles,
     DamageRate: rate,
     RemainingLife: remaining,
+    ConditionalLife: conditional,
+    BreakRisk: risk,
     Storage: storage,
     Timing: timing,
     Bus: bus,
@@ -88,6 +90,10 @@ function compareTiles(tiles, { messages, damage }, problems, at) {
   hoursText(low, remaining.RemainingB10, problems, `${at}: B10`);
   hoursText(high, remaining.RemainingB90, problems, `${at}: B90`);
   note('Remaining life, B10 to B90', remaining.RemainingB50, 5);
+  const whole = tiles['Whole now: until 10 to 50 % have broken'].text.split(' to ');
+  hoursText(whole[0], conditional.HoursToRisk10, problems, `${at}: 10 %`);
+  hoursText(whole[1], conditional.HoursToRisk50, problems, `${at}: 50 %`);
+  number('Probability of a break', 100 * risk.BreakRisk, 4);
   number('Damage rate', 100 * rate.DamageRate, 4);
   number('Cycles', cycles.Cycles);
   note('Cycles', cycles.CycleRate);

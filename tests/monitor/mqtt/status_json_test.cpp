@@ -21,6 +21,8 @@ NodeView reported_node() {
                  1'600'000'000'123'456'789};
   node.highest_damage_ppb = 612'345'678;
   node.rate = {{.ppb_per_h = 5'000'000}, 0};
+  node.conditional = {{.to_10_dh = 250, .to_50_dh = 0xfffe, .to_90_dh = 0xffff}, 0};
+  node.break_risk = {{.horizon_h = 8, .within_horizon = 26}, 0};
   node.remaining = {{.b10_dh = 123, .b50_dh = 200, .b90_dh = 0xffff}, 0};
   return node;
 }
@@ -32,13 +34,23 @@ TEST(StatusJson, HoldsWhatTheNodeTold) {
     "quality": "gaps", "storage_ok": true, "sensor_ok": false, "gap": true, "saturated": false,
     "overrun": false, "locked": false, "broken": false, "slack": false, "time_s": 1600000000.123, "stale": false,
     "vanished": false, "integrity_failures": 0, "damage_percent_per_h": 0.5,
-    "remaining_h": {"b10": 12.3, "b50": 20.0, "b90": null}})"));
+    "remaining_h": {"b10": 12.3, "b50": 20.0, "b90": null},
+    "hours_given_survival": {"risk_10_percent": 25.0, "risk_50_percent": 6553.4,
+                             "risk_90_percent": null},
+    "break_risk_percent": 0.65, "break_risk_horizon_h": 8,
+    "at_least": ["hours_given_survival.risk_50_percent"]})"));
 }
 
 TEST(StatusJson, ARateThatIsNotKnownYetIsNull) {
   NodeView node = reported_node();
   node.rate->value.ppb_per_h = 0xffff'ffff;
   EXPECT_TRUE(nlohmann::json::parse(status_json(node)).at("damage_percent_per_h").is_null());
+}
+
+TEST(StatusJson, ABreakRiskThatIsNotKnownYetIsNull) {
+  NodeView node = reported_node();
+  node.break_risk->value.within_horizon = 0xfff;
+  EXPECT_TRUE(nlohmann::json::parse(status_json(node)).at("break_risk_percent").is_null());
 }
 
 TEST(StatusJson, NamesWhatIsAtTheEndOfItsRange) {
@@ -48,7 +60,8 @@ TEST(StatusJson, NamesWhatIsAtTheEndOfItsRange) {
   node.remaining->value.b90_dh = 0xfffe;
   EXPECT_EQ(nlohmann::json::parse(status_json(node)).at("at_least"),
             nlohmann::json::parse(R"(["damage_ppb", "damage_percent", "damage_percent_per_h",
-                                      "remaining_h.b90"])"));
+                                      "remaining_h.b90",
+                                      "hours_given_survival.risk_50_percent"])"));
 }
 
 TEST(StatusJson, TwoControllersAreTheGravestState) {
@@ -64,10 +77,14 @@ TEST(StatusJson, LeavesOutPagesThatAreStale) {
   node.status->stale = true;
   node.rate->stale = true;
   node.remaining->stale = true;
+  node.conditional->stale = true;
+  node.break_risk->stale = true;
   const auto json = nlohmann::json::parse(status_json(node));
   EXPECT_TRUE(json.at("stale").get<bool>());
   EXPECT_FALSE(json.contains("damage_percent_per_h"));
   EXPECT_FALSE(json.contains("remaining_h"));
+  EXPECT_FALSE(json.contains("hours_given_survival"));
+  EXPECT_FALSE(json.contains("break_risk_percent"));
 }
 
 TEST(StatusJson, IsEmptyBeforeAStatus) {

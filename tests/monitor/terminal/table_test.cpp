@@ -18,6 +18,7 @@ NodeView node_of(protocol::LifeState state, std::uint32_t damage_ppb) {
   node.highest_damage_ppb = damage_ppb;
   node.rate = {{.ppb_per_h = 1'234}, 10 * kS};
   node.remaining = {{.b10_dh = 123, .b50_dh = 200, .b90_dh = 456}, 10 * kS};
+  node.break_risk = {{.horizon_h = 8, .within_horizon = 26}, 10 * kS};
   return node;
 }
 
@@ -38,14 +39,17 @@ TEST(Table, ShowsANodeInARow) {
   ASSERT_EQ(lines.size(), 3u);
   EXPECT_EQ(lines[0], "can0  0 frames  0/s  load 0.0 %  1 node");
   EXPECT_EQ(lines[1],
-            "NODE  STATE    DAMAGE %  LEFT B10 - B90  RATE %/h   HEARTBEAT  FAILED  LOST  NOTES");
-  EXPECT_EQ(lines[2], "5     inspect  12.1      12.3 - 45.6 h   0.0001234  1.0 s      0       0");
+            "NODE  STATE    DAMAGE %  LEFT B10 - B90  BREAK RISK     RATE %/h   HEARTBEAT  FAILED  "
+            "LOST  NOTES");
+  EXPECT_EQ(
+      lines[2],
+      "5     inspect  12.1      12.3 - 45.6 h   0.65 % in 8 h  0.0001234  1.0 s      0       0");
 }
 
 TEST(Table, ARateThatIsNotKnownYetIsNoNumber) {
   NodeView node = node_of(protocol::LifeState::inspect, 121'000'000);
   node.rate->value.ppb_per_h = 0xffff'ffff;
-  EXPECT_NE(row_of(node).find("12.3 - 45.6 h   unknown   1.0 s"), std::string::npos)
+  EXPECT_NE(row_of(node).find("12.3 - 45.6 h   0.65 % in 8 h  unknown   1.0 s"), std::string::npos)
       << row_of(node);
 }
 
@@ -53,7 +57,7 @@ TEST(Table, ARateThatIsNotKnownYetIsNoNumber) {
 TEST(Table, TheEndOfARangeIsNoExactNumber) {
   NodeView node = node_of(protocol::LifeState::worn, 0xffff'ffff);
   node.rate->value.ppb_per_h = 0xffff'fffe;
-  EXPECT_NE(row_of(node).find("  >=429.4967295  12.3 - 45.6 h   >=429.4967294  "),
+  EXPECT_NE(row_of(node).find("  >=429.4967295  12.3 - 45.6 h   0.65 % in 8 h  >=429.4967294  "),
             std::string::npos)
       << row_of(node);
   node.highest_damage_ppb -= 1;
@@ -150,6 +154,15 @@ TEST(Table, RemainingLifeAtTheEndOfItsFieldIsThatOrMore) {
   EXPECT_NE(row_of(node).find("1.0 - >=6553.4 h"), std::string::npos);
   node.remaining->value.b10_dh = 0xfffe;
   EXPECT_NE(row_of(node).find(">=6553.4 - >=6553.4 h"), std::string::npos);
+}
+
+TEST(Table, ABreakRiskThatIsNotKnownYetIsNoNumber) {
+  NodeView node = node_of(protocol::LifeState::normal, 0);
+  node.break_risk->value.within_horizon = 0xfff;
+  EXPECT_NE(row_of(node).find("12.3 - 45.6 h   unknown     0.0001234"), std::string::npos)
+      << row_of(node);
+  node.break_risk->stale = true;
+  EXPECT_NE(row_of(node).find("unknown STALE"), std::string::npos);
 }
 
 TEST(Table, ANodeWithoutAStatusHasNoDamage) {

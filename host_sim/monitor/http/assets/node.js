@@ -5,9 +5,11 @@ import { Timeline } from './events.js';
 import { NodeHistory } from './history.js';
 import {
   ageText,
+  breakRiskText,
   cycleRateText,
   emergencyText,
   flagText,
+  givenSurvivalText,
   hoursField,
   momentText,
   percentField,
@@ -27,7 +29,8 @@ class NodeTiles {
   }
 
   show({ node, view, isStale }) {
-    const { status, remaining, rate, cycles, heartbeat, emergency } = node;
+    const { status, remaining, conditional, rate, cycles, heartbeat, emergency } = node;
+    const risk = node.break_risk;
     this.tiles.show([
       [
         'Damage',
@@ -55,6 +58,13 @@ class NodeTiles {
             }`
           : '',
       ],
+      [
+        'Whole now: until 10 to 50 % have broken',
+        givenSurvivalText(conditional),
+        isStale(conditional),
+        'given survival, at the present rate',
+      ],
+      ['Probability of a break', breakRiskText(risk), isStale(risk), 'given survival'],
       ['Damage rate', rateText(rate), isStale(rate), 'over the last minute'],
       [
         'Cycles',

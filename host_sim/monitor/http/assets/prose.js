@@ -50,6 +50,23 @@ export function hoursField(remaining, name) {
   return value === 'unknown' ? value : orMore(remaining, name, numberText(value, 5));
 }
 
+/** Until it has broken with 10 and 50 % probability, given that it is whole now. */
+export function givenSurvivalText(conditional) {
+  if (!conditional) {
+    return UNKNOWN;
+  }
+  return conditional.HoursToRisk10 === 'unknown'
+    ? UNKNOWN
+    : `${hoursField(conditional, 'HoursToRisk10')} to ${hoursField(conditional, 'HoursToRisk50')} h`;
+}
+
+/** Probability of a break within the horizon. */
+export function breakRiskText(risk) {
+  return !risk || risk.BreakRisk === 'unknown'
+    ? UNKNOWN
+    : `${numberText(100 * risk.BreakRisk, 4)} % within ${risk.BreakHorizon} h`;
+}
+
 /** The band of the remaining life. */
 export function remainingText(remaining) {
   if (!remaining) {

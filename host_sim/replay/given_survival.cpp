@@ -1,0 +1,108 @@
+#include "host_sim/replay/given_survival.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <system_error>
+#include <vector>
+
+#include "host_sim/reference/equations.hpp"
+
+namespace host_sim {
+namespace {
+
+/// A law of life beside the fitted one.
+struct Variant {
+  double life_factor = 1;
+  double shape = 0;
+};
+
+/// The ends of an interval of `value_of` over the variants of the law: effects on a scale where
+/// they add, by `scale` and `unscale`.
+template <class ValueOf, class Scale, class Unscale>
+Estimate estimate(const std::vector<std::array<Variant, 2>>& variants, const Variant& fitted,
+                  ValueOf value_of, Scale scale, Unscale unscale) {
+  Estimate result{.value = value_of(fitted), .interval = {}};
+  const double centre = scale(result.value);
+  if (variants.empty() || !std::isfinite(centre)) {
+    return result;
+  }
+  double below = 0;
+  double above = 0;
+  for (const auto& ends : variants) {
+    const double a = scale(value_of(ends[0])) - centre;
+    const double b = scale(value_of(ends[1])) - centre;
+    below = std::hypot(below, std::min({a, b, 0.0}));
+    above = std::hypot(above, std::max({a, b, 0.0}));
+  }
+  result.interval = {unscale(centre - below), unscale(centre + above)};
+  return result;
+}
+
+std::vector<std::array<Variant, 2>> variants_of(const Model::Life& life,
+                                                double effective_tension_N) {
+  if (!life.interval || !(effective_tension_N > 0)) {
+    return {};
+  }
+  const Model::Life::Interval& fit = *life.interval;
+  const double life_half = std::log(fit.life_at_pivot.high / fit.life_at_pivot.low) / 2;
+  const double exponent_half = (fit.ipl_exponent.high - fit.ipl_exponent.low) / 2;
+  const double half =
+      std::hypot(life_half, exponent_half * std::log(effective_tension_N / fit.pivot_tension_N));
+  return {
+      {Variant{std::exp(-half), life.weibull_shape}, Variant{std::exp(half), life.weibull_shape}},
+      {Variant{1, fit.weibull_shape.low}, Variant{1, fit.weibull_shape.high}}};
+}
+
+}  // namespace
+
+std::optional<Horizon> horizon_from(const std::string& text) {
+  const bool in_hours = !text.empty() && text.back() == 'h';
+  const char* const end = text.data() + text.size() - (in_hours ? 1 : 0);
+  double value = 0;
+  const auto [rest, error] = std::from_chars(text.data(), end, value);
+  if (error != std::errc{} || rest != end || !std::isfinite(value) || !(value > 0)) {
+    return std::nullopt;
+  }
+  return Horizon{value, in_hours, text};
+}
+
+GivenSurvival given_survival(const AskedOfSurvivor& asked, double damage, double duration_s,
+                             double effective_tension_N, const Model::Life& life) {
+  GivenSurvival result;
+  result.used = asked.used;
+  const Variant fitted{1, life.weibull_shape};
+  const auto variants = variants_of(life, effective_tension_N);
+  result.level = variants.empty() ? 0 : life.interval->level;
+  const auto repeats_to = [&](double risk) {
+    const auto repeats = [&](const Variant& law) {
+      return damage == 0 ? std::numeric_limits<double>::infinity()
+                         : reference::weibull_further_damage(asked.used / law.life_factor, risk,
+                                                             law.shape) /
+                               (damage / law.life_factor);
+    };
+    return estimate(
+        variants, fitted, repeats, [](double x) { return std::log(x); },
+        [](double x) { return std::exp(x); });
+  };
+  result.to_10 = repeats_to(0.1);
+  result.to_50 = repeats_to(0.5);
+  result.to_90 = repeats_to(0.9);
+  if (asked.horizon) {
+    const double repeats =
+        asked.horizon->in_hours ? asked.horizon->value * 3600 / duration_s : asked.horizon->value;
+    const auto risk = [&](const Variant& law) {
+      return reference::weibull_break_risk(asked.used / law.life_factor,
+                                           repeats * damage / law.life_factor, law.shape);
+    };
+    // ln(-ln(1 - p)), in which the shape and the logarithm of life are nearly linear.
+    result.risk = {asked.horizon->text, repeats,
+                   estimate(
+                       variants, fitted, risk, [](double p) { return std::log(-std::log1p(-p)); },
+                       [](double x) { return -std::expm1(-std::exp(x)); })};
+  }
+  return result;
+}
+
+}  // namespace host_sim
