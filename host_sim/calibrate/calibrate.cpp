@@ -95,6 +95,11 @@ class Warnings {
           !text.empty() && !(together && has_too_few_failures(level))) {
         result_.warnings.push_back(std::move(text));
       }
+      if (const std::size_t found = level.found_broken(); found > 0) {
+        add("level {}: {} of {} were found broken at inspections: no goodness of fit, which needs "
+            "lives that are known",
+            level.name(), found, level.sample.size());
+      }
       if (!level.left_out.empty()) {
         add("level {} is left out of the life law: {}", level.name(), level.left_out);
       }
@@ -202,7 +207,7 @@ void count_specimens(const Campaign& campaign, CalibrateResult& result) {
     result.in_blocks += specimen.constant_load() ? 0U : 1U;
     if (specimen.role == Campaign::Role::fit) {
       ++result.specimens;
-      ++(specimen.status == Campaign::Status::failed ? result.failed : result.suspended);
+      ++(specimen.status == Campaign::Status::suspended ? result.suspended : result.failed);
     }
   }
 }

@@ -15,11 +15,22 @@ using statistics::Family;
 
 constexpr std::size_t kFamilies = 3;
 
+statistics::Observation observation_of(const Campaign::Specimen& specimen) {
+  using Status = Campaign::Status;
+  statistics::Observation seen{.value = specimen.cycles()};
+  seen.failed = specimen.status != Status::suspended && specimen.status != Status::trimmed_high;
+  seen.trimmed = specimen.trimmed();
+  if (seen.failed && specimen.status != Status::failed) {
+    seen.from = specimen.from_cycles;
+  }
+  return seen;
+}
+
 statistics::Sample sample_of(const Level& level) {
   statistics::Sample sample;
   sample.reserve(level.specimens.size());
   for (const Campaign::Specimen* specimen : level.specimens) {
-    sample.push_back({specimen->cycles(), specimen->status == Campaign::Status::failed});
+    sample.push_back(observation_of(*specimen));
   }
   return sample;
 }
@@ -46,7 +57,7 @@ LevelResult level_result(const Level& level, std::size_t index, const CalibrateO
   result.sample = sample_of(level);
   for (std::size_t i = 0; i < kFamilies; ++i) {
     result.fits[i] = statistics::fit(static_cast<Family>(i), result.sample);
-    if (result.fits[i].problem == statistics::FitProblem::none) {
+    if (result.fits[i].problem == statistics::FitProblem::none && result.found_broken() == 0) {
       result.goodness[i] = statistics::goodness_of_fit(
           result.fits[i], result.sample,
           bootstrap(options, Purpose::goodness_of_fit, index * kFamilies + i));
@@ -85,9 +96,19 @@ std::string_view problem_name(statistics::FitProblem problem) {
 std::size_t LevelResult::failed() const {
   std::size_t count = 0;
   for (const statistics::Observation& observation : sample) {
-    count += observation.failed ? 1U : 0U;
+    count += observation.failed || observation.trimmed ? 1U : 0U;
   }
   return count;
+}
+
+std::size_t LevelResult::found_broken() const {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      sample,
+      [](const statistics::Observation& seen) { return seen.from.has_value() && !seen.trimmed; }));
+}
+
+std::size_t LevelResult::trimmed() const {
+  return static_cast<std::size_t>(std::ranges::count_if(sample, &statistics::Observation::trimmed));
 }
 
 std::string LevelResult::name() const {
@@ -195,8 +216,11 @@ life_law::LifeDatum datum_of(const Campaign::Specimen& specimen, std::size_t lev
   for (const Campaign::Block& block : specimen.blocks) {
     datum.blocks.push_back({block.load.effective_tension_N, block.cycles});
   }
-  datum.failed = specimen.status == Campaign::Status::failed;
+  const statistics::Observation seen = observation_of(specimen);
+  datum.failed = seen.failed;
   datum.level = level;
+  datum.from_cycles = seen.from;
+  datum.trimmed = seen.trimmed;
   return datum;
 }
 

@@ -43,7 +43,7 @@ struct LevelResult {
   statistics::Sample sample;
   std::array<statistics::Fit, 3> fits;  ///< by statistics::Family
   std::array<std::optional<statistics::GoodnessOfFit>, 3>
-      goodness;                   ///< none where the fit has a problem
+      goodness;                   ///< none where the fit has a problem or a life lies between ends
   double shape_unbiased = 0;      ///< of the Weibull fit
   double mean_life = 0;           ///< of the Weibull fit
   statistics::QuantileBand band;  ///< 95 %, of the Weibull fit; empty where it has a problem
@@ -53,8 +53,10 @@ struct LevelResult {
   [[nodiscard]] const statistics::Fit& weibull() const {
     return fits[static_cast<std::size_t>(statistics::Family::weibull)];
   }
-  [[nodiscard]] std::size_t failed() const;
-  [[nodiscard]] std::string name() const;  ///< "315 deg, 42.5 N", or the tension alone
+  [[nodiscard]] std::size_t failed() const;        ///< dropped lives and those found broken too
+  [[nodiscard]] std::size_t found_broken() const;  ///< at an inspection, without a known life
+  [[nodiscard]] std::size_t trimmed() const;       ///< lives dropped as the lowest or highest
+  [[nodiscard]] std::string name() const;          ///< "315 deg, 42.5 N", or the tension alone
 };
 
 /// The test of one level's shape against that of the others.
@@ -107,7 +109,7 @@ struct ValidationResult {
   double measured_mean = 0;  ///< of the failures; with suspended ones, by maximum likelihood
   Interval ratio_ci95;       ///< of the true mean over the predicted one
   double p = 0;  ///< of a difference as large, with the uncertainty of the fit; two-sided
-  std::size_t below_b10 = 0, inside_b10_b90 = 0, above_b90 = 0;  ///< failures
+  std::size_t below_b10 = 0, inside_b10_b90 = 0, above_b90 = 0;  ///< failures known to be there
   std::string words;
 };
 

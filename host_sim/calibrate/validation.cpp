@@ -11,6 +11,7 @@
 #include "host_sim/calibrate/streams.hpp"
 #include "host_sim/life_law/life_simulation.hpp"
 #include "host_sim/reference/equations.hpp"
+#include "host_sim/statistics/fit.hpp"
 #include "host_sim/statistics/parallel.hpp"
 
 namespace host_sim::calibrate {
@@ -24,23 +25,27 @@ double damage(const life_law::LifeDatum& datum, const life_law::LifeLaw& law) {
 }
 
 double mean_damage(std::span<const life_law::LifeDatum> data, const life_law::LifeLaw& law) {
+  statistics::Sample damages;
   double sum = 0;
-  double sum_of_powers = 0;
-  double failures = 0;
+  bool known = true;
   for (const life_law::LifeDatum& datum : data) {
     const double used = damage(datum, law);
     sum += used;
-    sum_of_powers += std::pow(used, law.shape);
-    failures += datum.failed ? 1 : 0;
+    known = known && datum.failed && !datum.from_cycles;
+    damages.push_back({.value = used, .failed = datum.failed});
+    if (datum.from_cycles) {
+      damages.back().from = *datum.from_cycles / datum.blocks.front().cycles * used;
+    }
   }
-  if (failures == 0) {
+  const auto count = static_cast<double>(data.size());
+  if (known && count > 0) {
+    return sum / count;
+  }
+  const statistics::CentredSample logs(statistics::Family::weibull, damages);
+  if (!logs.bounded()) {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  if (failures == static_cast<double>(data.size())) {
-    return sum / failures;
-  }
-  return std::pow(sum_of_powers / failures, 1 / law.shape) *
-         reference::weibull_mean_damage(law.shape);
+  return std::exp(log_scale(logs, law.shape)) * reference::weibull_mean_damage(law.shape);
 }
 
 namespace {
@@ -94,11 +99,16 @@ void count_bands(std::span<const life_law::LifeDatum> specimens, const LifeLaw& 
     if (!specimen.failed) {
       continue;
     }
-    if (used < reference::weibull_life_damage(0.1, law.shape)) {
+    // Where both ends of what is known of a life lie on one side.
+    const double from =
+        specimen.from_cycles ? *specimen.from_cycles / specimen.blocks.front().cycles * used : used;
+    const double b10 = reference::weibull_life_damage(0.1, law.shape);
+    const double b90 = reference::weibull_life_damage(0.9, law.shape);
+    if (used < b10) {
       ++result.below_b10;
-    } else if (used > reference::weibull_life_damage(0.9, law.shape)) {
+    } else if (from > b90) {
       ++result.above_b90;
-    } else {
+    } else if (from >= b10 && used <= b90) {
       ++result.inside_b10_b90;
     }
   }

@@ -11,8 +11,8 @@ namespace host_sim::calibrate {
 /// Miner's sum of a specimen under a law.
 double damage(const life_law::LifeDatum& datum, const life_law::LifeLaw& law);
 
-/// Mean damage at failure: of the failures where all failed, else by maximum likelihood under the
-/// shape of the law. NaN where none failed.
+/// Mean damage at failure: of the failures where all lives are known, else by maximum likelihood
+/// under the shape of the law. NaN where the data do not hold it from both sides.
 double mean_damage(std::span<const life_law::LifeDatum> data, const life_law::LifeLaw& law);
 
 /// Compares validation specimens of one load, or of loads in blocks, with the law. Each replicate

@@ -16,6 +16,7 @@
 #include "hal/files/text.hpp"
 #include "host_sim/campaign/campaign_files.hpp"
 #include "host_sim/campaign/load.hpp"
+#include "host_sim/campaign/trimming.hpp"
 
 namespace host_sim {
 
@@ -122,6 +123,12 @@ void take_blocks(SpecimenRow& row, const Rows& rows, const LoadModel& model) {
                                       in_quotes(row.specimen.name), rows.front()->order_place.line),
                           "the load here or in blocks.csv, not both");
   }
+  if (row.specimen.trimmed() || row.specimen.found_broken()) {
+    row.status_place.fail(
+        fmt::format("specimen {}, which has blocks, was trimmed or found broken at an inspection",
+                    in_quotes(row.specimen.name)),
+        "failed or suspended for specimens in blocks");
+  }
   check_order(rows);
   for (const BlockRow* const block : rows) {
     row.specimen.blocks.push_back(
@@ -152,7 +159,10 @@ Campaign assemble(CampaignFile file, std::vector<SpecimenRow> specimens,
     } else {
       take_blocks(row, of_this, model);
     }
-    campaign.specimens.push_back(row.specimen);
+  }
+  place_trimmed(specimens);
+  for (SpecimenRow& row : specimens) {
+    campaign.specimens.push_back(std::move(row.specimen));
   }
   std::sort(campaign.specimens.begin(), campaign.specimens.end(),
             [](const auto& a, const auto& b) { return a.name < b.name; });

@@ -13,7 +13,14 @@ namespace host_sim {
 /// A test as its folder holds it: campaign.toml, specimens.csv with the lives, and blocks.csv where
 /// specimens were loaded in blocks. Recordings, which sessions.csv names, are read elsewhere.
 struct Campaign {
-  enum class Status { failed, suspended };
+  enum class Status {
+    failed,
+    suspended,     ///< taken out before it failed
+    left,          ///< found broken when first inspected
+    interval,      ///< found broken, and not so at the inspection before
+    trimmed_low,   ///< its life was dropped as one of the lowest of its level
+    trimmed_high,  ///< the same, of the highest
+  };
   enum class Role { fit, validation };
 
   /// A constant load. Input tension is what was given, or what (12) - (14) make of output tension
@@ -37,12 +44,22 @@ struct Campaign {
     std::string group;  ///< empty where none
     Status status = Status::failed;
     Role role = Role::fit;
-    std::vector<Block> blocks;  ///< at least one, in order
+    /// At least one, in order. Of a specimen found broken up to then; of one that was trimmed up to
+    /// the lowest or highest life of its level that was kept.
+    std::vector<Block> blocks;
+    double from_cycles = 0;  ///< of status interval: when it was not broken yet
     std::optional<double> days;
     std::optional<double> wire_to_bend_ratio;
     std::uint64_t line = 0;  ///< in specimens.csv
 
     [[nodiscard]] bool constant_load() const { return blocks.size() == 1; }
+    [[nodiscard]] bool trimmed() const {
+      return status == Status::trimmed_low || status == Status::trimmed_high;
+    }
+    /// Known to be broken at its cycles, without its life being known.
+    [[nodiscard]] bool found_broken() const {
+      return status == Status::left || status == Status::interval;
+    }
     [[nodiscard]] double cycles() const;  ///< of all blocks
   };
 

@@ -29,9 +29,9 @@ CampaignFile parse_campaign_file(std::string_view text, std::string_view file);
 /// A row of specimens.csv.
 struct SpecimenRow {
   Campaign::Specimen specimen;  ///< without blocks
-  double cycles = 0;
+  double cycles = 0;            ///< 0 where it was trimmed
   GivenLoad load;
-  FilePosition name_place, cycles_place;
+  FilePosition name_place, cycles_place, status_place;
 };
 
 /// Reads and checks specimens.csv; `name` stands for the file in errors.

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <array>
 #include <cmath>
@@ -61,6 +62,7 @@ enum SpecimenColumn : unsigned {
   kWireToBendRatio,
   kGroup,
   kRole,
+  kCyclesFrom,
   kSpecimenColumnCount,
 };
 
@@ -78,18 +80,70 @@ std::array<CsvColumn, kSpecimenColumnCount> specimen_columns() {
   columns[kWireToBendRatio] = {.name = "wire_to_bend_ratio"};
   columns[kGroup] = {.name = "group"};
   columns[kRole] = {.name = "role"};
+  columns[kCyclesFrom] = {.name = "cycles_from"};
   return columns;
 }
 
+constexpr std::array kStatuses{
+    std::pair{std::string_view("failed"), Campaign::Status::failed},
+    std::pair{std::string_view("suspended"), Campaign::Status::suspended},
+    std::pair{std::string_view("interval"), Campaign::Status::interval},
+    std::pair{std::string_view("left"), Campaign::Status::left},
+    std::pair{std::string_view("trimmed_low"), Campaign::Status::trimmed_low},
+    std::pair{std::string_view("trimmed_high"), Campaign::Status::trimmed_high},
+};
+
 Campaign::Status status_in(const CsvTable& table) {
   const std::string& text = table.cell(kStatus);
-  if (text == "failed") {
-    return Campaign::Status::failed;
+  std::vector<std::string_view> accepted;
+  for (const auto& [name, status] : kStatuses) {
+    if (text == name) {
+      return status;
+    }
+    accepted.push_back(name);
   }
-  if (text == "suspended") {
-    return Campaign::Status::suspended;
+  table.place(kStatus).fail(fmt::format("status is {}", in_quotes(text)),
+                            fmt::format("{}", fmt::join(accepted, ", ")));
+}
+
+/// The cycles of a row; 0 where the life was dropped, which has none.
+double cycles_in(const CsvTable& table, bool trimmed) {
+  if (!trimmed) {
+    return cycles_in_row(table, kCycles);
   }
-  table.place(kStatus).fail(fmt::format("status is {}", in_quotes(text)), "failed, suspended");
+  if (!table.cell(kCycles).empty()) {
+    table.place(kCycles).fail(
+        fmt::format("cycles {} of a specimen that was trimmed", in_quotes(table.cell(kCycles))),
+        "an empty cell, or status failed where the life counts");
+  }
+  return 0;
+}
+
+/// Cycles at the last inspection before the one that found the specimen broken; 0 where no status
+/// asks for them.
+double cycles_from_in(const CsvTable& table, Campaign::Status status, double cycles) {
+  constexpr std::string_view kAccepted =
+      "cycles_from above 0 and below cycles: at the last inspection before it was found broken";
+  const bool given = table.has(kCyclesFrom) && !table.cell(kCyclesFrom).empty();
+  if (status != Campaign::Status::interval) {
+    if (given) {
+      table.place(kCyclesFrom)
+          .fail(fmt::format("cycles_from {} of a specimen with status {}",
+                            in_quotes(table.cell(kCyclesFrom)), in_quotes(table.cell(kStatus))),
+                "an empty cell, or status interval");
+    }
+    return 0;
+  }
+  if (!given) {
+    table.place(table.has(kCyclesFrom) ? kCyclesFrom : kStatus)
+        .fail("status interval without cycles_from", kAccepted);
+  }
+  const double from = cycles_in_row(table, kCyclesFrom);
+  if (from >= cycles) {
+    table.place(kCyclesFrom)
+        .fail(fmt::format("cycles_from is {}, and cycles {}", from, cycles), kAccepted);
+  }
+  return from;
 }
 
 Campaign::Role role_in(const CsvTable& table) {
@@ -118,11 +172,13 @@ SpecimenRow specimen_in(const CsvTable& table) {
     specimen.wire_to_bend_ratio = table.number(kWireToBendRatio, {0.0, 1e6, true});
   }
   specimen.line = table.line();
-  row.cycles = cycles_in_row(table, kCycles);
+  row.cycles = cycles_in(table, specimen.trimmed());
+  specimen.from_cycles = cycles_from_in(table, specimen.status, row.cycles);
   row.load = load_in_row(table);
   row.load.check();
   row.name_place = table.place(kSpecimen);
   row.cycles_place = table.place(kCycles);
+  row.status_place = table.place(kStatus);
   return row;
 }
 

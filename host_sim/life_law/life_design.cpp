@@ -63,11 +63,18 @@ bool has_levels(LifeForm form) {
 
 Participation::Participation(std::span<const LifeDatum> data, LifeForm form)
     : by_level_(has_levels(form)) {
-  std::vector<bool> part(levels_in(data), form.scale != LifeForm::Scale::free);
+  const bool free = form.scale == LifeForm::Scale::free;
+  std::vector<bool> from_above(levels_in(data), !free);
+  std::vector<bool> from_below(from_above);
   for (const LifeDatum& datum : data) {
-    if (datum.level != LifeDatum::kNoLevel && datum.failed) {
-      part[datum.level] = true;
+    if (datum.level != LifeDatum::kNoLevel) {
+      from_above[datum.level] = from_above[datum.level] || datum.failed;
+      from_below[datum.level] = from_below[datum.level] || datum.from_cycles != 0.0;
     }
+  }
+  std::vector<bool> part(from_above.size());
+  for (std::size_t level = 0; level < part.size(); ++level) {
+    part[level] = from_above[level] && from_below[level];
   }
   number(part);
 }
@@ -189,9 +196,11 @@ class DesignBuilder {
     }
     previous_ = &datum;
     LifeDesign::Constant& group = design_.constant.back();
-    group.lives.push_back(
-        {.ln_cycles = std::log(datum.blocks.front().cycles), .failed = datum.failed});
-    group.failures += datum.failed ? 1 : 0;
+    const statistics::Observation seen = datum.observation();
+    group.lives.push_back({.ln_cycles = std::log(seen.value),
+                           .failed = seen.failed,
+                           .ln_from = std::log(seen.from.value_or(seen.value))});
+    group.failures += seen.exact() ? 1 : 0;
   }
 
  private:
@@ -233,7 +242,9 @@ Eigen::VectorXd shape_of_one(LifeForm form, const Participation& participation) 
 double LifeDesign::failures() const {
   double sum = 0;
   for (const Constant& group : constant) {
-    sum += group.failures;
+    for (const Constant::Life& life : group.lives) {
+      sum += life.failed ? 1 : 0;
+    }
   }
   for (const InBlocks& specimen : in_blocks) {
     sum += specimen.failed ? 1 : 0;

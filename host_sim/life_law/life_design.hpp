@@ -21,8 +21,8 @@ struct LogTensionFrame {
 LogTensionFrame frame_of(std::span<const LifeDatum> data);
 
 /// Which specimens take part in a form. Forms with free levels take only specimens that have a
-/// level; where the scales are free, a level without failures takes no part: its scale is infinite
-/// and its likelihood one.
+/// level; where the scales are free, a level takes no part where nothing failed, or where all were
+/// found broken when first looked at: its scale is at an end and its likelihood one.
 class Participation {
  public:
   Participation(std::span<const LifeDatum> data, LifeForm form);
@@ -57,10 +57,14 @@ struct LifeDesign {
     struct Life {
       double ln_cycles;
       bool failed;
+      double ln_from;  ///< that of `ln_cycles` where the life is known, or minus infinity
+
+      /// The life is known.
+      [[nodiscard]] bool exact() const { return failed && ln_from == ln_cycles; }
     };
     Eigen::VectorXd scale_row, shape_row;
     std::vector<Life> lives;
-    double failures = 0;
+    double failures = 0;  ///< whose life is known
   };
 
   /// One specimen loaded in blocks.
@@ -81,6 +85,7 @@ struct LifeDesign {
   [[nodiscard]] Eigen::Index coefficients() const {
     return scale_coefficients + shape_coefficients;
   }
+  /// Failures, those that were found broken too.
   [[nodiscard]] double failures() const;
 };
 

@@ -27,6 +27,18 @@ double LifeLaw::quantile(double p, double effective_tension_N) const {
   return characteristic_life(effective_tension_N) * reference::weibull_life_damage(p, shape);
 }
 
+statistics::Observation LifeDatum::observation() const {
+  return {
+      .value = blocks.front().cycles, .failed = failed, .from = from_cycles, .trimmed = trimmed};
+}
+
+void LifeDatum::observe(const statistics::Observation& seen) {
+  blocks.front().cycles = seen.value;
+  failed = seen.failed;
+  from_cycles = seen.from;
+  trimmed = seen.trimmed;
+}
+
 namespace {
 
 struct NormalEquations {
@@ -64,8 +76,10 @@ NormalEquations normal_equations(const LifeDesign& design) {
     double sum = 0;
     double squares = 0;
     for (const LifeDesign::Constant::Life& life : group.lives) {
-      sum += life.ln_cycles;
-      squares += life.ln_cycles * life.ln_cycles;
+      const double ln_cycles =
+          std::isfinite(life.ln_from) ? (life.ln_from + life.ln_cycles) / 2 : life.ln_cycles;
+      sum += ln_cycles;
+      squares += ln_cycles * ln_cycles;
     }
     equations.add(group.scale_row, static_cast<double>(group.lives.size()), sum, squares);
   }
@@ -77,7 +91,8 @@ NormalEquations normal_equations(const LifeDesign& design) {
   return equations;
 }
 
-/// Coefficients to start from: least squares of ln cycles, as if the suspended had failed, with the
+/// Coefficients to start from: least squares of ln cycles, as if the suspended had failed and what
+/// was found broken had done so in the middle, with the
 /// shape that belongs to the spread of what is left.
 Eigen::VectorXd start_of(const LifeDesign& design) {
   constexpr double kSmallestSpread = 0.01;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,6 +22,15 @@ struct LifeDatum {
   std::vector<Block> blocks;  ///< at least one, in order; a failure is at the end of the last
   bool failed = true;
   std::size_t level = kNoLevel;  ///< number of its level from 0; specimens in blocks have none
+  /// Of a failure under one load that was found broken: see statistics::Observation.
+  std::optional<double> from_cycles = {};
+  bool trimmed = false;  ///< see statistics::Observation
+
+  /// What is known of its cycles.
+  /// @pre it has one block
+  [[nodiscard]] statistics::Observation observation() const;
+  /// The same load with other cycles.
+  void observe(const statistics::Observation& seen);
 };
 using LifeData = std::vector<LifeDatum>;
 
@@ -69,7 +79,8 @@ struct LifeFit {
 
 /// Fits by damped Newton steps with exact derivatives. A specimen in blocks enters with its
 /// accumulated damage D = sum n_j / alpha_j: survival exp(-D^beta), and for a failure the density
-/// of the last cycle, beta D^(beta - 1) exp(-D^beta) / alpha_last. Under a growing shape the shape
+/// of the last cycle, beta D^(beta - 1) exp(-D^beta) / alpha_last. One that was found broken enters
+/// with the probability to break between its two ends. Under a growing shape the shape
 /// of a specimen in blocks is that at the cycle-weighted mean of x. Forms with free levels take the
 /// specimens that have a level, and skip the others; where scales are free, a level without
 /// failures has an infinite ln alpha, adds nothing to the likelihood, and its own ln beta is not a

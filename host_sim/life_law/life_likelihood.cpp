@@ -11,6 +11,7 @@ namespace {
 /// of the damage, and phi, the logarithm of the shape. With z = u exp(phi) a specimen adds
 ///   failed     phi + z - exp(z) - u    (the density with respect to damage)
 ///   suspended  -exp(z)
+///   between    ln(exp(-exp(y)) - exp(-exp(z))), y that of the damage that it survived
 struct WeibullSlopes {
   double value = 0;
   double u = 0, phi = 0;
@@ -33,6 +34,31 @@ struct WeibullSlopes {
       phi_phi += z;
     }
   }
+
+  /// @param ln_from minus infinity where it survived nothing that is known
+  void add_between(double ln_from, double ln_damage, double shape) {
+    constexpr double kNothingLeft = 700;
+    const double y = std::isinf(ln_from) ? 0 : shape * ln_from;
+    const double z = shape * ln_damage;
+    const double hazard_y = std::isinf(ln_from) ? 0 : std::exp(y);
+    const double hazard_z = std::exp(z);
+    const double more = hazard_y > 0 ? hazard_y * std::expm1(z - y) : hazard_z;
+    const double p = -std::expm1(-more);  // to break, of those that survived so far
+    // Densities over that probability, by y and z, and how they bend.
+    const double at_y = hazard_y / p;
+    const double at_z = more < kNothingLeft ? hazard_z * std::exp(-more) / p : 0;
+    const double bend_y = at_y * (1 - hazard_y);
+    const double bend_z = at_z > 0 ? at_z * (1 - hazard_z) : 0;
+
+    const double by_u = shape * (at_z - at_y);
+    const double by_phi = at_z * z - at_y * y;
+    value += std::log(p) - hazard_y;
+    u += by_u;
+    phi += by_phi;
+    u_u += shape * shape * (bend_z - bend_y) - by_u * by_u;
+    u_phi += shape * (bend_z * z - bend_y * y + at_z - at_y) - by_u * by_phi;
+    phi_phi += bend_z * z * z - bend_y * y * y + by_phi - by_phi * by_phi;
+  }
 };
 
 using Row = Eigen::Ref<const Eigen::VectorXd>;
@@ -51,7 +77,11 @@ class Accumulator {
     const double shape = std::exp(ln_shape);
     WeibullSlopes slopes;
     for (const LifeDesign::Constant::Life& life : group.lives) {
-      slopes.add(life.ln_cycles - ln_alpha, ln_shape, shape, life.failed);
+      if (life.failed && !life.exact()) {
+        slopes.add_between(life.ln_from - ln_alpha, life.ln_cycles - ln_alpha, shape);
+      } else {
+        slopes.add(life.ln_cycles - ln_alpha, ln_shape, shape, life.failed);
+      }
     }
     add(slopes, group.scale_row, group.shape_row);
     add_failures(group.failures, ln_alpha, group.scale_row);

@@ -18,7 +18,7 @@ bool follows_plan(const LifeDatum& datum) {
 statistics::CensoringPlan plan_of(const LifeData& data, const std::vector<std::size_t>& specimens) {
   statistics::Sample sample;
   for (const std::size_t i : specimens) {
-    sample.push_back({.value = data[i].blocks.front().cycles, .failed = data[i].failed});
+    sample.push_back(data[i].observation());
   }
   return statistics::CensoringPlan(sample);
 }
@@ -68,9 +68,7 @@ void LifeSimulation::draw(const LifeLaw& law, statistics::Random& random, LifeDa
     }
     level.plan.observe(lives, random, seen);
     for (std::size_t i = 0; i < seen.size(); ++i) {
-      LifeDatum& specimen = drawn[level.specimens[i]];
-      specimen.blocks.front().cycles = seen[i].value;
-      specimen.failed = seen[i].failed;
+      drawn[level.specimens[i]].observe(seen[i]);
     }
   }
   for (LifeDatum& specimen : drawn) {

@@ -14,9 +14,10 @@ class LifeSimulation {
  public:
   explicit LifeSimulation(std::span<const LifeDatum> data);
 
-  /// Lives under `law`, into `drawn`. Specimens at a level follow the plan of suspension of that
-  /// level. A specimen in blocks that failed continues in its last block until it fails; one that
-  /// was suspended is suspended at the end of its blocks unless it fails before.
+  /// Lives under `law`, into `drawn`. Specimens at a level follow the plan of that level: its
+  /// suspensions, inspections and dropped lives. A specimen in blocks that failed continues in its
+  /// last block until it fails; one that was suspended is suspended at the end of its blocks unless
+  /// it fails before.
   void draw(const LifeLaw& law, statistics::Random& random, LifeData& drawn) const;
 
  private:

@@ -12,11 +12,19 @@
 
 namespace host_sim::statistics {
 
-/// When specimens of one sample would have been suspended, for simulating samples like it. A
-/// suspended specimen keeps its limit; one that failed gets a limit not below its life from the
+/// How the specimens of one sample would have been seen, for simulating samples like it.
+///
+/// A suspended specimen keeps its limit; one that failed gets a limit not below its life from the
 /// Kaplan-Meier estimate of the limits, or none beyond the last (the conditional bootstrap; Davison
 /// and Hinkley 1997, section 3.5). So all specimens of a test that ended at one life have that
 /// limit.
+///
+/// Where some were found broken, specimens are inspected, but for those whose life is known: at the
+/// ends that the sample has, and before, between and after them in steps of the median distance
+/// between the two ends of a life; not before the first inspection where one was found broken
+/// there.
+///
+/// Where lives were dropped as the lowest or highest, as many are dropped again.
 class CensoringPlan {
  public:
   explicit CensoringPlan(std::span<const Observation> sample);
@@ -30,8 +38,16 @@ class CensoringPlan {
 
  private:
   [[nodiscard]] double limit_of(const Observation& specimen, Random& random) const;
+  void plan_inspections();
+  [[nodiscard]] Observation seen_of(const Observation& like, double life, double limit) const;
+  [[nodiscard]] Observation inspected(double life, double limit) const;
+  void trim(Sample& seen) const;
 
   Sample sample_;
+  std::vector<double> inspections_;  ///< rising; none where lives are known
+  double inspection_step_ = 0;
+  bool first_is_known_ = false;  ///< nothing was looked at before the first of `inspections_`
+  std::size_t trimmed_low_ = 0, trimmed_high_ = 0;
   std::vector<double> limits_;  ///< distinct, rising
   std::vector<double> limit_survival_;
 };

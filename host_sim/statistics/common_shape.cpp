@@ -39,9 +39,10 @@ class ShapeDrop {
 };
 
 /// Where the likelihood has dropped as far as allowed, going up (+1) or down (-1) from the
-/// estimate.
+/// estimate; where lives are known only to lie between two ends it may never do so.
 double end_of_interval(const ShapeDrop& drop, double log_shape, double direction) {
   constexpr int kDigits = 40;
+  constexpr double kFurthest = 12;  // e^12 times the estimate
   double inside = log_shape;
   double step = 0.1 * direction;
   double outside = inside + step;
@@ -49,6 +50,9 @@ double end_of_interval(const ShapeDrop& drop, double log_shape, double direction
     inside = outside;
     step *= 2;
     outside += step;
+    if (std::abs(outside - log_shape) > kFurthest) {
+      return direction > 0 ? std::numeric_limits<double>::infinity() : 0;
+    }
   }
   std::uintmax_t iterations = 100;
   const auto bracket = boost::math::tools::toms748_solve(
@@ -115,7 +119,7 @@ class SameShapeSamples {
 SameShapeSamples::SameShapeSamples(std::span<const Sample> samples, const CommonShapeFit& common) {
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const CentredSample logs(Family::weibull, samples[i]);
-    if (logs.failures() > 0) {
+    if (logs.bounded()) {
       measured_.push_back(logs);
       plans_.emplace_back(samples[i]);
       truths_.push_back(
@@ -185,7 +189,8 @@ Test test_groups(std::span<const Sample> samples, std::span<const std::size_t> g
 }
 
 bool has_shape(const Sample& sample) {
-  return std::count_if(sample.begin(), sample.end(),
+  return CentredSample(Family::weibull, sample).bounded() &&
+         std::count_if(sample.begin(), sample.end(),
                        [](const Observation& seen) { return seen.failed; }) >= 2;
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <tuple>
 
 namespace host_sim::statistics {
 namespace {
@@ -133,17 +134,35 @@ double Distribution::mean() const {
   return first;
 }
 
+namespace {
+
+double log_probability(const Distribution& distribution, const Observation& seen) {
+  if (!seen.failed) {
+    return distribution.log_survival(seen.value);
+  }
+  if (!seen.from) {
+    return distribution.log_density(seen.value);
+  }
+  // The share that breaks in between of those alive before.
+  const double before = *seen.from > 0 ? distribution.log_survival(*seen.from) : 0;
+  return before + std::log(-std::expm1(distribution.log_survival(seen.value) - before));
+}
+
+}  // namespace
+
 double log_likelihood(const Distribution& distribution, std::span<const Observation> sample) {
   double sum = 0;
   for (const Observation& seen : sample) {
-    sum +=
-        seen.failed ? distribution.log_density(seen.value) : distribution.log_survival(seen.value);
+    sum += log_probability(distribution, seen);
   }
   return sum;
 }
 
 bool rises_failures_first(const Observation& left, const Observation& right) {
-  return left.value < right.value || (left.value == right.value && left.failed && !right.failed);
+  const auto rank = [](const Observation& seen) {
+    return std::tuple(seen.value, !seen.failed, seen.failed && !seen.trimmed);
+  };
+  return rank(left) < rank(right);
 }
 
 void KaplanMeier::assign(std::span<const Observation> sample) {
@@ -158,8 +177,12 @@ void KaplanMeier::assign_in_order(std::span<const Observation> sample) {
   last_ = sample.empty() ? 0 : sample.back().value;
   double at_risk = size_;
   double survival = 1;
+  dropped_ = 0;
   for (const Observation& seen : sample) {
-    if (seen.failed) {
+    if (seen.failed && seen.trimmed) {
+      survival *= (at_risk - 1) / at_risk;
+      dropped_ = 1 - survival;
+    } else if (seen.failed) {
       const double before = 1 - survival;
       survival *= (at_risk - 1) / at_risk;
       if (!steps_.empty() && steps_.back().value == seen.value) {

@@ -1,14 +1,25 @@
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace host_sim::statistics {
 
-/// A life, or, where it was suspended, what it is longer than.
+/// What is known of a life.
 struct Observation {
-  double value = 0;  ///< above 0
-  bool failed = true;
+  double value = 0;    ///< above 0; of a suspended specimen what its life is longer than
+  bool failed = true;  ///< else suspended
+  /// Of a specimen that was found broken: its life is longer than this and at most `value`; 0 where
+  /// it was broken when first looked at. None where the life is known.
+  std::optional<double> from = {};
+  /// Its life was dropped as one of the lowest of its sample (failed, at most `value`) or of the
+  /// highest (not failed, longer than `value`), where `value` is the lowest or highest life kept:
+  /// the density of what is kept is that of a sample of which so many are censored there.
+  bool trimmed = false;
+
+  /// Whether its life is known.
+  [[nodiscard]] bool exact() const { return failed && !from; }
 };
 using Sample = std::vector<Observation>;
 
@@ -31,7 +42,8 @@ struct Distribution {
   [[nodiscard]] double mean() const;
 };
 
-/// Sum over the failures of the log density and over the suspended of the log survival.
+/// Sum over the failures of the log density, over the suspended of the log survival, and over those
+/// found broken of the log of the probability to break in between.
 double log_likelihood(const Distribution& distribution, std::span<const Observation> sample);
 
 /// Quantile of 97.5 % of the standard normal distribution: half the width of an interval of 95 %.
@@ -46,10 +58,12 @@ double log_normal_survival(double z);
 /// phi(z) / Q(z), the hazard of the standard normal distribution; accurate for every z.
 double normal_hazard(double z);
 
-/// Order of lives in which specimens that failed at a life come before those suspended there.
+/// Order of lives in which specimens that failed at a life come before those suspended there, and
+/// those that were dropped because they failed before it come first.
 bool rises_failures_first(const Observation& left, const Observation& right);
 
-/// Kaplan and Meier's estimate of the share that has failed. assign() again reuses the memory.
+/// Kaplan and Meier's estimate of the share that has failed. Of lives that were dropped as the
+/// lowest it knows that they ended before the first step. assign() again reuses the memory.
 class KaplanMeier {
  public:
   /// A distinct life at which something failed.
@@ -59,12 +73,15 @@ class KaplanMeier {
     double after = 0;   ///< and with this life
   };
 
+  /// @pre no life is known only to lie between two ends, but of those that were dropped
   void assign(std::span<const Observation> sample);
   /// The same of a sample in order of lives; of equal lives the earlier leaves the risk set first.
   void assign_in_order(std::span<const Observation> sample);
 
   [[nodiscard]] std::span<const Step> steps() const { return steps_; }
   [[nodiscard]] double size() const { return size_; }
+  /// Share that failed before anything is known of where.
+  [[nodiscard]] double dropped() const { return dropped_; }
   [[nodiscard]] double last() const { return last_; }  ///< largest observation
   /// All have failed at the last observation, so that the estimate continues beyond it as 1.
   [[nodiscard]] bool complete() const { return !steps_.empty() && steps_.back().after == 1; }
@@ -73,6 +90,7 @@ class KaplanMeier {
   Sample sorted_;
   std::vector<Step> steps_;
   double size_ = 0;
+  double dropped_ = 0;
   double last_ = 0;
 };
 

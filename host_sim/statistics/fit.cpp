@@ -4,53 +4,126 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <utility>
 
 #include "host_sim/statistics/distribution.hpp"
+#include "host_sim/statistics/location_scale.hpp"
 
 namespace host_sim::statistics {
+namespace {
+
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 void CentredSample::assign(Family family, std::span<const Observation> sample) {
   copy(family, sample);
-  largest_ = values_.empty() ? 0 : *std::max_element(values_.begin(), values_.end());
-  for (double& value : values_) {
-    value -= largest_;
-  }
+  centre();
   measure_failures();
 }
 
 void CentredSample::copy(Family family, std::span<const Observation> sample) {
-  values_.resize(sample.size());
-  std::size_t front = 0;
-  std::size_t back = sample.size();
+  const auto of = [family](double life) {
+    return family == Family::normal ? life : std::log(life);
+  };
+  values_.clear();
+  between_.clear();
   for (const Observation& seen : sample) {
-    const double value = family == Family::normal ? seen.value : std::log(seen.value);
-    values_[seen.failed ? front++ : --back] = value;
+    if (seen.exact()) {
+      values_.push_back(of(seen.value));
+    } else if (seen.failed) {
+      between_.push_back(
+          {.low = *seen.from > 0 ? of(*seen.from) : -kEndless, .high = of(seen.value)});
+    }
   }
-  failures_ = front;
+  exact_ = values_.size();
+  for (auto seen = sample.rbegin(); seen != sample.rend(); ++seen) {
+    if (!seen->failed) {
+      values_.push_back(of(seen->value));
+    }
+  }
 }
+
+void CentredSample::centre() {
+  largest_ = values_.empty() && between_.empty() ? 0 : -kEndless;
+  for (const double value : values_) {
+    largest_ = std::max(largest_, value);
+  }
+  for (const Ends& ends : between_) {
+    largest_ = std::max(largest_, ends.high);
+  }
+  latest_start_ = -kEndless;
+  earliest_end_ = kEndless;
+  for (double& value : values_) {
+    value -= largest_;
+    latest_start_ = std::max(latest_start_, value);
+  }
+  for (const double value : failed()) {
+    earliest_end_ = std::min(earliest_end_, value);
+  }
+  for (Ends& ends : between_) {
+    ends.low -= largest_;
+    ends.high -= largest_;
+    latest_start_ = std::max(latest_start_, ends.low);
+    earliest_end_ = std::min(earliest_end_, ends.high);
+  }
+}
+
+namespace {
+
+/// One value that stands for what lies between.
+double middle(const CentredSample::Ends& ends) {
+  return std::isinf(ends.low) ? ends.high : (ends.low + ends.high) / 2;
+}
+
+}  // namespace
 
 void CentredSample::measure_failures() {
   failed_mean_ = 0;
   failed_deviation_ = 0;
-  if (failures_ == 0) {
+  if (failures() == 0) {
     return;
   }
-  const auto count = static_cast<double>(failures_);
+  const auto count = static_cast<double>(failures());
   for (const double value : failed()) {
     failed_mean_ += value / count;
   }
+  for (const Ends& ends : between_) {
+    failed_mean_ += middle(ends) / count;
+  }
   double squares = 0;
-  for (const double value : failed()) {
+  const auto add = [&](double value) {
     squares += (value - failed_mean_) * (value - failed_mean_);
+  };
+  std::ranges::for_each(failed(), add);
+  for (const Ends& ends : between_) {
+    add(middle(ends));
   }
   failed_deviation_ = std::sqrt(squares / count);
 }
 
+double CentredSample::spread() const {
+  const auto failures_of_all = static_cast<double>(failures());
+  double squares = failed_deviation_ * failed_deviation_ * failures_of_all;
+  double count = failures_of_all;
+  for (const double value : suspended()) {
+    if (value > failed_mean_) {
+      squares += (value - failed_mean_) * (value - failed_mean_);
+      ++count;
+    }
+  }
+  return count > 0 ? std::sqrt(squares / count) : 0;
+}
+
+bool CentredSample::bounded() const {
+  return failures() > 0 && latest_start_ > -kEndless;
+}
+
 FitProblem CentredSample::problem() const {
-  if (failures_ < 2) {
+  if (failures() < 2) {
     return FitProblem::too_few_failures;
   }
   return without_spread() ? FitProblem::no_spread : FitProblem::none;
@@ -144,7 +217,27 @@ FitProblem shape_problem(std::span<const CentredSample> samples) {
   return spread ? FitProblem::none : FitProblem::no_spread;
 }
 
+namespace {
+
+bool lives_known(std::span<const CentredSample> samples) {
+  return std::ranges::all_of(samples,
+                             [](const CentredSample& sample) { return sample.between().empty(); });
+}
+
+double solve_shape_between(std::span<const CentredSample> samples) {
+  std::vector<CentredSample> bounded;
+  std::ranges::copy_if(samples, std::back_inserter(bounded), &CentredSample::bounded);
+  const LocationScaleFit fit = fit_location_scale(bounded, Standard::smallest_extreme);
+  const double shape = 1 / fit.scale;
+  return fit.converged && std::isfinite(shape) ? shape : 0;
+}
+
+}  // namespace
+
 double solve_shape(std::span<const CentredSample> samples) {
+  if (!lives_known(samples)) {
+    return solve_shape_between(samples);
+  }
   constexpr int kDigits = 32;  // of the last step; after it all are right
   constexpr std::uintmax_t kIterations = 200;
   const SpreadEquation equation(samples);
@@ -161,8 +254,13 @@ double solve_shape(std::span<const CentredSample> samples) {
 }
 
 double log_scale(const CentredSample& sample, double shape) {
-  if (sample.failures() == 0) {
-    return std::numeric_limits<double>::infinity();
+  if (!sample.bounded()) {
+    return sample.failures() == 0 ? kEndless : -kEndless;
+  }
+  if (!sample.between().empty()) {
+    const std::span<const CentredSample> alone(&sample, 1);
+    return sample.largest() +
+           fit_locations(alone, Standard::smallest_extreme, 1 / shape).location.front();
   }
   double weights = 0;
   for (const double value : sample.all()) {
@@ -171,10 +269,29 @@ double log_scale(const CentredSample& sample, double shape) {
   return sample.largest() + std::log(weights / static_cast<double>(sample.failures())) / shape;
 }
 
+namespace {
+
+/// Densities are per life, not per logarithm of it.
+double log_jacobian(const CentredSample& logs) {
+  double sum = 0;
+  for (const double value : logs.failed()) {
+    sum -= logs.largest() + value;
+  }
+  return sum;
+}
+
+}  // namespace
+
 double shape_log_likelihood(std::span<const CentredSample> samples, double shape) {
   double sum = 0;
   for (const CentredSample& sample : samples) {
-    if (sample.failures() == 0) {
+    if (!sample.bounded()) {
+      continue;
+    }
+    if (!sample.between().empty()) {
+      const std::span<const CentredSample> alone(&sample, 1);
+      sum += log_jacobian(sample) +
+             fit_locations(alone, Standard::smallest_extreme, 1 / shape).log_likelihood;
       continue;
     }
     // The cumulative hazards of a sample at its best scale add up to its failures.
@@ -187,150 +304,18 @@ double shape_log_likelihood(std::span<const CentredSample> samples, double shape
 
 namespace {
 
-/// The parameters in which the likelihood is concave (Olsen 1978): the deviate of a value is
-/// slope * (value - centre) / unit - offset.
-struct Olsen {
-  double offset;  ///< mean over standard deviation
-  double slope;   ///< 1 over standard deviation
-};
-
-struct Derivatives {
-  double offset = 0, slope = 0;
-  double offset_offset = 0, offset_slope = 0, slope_slope = 0;
-
-  /// Of a term of the log likelihood with derivatives `first` and `second` in its deviate.
-  void add(double value, double first, double second) {
-    offset -= first;
-    slope += first * value;
-    offset_offset += second;
-    offset_slope -= second * value;
-    slope_slope += second * value * value;
-  }
-};
-
-/// Root mean square distance from the mean of the failures, of them and of the suspended beyond it.
-double spread(const CentredSample& sample) {
-  double squares = 0;
-  double count = 0;
-  const auto add = [&](double value) {
-    squares += (value - sample.failed_mean()) * (value - sample.failed_mean());
-    ++count;
-  };
-  for (const double value : sample.failed()) {
-    add(value);
-  }
-  for (const double value : sample.suspended()) {
-    if (value > sample.failed_mean()) {
-      add(value);
-    }
-  }
-  return std::sqrt(squares / count);
-}
-
-/// The likelihood in units of the spread of the sample.
-class NormalLikelihood {
- public:
-  explicit NormalLikelihood(const CentredSample& sample)
-      : sample_(sample), failures_(static_cast<double>(sample.failures())), unit_(spread(sample)) {}
-
-  [[nodiscard]] double operator()(Olsen at) const {
-    double sum = failures_ * std::log(at.slope / unit_);
-    for (const double value : sample_.failed()) {
-      sum += log_normal_density(deviate(value, at));
-    }
-    for (const double value : sample_.suspended()) {
-      sum += log_normal_survival(deviate(value, at));
-    }
-    return sum;
-  }
-
-  [[nodiscard]] Derivatives derivatives(Olsen at) const {
-    Derivatives result;
-    result.slope = failures_ / at.slope;
-    result.slope_slope = -failures_ / (at.slope * at.slope);
-    for (const double value : sample_.failed()) {
-      result.add(scaled(value), -deviate(value, at), -1);
-    }
-    for (const double value : sample_.suspended()) {
-      const double z = deviate(value, at);
-      const double hazard = normal_hazard(z);
-      result.add(scaled(value), -hazard, -hazard * (hazard - z));
-    }
-    return result;
-  }
-
-  [[nodiscard]] Distribution distribution(Olsen at) const {
-    return {.family = Family::normal,
-            .first = sample_.largest() + sample_.failed_mean() + unit_ * at.offset / at.slope,
-            .second = unit_ / at.slope};
-  }
-
- private:
-  [[nodiscard]] double scaled(double value) const {
-    return (value - sample_.failed_mean()) / unit_;
-  }
-  [[nodiscard]] double deviate(double value, Olsen at) const {
-    return at.slope * scaled(value) - at.offset;
-  }
-
-  const CentredSample& sample_;
-  double failures_;
-  double unit_;
-};
-
-Olsen newton_step(const Derivatives& d) {
-  const double determinant = d.offset_offset * d.slope_slope - d.offset_slope * d.offset_slope;
-  return {.offset = (d.offset_slope * d.slope - d.slope_slope * d.offset) / determinant,
-          .slope = (d.offset_slope * d.offset - d.offset_offset * d.slope) / determinant};
-}
-
-Olsen moved(Olsen from, Olsen step, double share) {
-  return {.offset = from.offset + share * step.offset, .slope = from.slope + share * step.slope};
-}
-
-/// Part of the step that keeps the slope positive and does not lower the likelihood by more than
-/// rounding does.
-double usable_share(const NormalLikelihood& likelihood, Olsen from, Olsen step) {
-  constexpr double kSmallest = 1e-9;
-  constexpr double kRounding = 1e-13;
-  const double before = likelihood(from);
-  const double lowest = before - kRounding * (1 + std::abs(before));
-  double share = 1;
-  while (share > kSmallest) {
-    const Olsen next = moved(from, step, share);
-    if (next.slope > 0 && likelihood(next) >= lowest) {
-      return share;
-    }
-    share /= 2;
-  }
-  return 0;
-}
-
-bool negligible(Olsen step, Olsen at) {
-  constexpr double kTolerance = 1e-8;  // squared by the step itself
-  return std::abs(step.offset) <= kTolerance * (1 + std::abs(at.offset)) &&
-         std::abs(step.slope) <= kTolerance * at.slope;
-}
-
 /// Normal distribution by maximum likelihood; the suspended count with their tail.
 /// @pre sample.problem() is none
 Fit fit_normal(const CentredSample& sample) {
-  constexpr int kIterations = 100;
-  const NormalLikelihood likelihood(sample);
-  Olsen at{.offset = 0, .slope = 1};
-  for (int i = 0; i < kIterations; ++i) {
-    const Olsen step = newton_step(likelihood.derivatives(at));
-    if (negligible(step, at)) {
-      at = moved(at, step, 1);
-      return {.distribution = likelihood.distribution(at), .log_likelihood = likelihood(at)};
-    }
-    const double share = usable_share(likelihood, at, step);
-    if (share == 0) {
-      break;
-    }
-    at = moved(at, step, share);
+  const LocationScaleFit fit =
+      fit_location_scale(std::span<const CentredSample>(&sample, 1), Standard::normal);
+  if (!fit.converged) {
+    return {.distribution = {}, .problem = FitProblem::not_converged};
   }
-  return {.distribution = {}, .problem = FitProblem::not_converged};
+  return {.distribution = {.family = Family::normal,
+                           .first = sample.largest() + fit.location.front(),
+                           .second = fit.scale},
+          .log_likelihood = fit.log_likelihood};
 }
 
 Fit fit_weibull(const CentredSample& logs) {
@@ -343,11 +328,6 @@ Fit fit_weibull(const CentredSample& logs) {
                            .first = std::exp(log_scale(logs, shape)),
                            .second = shape},
           .log_likelihood = shape_log_likelihood(samples, shape)};
-}
-
-/// Densities are per life, not per logarithm of it.
-double log_jacobian(const CentredSample& logs) {
-  return -static_cast<double>(logs.failures()) * (logs.largest() + logs.failed_mean());
 }
 
 }  // namespace

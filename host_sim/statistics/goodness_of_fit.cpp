@@ -54,6 +54,11 @@ Distances distances(const Distribution& distribution, const KaplanMeier& sample)
     from = to;
   };
   for (const KaplanMeier::Step& step : sample.steps()) {
+    if (share == 0 && sample.dropped() > 0) {
+      // Below the first life that was kept nothing is known of the share.
+      from = height(distribution, step.value);
+      share = sample.dropped();
+    }
     go_to(height(distribution, step.value));
     share = step.after;
     result.ks = std::max(result.ks, std::abs(from.cdf - share));
@@ -199,7 +204,11 @@ std::vector<PlottingPosition> plotting_positions(std::span<const Observation> sa
   for (const Observation& seen : sorted) {
     if (seen.failed) {
       rank += (size + 1 - rank) / (1 + remaining);
-      positions.push_back({.life = seen.value, .p = (rank - 0.3) / (size + 0.4)});
+      if (!seen.trimmed) {
+        positions.push_back({.life = seen.value,
+                             .p = (rank - 0.3) / (size + 0.4),
+                             .from = seen.from.value_or(seen.value)});
+      }
     }
     --remaining;
   }

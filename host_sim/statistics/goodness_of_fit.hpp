@@ -9,6 +9,7 @@
 namespace host_sim::statistics {
 
 /// Largest distance between the Kaplan-Meier estimate and the distribution.
+/// Both statistics need lives that are known: see KaplanMeier.
 double kolmogorov_smirnov(const Distribution& distribution, std::span<const Observation> sample);
 
 /// n times the integral of (F_n - F)^2 / (F (1 - F)) dF up to the last observation, with the
@@ -31,8 +32,9 @@ struct BootstrapOptions {
 
 /// Statistics of a fit with p-values by parametric bootstrap: each replicate is simulated from the
 /// fit under the plan of suspension of the sample, and fitted again. p = (1 + exceedances) /
-/// (1 + replicates that could be fitted).
-/// @pre fit.problem is none
+/// (1 + replicates that could be fitted). Where the lowest lives were dropped, both distances are
+/// measured from the first life that was kept.
+/// @pre fit.problem is none, and lives are known but for those that were dropped
 GoodnessOfFit goodness_of_fit(const Fit& fit, std::span<const Observation> sample,
                               const BootstrapOptions& options);
 
@@ -50,10 +52,12 @@ QuantileBand weibull_quantile_band(const Fit& fit, std::span<const Observation> 
 /// A failure on a probability plot.
 struct PlottingPosition {
   double life = 0;
-  double p = 0;  ///< (adjusted rank - 0.3) / (n + 0.4): Benard's median rank
+  double p = 0;     ///< (adjusted rank - 0.3) / (n + 0.4): Benard's median rank
+  double from = 0;  ///< where the life lies between two ends the lower of them, else the life
 };
 
-/// Failures in rising order; ranks are adjusted for suspended specimens by Johnson's method.
+/// Failures in rising order, at the upper end where a life lies between two; ranks are adjusted for
+/// suspended specimens by Johnson's method. Lives that were dropped have ranks but no place.
 std::vector<PlottingPosition> plotting_positions(std::span<const Observation> sample);
 
 }  // namespace host_sim::statistics

@@ -102,7 +102,7 @@ TEST_P(BadSpecimens, AreRefusedWithPlaceFoundAndAccepted) {
 const std::string kSpecimenColumns =
     "bend_angle_deg, output_tension_mean_N, output_tension_amplitude_N, input_tension_mean_N, "
     "input_tension_amplitude_N, specimen, lot, cycles, status, days, wire_to_bend_ratio, group, "
-    "role";
+    "role, cycles_from";
 const std::string kLoad =
     "bend_angle_deg with output_tension_mean_N and output_tension_amplitude_N, or "
     "input_tension_mean_N with input_tension_amplitude_N";
@@ -143,9 +143,11 @@ const std::vector<BadTable> kBadTables{
     {"CyclesWithText", ",854,", ",854 k,",
      ":2:17: cycles is '854 k', not a finite number; accepted: " + kNumber},
     {"UnknownStatus", "suspended", "running",
-     ":3:25: status is 'running'; accepted: failed, suspended"},
+     ":3:25: status is 'running'; accepted: failed, suspended, interval, left, trimmed_low, "
+     "trimmed_high"},
     {"StatusInCapitals", "failed", "Failed",
-     ":2:21: status is 'Failed'; accepted: failed, suspended"},
+     ":2:21: status is 'Failed'; accepted: failed, suspended, interval, left, trimmed_low, "
+     "trimmed_high"},
     {"UnknownRole", "validation", "test", ":3:35: role is 'test'; accepted: fit, validation"},
     {"NegativeDays", "12.5", "-1", ":2:32: days is '-1', out of range; accepted: 0..1000000"},
     {"RatioOfZero", "0.02", "0",
@@ -313,6 +315,99 @@ TEST(Blocks, AcceptASumThatIsRoundedInItsLastDigits) {
   texts.blocks = replaced(texts.blocks, "200.25", "0.2");
   texts.blocks = replaced(texts.blocks, "100.25", "0.1");
   EXPECT_EQ(test::campaign_complaint(texts), "");
+}
+
+constexpr std::string_view kInspected =
+    "specimen,lot,cycles,status,cycles_from,input_tension_mean_N,input_tension_amplitude_N\n"
+    "a,L,700,interval,600,20,20\n"
+    "b,L,500,left,,20,20\n"
+    "c,L,900,suspended,,20,20\n";
+
+TEST(Specimens, FoundBrokenLieBetweenTwoInspections) {
+  const Campaign campaign =
+      test::campaign_of({std::string(test::kPaperCampaign), std::string(kInspected), ""});
+  EXPECT_EQ(campaign.specimens[0].status, Campaign::Status::interval);
+  EXPECT_EQ(campaign.specimens[0].from_cycles, 600);
+  EXPECT_EQ(campaign.specimens[0].cycles(), 700);
+  EXPECT_EQ(campaign.specimens[1].status, Campaign::Status::left);
+  EXPECT_EQ(campaign.specimens[1].cycles(), 500);
+}
+
+TEST(Specimens, AnIntervalThatIsNoneIsRefused) {
+  const auto complaint = [](std::string_view from, std::string_view to) {
+    return specimens_complaint(test::replaced(kInspected, from, to));
+  };
+  const std::string accepted =
+      "; accepted: cycles_from above 0 and below cycles: at the last inspection before it was "
+      "found "
+      "broken";
+  EXPECT_EQ(complaint("700,interval,600", "700,interval,"),
+            "s.csv:2:18: status interval without cycles_from" + accepted);
+  EXPECT_EQ(complaint("700,interval,600", "700,interval,700"),
+            "s.csv:2:18: cycles_from is 700, and cycles 700" + accepted);
+  EXPECT_EQ(complaint("700,interval,600", "700,interval,0"),
+            "s.csv:2:18: cycles_from is '0', out of range; accepted: above 0 up to 1e+18");
+  EXPECT_EQ(complaint("500,left,", "500,left,100"),
+            "s.csv:3:14: cycles_from '100' of a specimen with status 'left'; accepted: an empty "
+            "cell, or status interval");
+  EXPECT_EQ(specimens_complaint("specimen,lot,cycles,status\na,L,7,interval\n"),
+            "s.csv:2:7: status interval without cycles_from" + accepted);
+}
+
+constexpr std::string_view kTrimmed =
+    "specimen,lot,cycles,status,input_tension_mean_N,input_tension_amplitude_N\n"
+    "a,L,,trimmed_low,20,20\n"
+    "b,L,700,failed,20,20\n"
+    "c,L,900,failed,20,20\n"
+    "d,L,,trimmed_high,20,20\n"
+    "e,L,100,failed,30,30\n";
+
+TEST(Specimens, TrimmedAreWhereTheLivesOfTheirLevelEnd) {
+  const Campaign campaign =
+      test::campaign_of({std::string(test::kPaperCampaign), std::string(kTrimmed), ""});
+  EXPECT_EQ(campaign.specimens[0].cycles(), 700);
+  EXPECT_EQ(campaign.specimens[3].cycles(), 900);
+  EXPECT_TRUE(campaign.specimens[0].trimmed());
+  EXPECT_EQ(levels_of(campaign).size(), 2U);
+}
+
+TEST(Specimens, ATrimmingThatIsNotClearIsRefused) {
+  const auto complaint = [](std::string_view from, std::string_view to) {
+    return test::campaign_complaint(
+        {std::string(test::kPaperCampaign), test::replaced(kTrimmed, from, to), ""});
+  };
+  EXPECT_EQ(complaint("a,L,,", "a,L,650,"),
+            "s.csv:2:5: cycles '650' of a specimen that was trimmed; accepted: an empty cell, or "
+            "status failed where the life counts");
+  EXPECT_EQ(complaint("700,failed", "800,suspended"),
+            "s.csv:2:6: specimen 'a' was trimmed, but 'b' of its level was suspended at 800 "
+            "cycles, before the lowest life that was kept, 900; accepted: trimmed_low in levels "
+            "without specimens suspended so early");
+  EXPECT_EQ(complaint("e,L,100,failed,30,30", "e,L,800,suspended,20,20"),
+            "s.csv:5:6: specimen 'd' was trimmed, but 'e' of its level was suspended, and may have "
+            "lived longer; accepted: trimmed_high in levels without suspended specimens");
+  EXPECT_EQ(complaint("e,L,100,failed,30,30", "e,L,800,left,20,20"),
+            "s.csv:2:6: specimen 'a' was trimmed, but 'e' of its level was found broken at an "
+            "inspection; accepted: levels whose lives are all known, so that it is clear which "
+            "were dropped");
+  EXPECT_EQ(complaint("e,L,100,failed", "e,L,,trimmed_low"),
+            "s.csv:6:6: specimen 'e' was trimmed, but no other of its level failed; accepted: a "
+            "level with specimens whose status is failed");
+}
+
+TEST(Specimens, SuspendedAfterTheLowestLifeLeaveItClear) {
+  const std::string text =
+      test::replaced(test::replaced(kTrimmed, "d,L,,trimmed_high", "d,L,700,suspended"), "", "");
+  EXPECT_EQ(test::campaign_complaint({std::string(test::kPaperCampaign), text, ""}), "");
+}
+
+TEST(Specimens, InBlocksFailOrAreSuspended) {
+  EXPECT_EQ(test::campaign_complaint(
+                {std::string(test::kPaperCampaign), "specimen,lot,cycles,status\na,L,300,left\n",
+                 "specimen,order,input_tension_mean_N,input_tension_amplitude_N,cycles\n"
+                 "a,1,20,20,100\na,2,30,30,200\n"}),
+            "s.csv:2:9: specimen 'a', which has blocks, was trimmed or found broken at an "
+            "inspection; accepted: failed or suspended for specimens in blocks");
 }
 
 }  // namespace

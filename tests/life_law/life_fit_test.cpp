@@ -298,5 +298,53 @@ TEST(LeastSquaresFit, NoSlopeIsLeft) {
   EXPECT_NEAR(fit.rmse_cycles, std::sqrt(squares / 4), 1e-9);
 }
 
+/// 22 specimens at each of two tensions, each inspected every 50 cycles.
+LifeData inspected() {
+  constexpr double kStep = 50;
+  LifeData data = testing::paper_like(7, 22);
+  std::erase_if(data, [](const LifeDatum& datum) { return datum.level > 1; });
+  for (LifeDatum& datum : data) {
+    double& cycles = datum.blocks.front().cycles;
+    datum.from_cycles = std::floor(cycles / kStep) * kStep;
+    cycles = *datum.from_cycles + kStep;
+  }
+  return data;
+}
+
+// Free levels are the Weibull fits of each level.
+TEST(LifeFitFoundBroken, FreeLevelsAreTheFitsOfEachLevel) {
+  const LifeData data = inspected();
+  const LifeFit fit = fit_life(data, LifeForm{LifeForm::Scale::free, LifeForm::Shape::free});
+  ASSERT_EQ(fit.problem, statistics::FitProblem::none);
+  double sum = 0;
+  for (const std::size_t level : {0U, 1U}) {
+    statistics::Sample sample;
+    for (const LifeDatum& datum : data) {
+      if (datum.level == level) {
+        sample.push_back(datum.observation());
+      }
+    }
+    const statistics::Fit alone = statistics::fit(statistics::Family::weibull, sample);
+    ASSERT_EQ(alone.problem, statistics::FitProblem::none);
+    EXPECT_NEAR(std::exp(fit.scale[level]) / alone.distribution.first, 1, 1e-7);
+    EXPECT_NEAR(std::exp(fit.shape[level]) / alone.distribution.second, 1, 1e-7);
+    sum += alone.log_likelihood;
+  }
+  EXPECT_NEAR(fit.log_likelihood, sum, 1e-8);
+}
+
+TEST(LifeFitFoundBroken, ALevelAllBrokenWhenFirstLookedAtTakesNoPartInFreeScales) {
+  LifeData data = inspected();
+  for (LifeDatum& datum : data) {
+    if (datum.level == 1) {
+      datum.from_cycles = 0;
+    }
+  }
+  const LifeFit fit = fit_life(data, LifeForm{LifeForm::Scale::free, LifeForm::Shape::one});
+  EXPECT_EQ(fit.problem, statistics::FitProblem::none);
+  EXPECT_TRUE(std::isfinite(fit.scale[0]));
+  EXPECT_FALSE(std::isfinite(fit.scale[1]));
+}
+
 }  // namespace
 }  // namespace host_sim::life_law

@@ -37,6 +37,26 @@ TEST(LogLikelihood, OfASuspendedSpecimenIsTheLogSurvival) {
   EXPECT_NEAR(log_likelihood(data, square_law()), -4, 1e-13);
 }
 
+LifeDatum found_broken(double effective_tension_N, double from_cycles, double cycles) {
+  return {.blocks = {{effective_tension_N, cycles}}, .from_cycles = from_cycles};
+}
+
+// Between D = 0.5 and 1: exp(-1/4) - exp(-1); by D = 0.5: 1 - exp(-1/4).
+TEST(LogLikelihood, OfASpecimenFoundBrokenIsTheLogProbabilityToBreakInBetween) {
+  EXPECT_NEAR(log_likelihood(LifeData{found_broken(10, 500, 1000)}, square_law()),
+              std::log(std::exp(-0.25) - std::exp(-1)), 1e-13);
+  EXPECT_NEAR(log_likelihood(LifeData{found_broken(10, 0, 500)}, square_law()),
+              std::log(1 - std::exp(-0.25)), 1e-13);
+}
+
+TEST(LogLikelihood, OfAnIntervalFarInATailIsFinite) {
+  // D = 40 and 44: -1600 + ln(1 - exp(-336)).
+  EXPECT_NEAR(log_likelihood(LifeData{found_broken(10, 40000, 44000)}, square_law()), -1600, 1e-9);
+  // D up to 1e-9: ln(1e-18).
+  EXPECT_NEAR(log_likelihood(LifeData{found_broken(10, 0, 1e-6)}, square_law()), -18 * std::log(10),
+              1e-9);
+}
+
 // 500 cycles at 10 N and 25 at 20 N: D = 0.5 + 0.1, density (2 / 250) 0.6 exp(-0.36).
 TEST(LogLikelihood, OfAFailureInTheSecondBlock) {
   const LifeData data{specimen({{10, 500}, {20, 25}}, true)};
@@ -82,6 +102,12 @@ LifeData with_blocks() {
     for (LifeDatum::Block& block : datum.blocks) {
       block.effective_tension_N *= 20;
     }
+  }
+  const double tension_N = data.front().blocks.front().effective_tension_N;
+  for (const auto& [from, to] : {std::pair(0.0, 900.0), std::pair(700.0, 1500.0),
+                                 std::pair(8000.0, 8100.0), std::pair(3000.0, 40000.0)}) {
+    data.push_back(found_broken(tension_N, from, to));
+    data.back().level = 0;
   }
   data.push_back(specimen({{1.5, 900}, {2.5, 300}}, true));
   data.push_back(specimen({{2.5, 200}, {1.5, 700}, {2.0, 90}}, false));

@@ -138,5 +138,33 @@ TEST(LifeSimulation, BlocksRecoverTheLaw) {
   EXPECT_LT(exponent.error(), 0.03);
 }
 
+TEST(LifeSimulation, LevelsAreInspectedAndTrimmedAsTheyWere) {
+  LifeData data(10, LifeDatum{.blocks = {{50, 700}}, .level = 0, .from_cycles = 600.0});
+  data.resize(20, LifeDatum{.blocks = {{40, 900}}, .level = 1});
+  data[18] = {.blocks = {{40, 900}}, .level = 1, .from_cycles = 0.0, .trimmed = true};
+  data[19] = {.blocks = {{40, 900}}, .failed = false, .level = 1, .trimmed = true};
+  const LifeData drawn = drawn_like(data, 5);
+  double lowest = HUGE_VAL;
+  double highest = 0;
+  std::size_t trimmed = 0;
+  for (const LifeDatum& datum : drawn) {
+    const double cycles = datum.blocks.front().cycles;
+    if (datum.level == 0) {
+      EXPECT_EQ(cycles, std::round(cycles / 100) * 100);
+      EXPECT_EQ(*datum.from_cycles, cycles - 100);
+    } else if (!datum.trimmed) {
+      lowest = std::min(lowest, cycles);
+      highest = std::max(highest, cycles);
+    }
+  }
+  for (const LifeDatum& datum : drawn) {
+    if (datum.trimmed) {
+      EXPECT_EQ(datum.blocks.front().cycles, datum.failed ? lowest : highest);
+      ++trimmed;
+    }
+  }
+  EXPECT_EQ(trimmed, 2U);
+}
+
 }  // namespace
 }  // namespace host_sim::life_law

@@ -8,6 +8,7 @@
 
 #include "hal/files/input_error.hpp"
 #include "hal/files/input_file.hpp"
+#include "host_sim/replay/constants.hpp"
 #include "host_sim/replay/profile_input.hpp"
 #include "host_sim/replay/results.hpp"
 
@@ -317,6 +318,24 @@ TEST(SampleClock, AHugeGapDoesNotOverflow) {
   SampleClock clock(1e-5);
   clock.missing_before(0);
   EXPECT_EQ(clock.missing_before(1e9), 4'000'000'000u);
+}
+
+// Half of 1.25 .. 1.5 and of log2 of 500 .. 2000.
+TEST(ReplayConstants, ABoardKnowsHowSureTheFitIs) {
+  Model model = paper_model();
+  EXPECT_FALSE(parameters_of(model, "m.toml").uncertainty.known());
+  model.life.interval = Model::Life::Interval{.level = 0.95,
+                                              .ipl_scale = {9e4, 2.6e5},
+                                              .ipl_exponent = {1.25, 1.5},
+                                              .weibull_shape = {4.9, 7.1},
+                                              .pivot_tension_N = 50,
+                                              .life_at_pivot = {500, 2000}};
+  const auto uncertainty = parameters_of(model, "m.toml").uncertainty;
+  EXPECT_TRUE(uncertainty.known());
+  EXPECT_EQ(std::ldexp(uncertainty.exponent, -27), 0.125);
+  EXPECT_EQ(std::ldexp(uncertainty.log2_life, -21), 1);
+  model.life.interval->level = 0.9;
+  EXPECT_THROW(static_cast<void>(parameters_of(model, "m.toml")), InputError);
 }
 
 }  // namespace

@@ -96,6 +96,8 @@ ordered_json level_json(const LevelResult& level) {
   json["n"] = level.sample.size();
   json["failed"] = level.failed();
   json["suspended"] = level.sample.size() - level.failed();
+  json["found_broken"] = level.found_broken();
+  json["trimmed"] = level.trimmed();
   json["scale"] = if_fitted(weibull.distribution.first);
   json["shape"] = if_fitted(weibull.distribution.second);
   json["shape_unbiased"] = if_fitted(level.shape_unbiased);
@@ -109,7 +111,14 @@ ordered_json level_json(const LevelResult& level) {
   json["best_family"] = best ? ordered_json(family_name(*best)) : ordered_json(nullptr);
   json["left_out"] = level.left_out.empty() ? ordered_json(nullptr) : ordered_json(level.left_out);
   json["lives"] = json_list(level.sample, [](const statistics::Observation& life) {
-    return ordered_json{{"cycles", json_number(life.value)}, {"failed", life.failed}};
+    ordered_json seen{{"cycles", json_number(life.value)}, {"failed", life.failed}};
+    if (life.from) {
+      seen["cycles_from"] = json_number(*life.from);
+    }
+    if (life.trimmed) {
+      seen["trimmed"] = true;
+    }
+    return seen;
   });
   json["probability_plot"] = probability_plot_json(level);
   return json;

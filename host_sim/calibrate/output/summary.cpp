@@ -167,6 +167,10 @@ void write_levels(std::ostream& out, const CalibrateResult& result) {
   }
   table.write(out);
   for (const LevelResult& level : result.levels) {
+    if (level.trimmed() > 0 || level.found_broken() > 0) {
+      fmt::print(out, "  {}: of the failed {} found broken at inspections, {} trimmed\n",
+                 level.name(), level.found_broken(), level.trimmed());
+    }
     if (!level.left_out.empty()) {
       fmt::print(out, "  left out: {}: {}\n", level.name(), printable(level.left_out));
     }

@@ -202,10 +202,24 @@ Layer specimens(const CalibrateResult& result, LevelKind part, bool failed,
   Layer layer = specimen_points(part, failed, colour);
   for (const LevelResult& level : result.levels) {
     for (const statistics::Observation& specimen : level.sample) {
-      if (kind_of(level) == part && specimen.failed == failed) {
+      if (kind_of(level) == part && is_point(specimen, failed)) {
         layer.x.push_back(level.load.effective_tension_N);
         layer.y.push_back(specimen.value);
         layer.texts.push_back(level.name());
+      }
+    }
+  }
+  return layer;
+}
+
+Layer found_broken_by_tension(const CalibrateResult& result) {
+  Layer layer = found_broken_bars();
+  for (const LevelResult& level : result.levels) {
+    for (const statistics::Observation& specimen : level.sample) {
+      if (specimen.from.value_or(0) > 0 && !specimen.trimmed) {
+        layer.x.push_back(level.load.effective_tension_N);
+        layer.y.push_back(*specimen.from);
+        layer.high.push_back(specimen.value);
       }
     }
   }
@@ -256,6 +270,7 @@ void add_specimens(Chart& chart, const CalibrateResult& result) {
     layer.name = kind.name;
     add_if_any(chart, std::move(layer));
   }
+  add_if_any(chart, found_broken_by_tension(result));
 }
 
 /// Names of left-out levels over their longest lives.

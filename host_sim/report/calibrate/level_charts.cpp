@@ -32,9 +32,24 @@ Layer specimens(const calibrate::CalibrateResult& result, LevelKind part, bool f
   for (std::size_t i = 0; i < result.levels.size(); ++i) {
     const calibrate::LevelResult& level = result.levels[i];
     for (std::size_t j = 0; kind_of(level) == part && j < level.sample.size(); ++j) {
-      if (level.sample[j].failed == failed) {
+      if (is_point(level.sample[j], failed)) {
         layer.x.push_back(static_cast<double>(i) + beside(j));
         layer.y.push_back(level.sample[j].value);
+      }
+    }
+  }
+  return layer;
+}
+
+Layer found_broken(const calibrate::CalibrateResult& result) {
+  Layer layer = found_broken_bars();
+  for (std::size_t i = 0; i < result.levels.size(); ++i) {
+    const statistics::Sample& sample = result.levels[i].sample;
+    for (std::size_t j = 0; j < sample.size(); ++j) {
+      if (sample[j].from && !sample[j].trimmed) {
+        layer.x.push_back(static_cast<double>(i) + beside(j));
+        layer.y.push_back(*sample[j].from);
+        layer.high.push_back(sample[j].value);
       }
     }
   }
@@ -83,6 +98,7 @@ Chart lives_chart(const calibrate::CalibrateResult& result) {
     layer.name = kind.name;
     chart.layers.push_back(layer);
   }
+  chart.layers.push_back(found_broken(result));
   chart.layers.push_back(means(result));
   std::erase_if(chart.layers, [](const Layer& layer) { return layer.x.empty(); });
   return chart;
@@ -110,7 +126,7 @@ Layer lives(const calibrate::LevelResult& level) {
   layer.kind = Layer::Kind::rug;
   layer.width_px = 1;
   for (const statistics::Observation& specimen : level.sample) {
-    if (specimen.failed) {
+    if (is_point(specimen, true)) {
       layer.x.push_back(specimen.value);
     }
   }
@@ -125,7 +141,7 @@ Layer suspended(const calibrate::LevelResult& level) {
   Layer layer = specimen_points(kind_of(level), false, "line");
   layer.arrow = Layer::Arrow::right;
   for (const statistics::Observation& specimen : level.sample) {
-    if (!specimen.failed) {
+    if (is_point(specimen, false)) {
       layer.x.push_back(specimen.value);
       layer.texts.push_back("suspended at " + level.name());
     }
@@ -219,13 +235,28 @@ Layer failures(const LevelResult& level) {
   return layer;
 }
 
+/// A line from each life that lies between two inspections back to the earlier one.
+std::vector<Layer> back_to_inspections(const LevelResult& level) {
+  std::vector<Layer> lines;
+  for (const statistics::PlottingPosition& position : level.positions) {
+    if (position.from > 0 && position.from < position.life) {
+      Layer line;
+      line.width_px = 1;
+      line.x = {position.from, position.life};
+      line.y = {position.p, position.p};
+      lines.push_back(std::move(line));
+    }
+  }
+  return lines;
+}
+
 /// Suspended specimens have no plotting position; they stand at the foot of the plot.
 Layer suspended_at_the_foot(const LevelResult& level) {
   Layer layer = specimen_points(kind_of(level), false, "line");
   layer.name = "Suspended: lives longer";
   layer.arrow = Layer::Arrow::right;
   for (const statistics::Observation& specimen : level.sample) {
-    if (!specimen.failed) {
+    if (is_point(specimen, false)) {
       layer.x.push_back(specimen.value);
     }
   }
@@ -247,8 +278,11 @@ Chart probability_chart(const CalibrateResult& result, std::size_t level_index) 
     line.name = "Weibull fit";
     chart.layers = {band_outline(level.band), line};
   }
+  for (Layer& line : back_to_inspections(level)) {
+    chart.layers.push_back(std::move(line));
+  }
   Layer failed = failures(level);
-  failed.name = "Failed";
+  failed.name = level.found_broken() > 0 ? "Failed, or found broken by then" : "Failed";
   chart.layers.push_back(failed);
   chart.layers.push_back(suspended_at_the_foot(level));
   for (Layer& layer : chart.layers) {

@@ -55,6 +55,18 @@ bool has_fit(const calibrate::LevelResult& level) {
   return level.weibull().problem == statistics::FitProblem::none;
 }
 
+bool is_point(const statistics::Observation& specimen, bool failed) {
+  return !specimen.trimmed && (failed ? specimen.exact() : !specimen.failed);
+}
+
+Layer found_broken_bars() {
+  Layer layer;
+  layer.kind = Layer::Kind::bars;
+  layer.name = "Found broken: life between inspections";
+  layer.colour = "muted";
+  return layer;
+}
+
 Layer specimen_points(LevelKind part, bool failed, std::string_view colour) {
   Layer layer;
   layer.kind = Layer::Kind::points;

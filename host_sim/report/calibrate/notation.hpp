@@ -28,6 +28,13 @@ enum class LevelKind { fitted, validation, left_out };
 /// Whether the Weibull fit has numbers.
 [[nodiscard]] bool has_fit(const calibrate::LevelResult& level);
 
+/// Whether a specimen is drawn as a point: its life is known, or it was suspended as is asked for.
+/// Lives that were dropped are nowhere; those of specimens found broken are bars.
+[[nodiscard]] bool is_point(const statistics::Observation& specimen, bool failed);
+
+/// Bars for the lives that lie between two inspections, or below the first.
+[[nodiscard]] Layer found_broken_bars();
+
 /// Points for the specimens that failed, or for the suspended: open, with an arrow where they point
 /// beyond.
 [[nodiscard]] Layer specimen_points(LevelKind part, bool failed, std::string_view colour);

@@ -28,18 +28,25 @@ std::string scale_interval_text(const LevelResult& level) {
   return interval ? interval_text(*interval) : "none";
 }
 
-/// The lives of specimens that failed or did not, in rising order.
+/// What is known of the lives of specimens that failed or did not, in rising order.
 std::string lives_text(const LevelResult& level, bool failed) {
-  std::vector<double> lives;
+  statistics::Sample lives;
+  std::size_t trimmed = 0;
   for (const statistics::Observation& specimen : level.sample) {
-    if (specimen.failed == failed) {
-      lives.push_back(specimen.value);
+    trimmed += failed && specimen.trimmed ? 1 : 0;
+    if (!specimen.trimmed && specimen.failed == failed) {
+      lives.push_back(specimen);
     }
   }
-  std::sort(lives.begin(), lives.end());
+  std::ranges::sort(lives, statistics::rises_failures_first);
   std::string text;
-  for (const double life : lives) {
-    text += (text.empty() ? "" : ", ") + number_text(life, kDigits);
+  for (const statistics::Observation& life : lives) {
+    text += text.empty() ? "" : ", ";
+    text += life.from ? number_text(*life.from, kDigits) + " .. " : "";
+    text += number_text(life.value, kDigits);
+  }
+  if (trimmed > 0) {
+    text += fmt::format("; {} trimmed", trimmed);
   }
   return text.empty() ? "none" : text;
 }
