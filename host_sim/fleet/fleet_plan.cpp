@@ -10,12 +10,26 @@
 
 #include "hal/files/interruption.hpp"
 #include "host_sim/reference/equations.hpp"
+#include "host_sim/statistics/distribution.hpp"
 #include "host_sim/statistics/parallel.hpp"
 
 namespace host_sim::fleet {
 
 LawBelief belief_of(const Model::Life& life) {
-  return {.shape = life.weibull_shape};
+  LawBelief law{.shape = life.weibull_shape};
+  if (life.interval) {
+    const Model::Life::Interval& interval = *life.interval;
+    const double width_sd = 2 * statistics::Distribution{statistics::Family::normal, 0, 1}.quantile(
+                                    0.5 + 0.5 * interval.level);
+    const auto log_sd = [&](const Model::Life::Interval::Ends& ends) {
+      return std::log(ends.high / ends.low) / width_sd;
+    };
+    law.log_shape_sd = log_sd(interval.weibull_shape);
+    law.log_life_sd = log_sd(interval.life_at_pivot);
+    law.exponent_sd = (interval.ipl_exponent.high - interval.ipl_exponent.low) / width_sd;
+    law.pivot_tension_N = interval.pivot_tension_N;
+  }
+  return law;
 }
 
 namespace {
@@ -160,6 +174,13 @@ std::vector<std::string> warnings_of(const Fleet& fleet, const FleetPlan& plan) 
       warnings.push_back(fmt::format(
           "{} has no [life.interval]: its law is taken as exact, and risks are too sure",
           model.file));
+    } else if (std::ranges::any_of(fleet.tendons, [](const Tendon& tendon) {
+                 return !tendon.effective_tension_N;
+               })) {
+      warnings.push_back(fmt::format(
+          "{}: tendons without effective_tension_N are taken to be at {:g} N, where its law is "
+          "known best",
+          model.file, model.model.life.interval->pivot_tension_N));
     }
   }
   if (plan.second_breaks_at_most > 0.1) {

@@ -73,6 +73,10 @@ void write_plan(std::ostream& out, std::string_view source, const Fleet& fleet,
 /// As one JSON object.
 std::string plan_json(const Fleet& fleet, const PlanRequest& request, const FleetPlan& plan);
 
+/// As a calendar (RFC 5545): an event of one day for each tendon that is due within the horizon,
+/// and one at the horizon. An event of a tendon has the same UID in every plan.
+std::string plan_calendar(const Fleet& fleet, const PlanRequest& request, const FleetPlan& plan);
+
 /// As a table with a row for each tendon, in the order of the fleet.
 std::string plan_table(const Fleet& fleet, const FleetPlan& plan);
 

@@ -57,7 +57,7 @@ std::optional<Date> parse_date(std::string_view text) {
   const auto year = whole_number(text.substr(0, 4));
   const auto month = whole_number(text.substr(5, 2));
   const auto day = whole_number(text.substr(8, 2));
-  if (!year || !month || !day || *year < 1970) {
+  if (!year || !month || !day || *year < 1970 || *year > 9899) {
     return std::nullopt;
   }
   const std::chrono::year_month_day date{std::chrono::year(static_cast<int>(*year)),

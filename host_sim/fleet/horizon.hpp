@@ -11,9 +11,9 @@ namespace host_sim::fleet {
 /// A day of the Gregorian calendar.
 using Date = std::chrono::sys_days;
 
-inline constexpr std::string_view kDateAccepted = "a date from 1970-01-01 to 9999-12-31";
+inline constexpr std::string_view kDateAccepted = "a date from 1970-01-01 to 9899-12-31";
 
-/// `YYYY-MM-DD`; none for what is no date of 1970 to 9999.
+/// `YYYY-MM-DD`; none for what is no date of 1970 to 9899.
 std::optional<Date> parse_date(std::string_view text);
 
 /// `YYYY-MM-DD`. @pre a date of 0 to 9999

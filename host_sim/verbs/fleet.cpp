@@ -24,12 +24,13 @@ struct FleetArguments {
   std::string today;
   std::string out_table;
   std::string json;
+  std::string calendar;
   fleet::PlanRequest request;
 
-  [[nodiscard]] std::array<std::string, 2> outputs() const { return {out_table, json}; }
+  [[nodiscard]] std::array<std::string, 3> outputs() const { return {out_table, json, calendar}; }
   [[nodiscard]] VerbFiles files(const std::vector<std::filesystem::path>& models) const {
     VerbFiles files{.reads = {{"TABLE", table}, {"--model", model}},
-                    .writes = {{"--table", out_table}, {"--json", json}},
+                    .writes = {{"--table", out_table}, {"--json", json}, {"--calendar", calendar}},
                     .fills = {}};
     for (const NamedPath& read : named("TABLE", models)) {
       files.reads.push_back(read);
@@ -71,6 +72,7 @@ int run_fleet(FleetArguments& arguments) {
   const fleet::Fleet tendons = fleet::fleet_of(rows, arguments.table, arguments.model);
   auto table = open_if_asked(arguments.out_table);
   auto json = open_if_asked(arguments.json);
+  auto calendar = open_if_asked(arguments.calendar);
   const fleet::FleetPlan plan = fleet::make_plan(tendons, arguments.request);
   if (table) {
     table->write(fleet::plan_table(tendons, plan));
@@ -78,7 +80,10 @@ int run_fleet(FleetArguments& arguments) {
   if (json) {
     json->write(fleet::plan_json(tendons, arguments.request, plan));
   }
-  commit_all({&table, &json});
+  if (calendar) {
+    calendar->write(fleet::plan_calendar(tendons, arguments.request, plan));
+  }
+  commit_all({&table, &json, &calendar});
   fleet::write_plan(summary_stream(arguments.outputs()), arguments.table, tendons,
                     arguments.request, plan);
   return 0;
@@ -114,6 +119,8 @@ void add_fleet(CLI::App& app, int& status) {
       ->type_name("DATE");
   verb->add_option("--table", arguments->out_table, "Write a row for each tendon as CSV");
   verb->add_option("--json", arguments->json, "Write the plan as JSON; - is standard output");
+  verb->add_option("--calendar", arguments->calendar,
+                   "Write the dates to replace within the horizon as a calendar, iCalendar");
   verb->add_option("--threads", arguments->request.threads,
                    "How many threads; all cores without it. The result does not depend on it")
       ->check(command_line::in_range(1U, kMostThreads));

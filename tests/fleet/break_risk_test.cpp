@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "host_sim/statistics/random.hpp"
+#include "tests/fleet/deviate.hpp"
 
 namespace {
 
@@ -69,12 +70,6 @@ TEST(FleetBreakRisk, StaysANumberFarBeyondEveryLife) {
     EXPECT_NEAR(risk.within(hours), 0.1, 1e-6) << used;
     EXPECT_NEAR(risk.within(1e9), 1, 1e-9) << used;
   }
-}
-
-/// Standard normal deviates, by Box and Muller.
-double deviate(Random& random) {
-  return std::sqrt(-2 * std::log(random.uniform())) *
-         std::cos(2 * std::numbers::pi * random.uniform());
 }
 
 /// Share of the wires that are whole at the tendon's damage and break within `hours`: laws, rates

@@ -18,14 +18,14 @@ TEST(FleetDate, CountsDaysOfTheGregorianCalendar) {
   EXPECT_EQ(day("2000-03-01") - day("2000-02-28"), days(2));  // divisible by 400
   EXPECT_EQ(day("2100-03-01") - day("2100-02-28"), days(1));  // by 100 alone
   EXPECT_EQ(date_text(day("2026-03-02") + days(365)), "2027-03-02");
-  EXPECT_EQ(date_text(day("9999-12-31")), "9999-12-31");
+  EXPECT_EQ(date_text(day("9899-12-31")), "9899-12-31");
 }
 
 TEST(FleetDate, IsNothingElse) {
   for (const char* const text :
        {"", "2026-3-2", "2026-02-29", "2026-13-01", "2026-00-01", "2026-01-32", "2026-01-00",
         "26-01-01", "2026/01/01", "2026-01-01T00", " 2026-01-01", "+026-01-01", "1969-12-31",
-        "today", "2026-01-0x"}) {
+        "9900-01-01", "today", "2026-01-0x"}) {
     EXPECT_FALSE(parse_date(text)) << text;
   }
 }

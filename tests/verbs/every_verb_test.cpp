@@ -85,7 +85,7 @@ const std::vector<Verb>& verbs() {
       {"fleet",
        "fleet.csv --model model.toml",
        {"fleet.csv", "model.toml", "elsewhere/other.toml"},
-       {"--table", "--json"},
+       {"--table", "--json", "--calendar"},
        {},
        {"TABLE", "--model"}},
       {"synth",
