@@ -109,7 +109,6 @@ class TendonLife {
     next.flags = 0;
     next.history = {};
     next.past_lost = false;
-    next.history = {};
     return next;
   }
   /// Begins the epoch of `next`, which was made by next_epoch() with no reading taken since.
