@@ -282,7 +282,10 @@ class Pass {
     const reference::Reading counted{
         .damage = {to_double(reading.closed), to_double(reading.open), to_double(reading.total)},
         .closed_cycles = reading.closed_cycles.raw(),
-        .open_half_cycles = reading.open_half_cycles.raw()};
+        .open_half_cycles = reading.open_half_cycles.raw(),
+        .peak_tension_N = 0,
+        .overload_cycles = 0,
+        .overload_half_cycles = 0};
     if (cycles == 0) {
       return std::nullopt;
     }
