@@ -65,5 +65,27 @@ TEST(Rates, StopAtTheirHighestValue) {
   EXPECT_EQ(rates.damage_ppb_per_h(), 0xfffffffeu);
 }
 
+// Minutes of 1 and 4 in turns, of log2 0 and 2: a standard deviation of sqrt(20 / 19) over 20 of
+// them, 1.96 of which is 2.0109. Rest between them is no operation.
+TEST(Rates, KnowHowTheMinutesOfOperationScatter) {
+  Rates rates;
+  rates.start({});
+  std::uint32_t done = 0;
+  std::uint32_t second = 0;
+  const auto minute = [&](std::uint32_t damage) {
+    for (int i = 0; i < 60; ++i) {
+      done += i == 0 ? damage : 0;
+      rates.take(hal::seconds(++second), lives(done, 20), second);
+    }
+  };
+  minute(0);
+  for (std::uint32_t n = 1; n <= 20; ++n) {
+    EXPECT_EQ(rates.spread_known(), n > 10) << n;
+    minute(n % 2 == 0 ? 4 : 1);
+    minute(0);
+  }
+  EXPECT_NEAR(rates.load_spread() * 0x1p-21, 2.0109, 0.02);
+}
+
 }  // namespace
 }  // namespace app
