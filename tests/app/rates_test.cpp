@@ -75,7 +75,8 @@ TEST(Rates, KnowHowTheMinutesOfOperationScatter) {
   const auto minute = [&](std::uint32_t damage) {
     for (int i = 0; i < 60; ++i) {
       done += i == 0 ? damage : 0;
-      rates.take(hal::seconds(++second), lives(done, 20), second);
+      ++second;
+      rates.take(hal::seconds(second), lives(done, 20), second);
     }
   };
   minute(0);
