@@ -142,11 +142,11 @@ struct Advice {
 /// risk and a later date never raise it but by the error of the logarithms, 2e-6 of the tension.
 constexpr Advice advise(const CycleLaw& law, WeibullShape shape, const Damage& used, Hazard hazard,
                         const Damage& needed, const RepresentativeCycle& cycle) {
-  if (needed == Damage{}) {
+  if (needed.none()) {
     return {};
   }
   const Damage allowed = further_damage(shape, used, hazard);
-  if (allowed == Damage{}) {
+  if (allowed.none()) {
     return {Ratio::lowest(), Ratio::lowest()};
   }
   const numeric::Normal share = numeric::quotient(normalise(allowed), normalise(needed));

@@ -116,6 +116,21 @@ class Measurement {
     report("given_survival", "", worst * 1000);
   }
 
+  /// The load that is advised to wires of all ages, with loads of all sizes.
+  void advised_calls() {
+    Random random(4);
+    const lifemodel::Parameters parameters = paper_parameters<1>()[0];
+    std::uint32_t worst = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const Wear wear{lifemodel::LifePoint{random.next() >> 2}.damage(),
+                      lifemodel::LifePoint{(random.next() >> (8 + i % 20)) + 1}.damage()};
+      Advised result{lifemodel::Tension::from_raw(static_cast<std::int32_t>(random.next() >> 3)),
+                     {}};
+      worst = std::max(worst, counter_.count({advised, &parameters, &wear, &result}));
+    }
+    report("advised", "", worst * 1000);
+  }
+
   [[nodiscard]] bool save(const char* path) {
     json_ << "\n}\n";
     board::HostFile file(path, board::HostFile::Mode::write);
@@ -204,5 +219,6 @@ int main() {
   measurement.averages();
   measurement.worst_calls();
   measurement.given_survival_calls();
+  measurement.advised_calls();
   return measurement.save(arguments[1]) ? 0 : 1;
 }

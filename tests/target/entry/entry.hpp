@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "lifemodel/estimator.hpp"
+#include "lifemodel/life/advice.hpp"
 #include "lifemodel/quantity/units.hpp"
 
 /// The estimator as functions of C linkage, so that each can be measured, sized and followed as
@@ -22,6 +23,11 @@ struct GivenSurvival {
   std::uint32_t repeats_to_50;
   std::uint32_t repeats_to_90;
   lifemodel::Ratio break_risk;  ///< within 480 repeats
+};
+
+struct Advised {
+  lifemodel::Tension peak;  ///< that there was
+  lifemodel::Advice advice;
 };
 
 }  // namespace target
@@ -43,5 +49,9 @@ bool decode_block(const std::byte* block, std::size_t size, lifemodel::Parameter
 
 void given_survival(const lifemodel::WeibullShape* shape, const target::Wear* wear,
                     target::GivenSurvival* out);
+
+/// The advice for 480 repeats.
+void advised(const lifemodel::Parameters* parameters, const target::Wear* wear,
+             target::Advised* out);
 
 }  // extern "C"
