@@ -402,7 +402,7 @@ TEST_F(EveryVerb, TomlThatIsTooDeepIsRefusedWithItsPlace) {
       files.insert(file);
     }
   }
-  EXPECT_EQ(files.size(), 7U);
+  EXPECT_EQ(files.size(), 8U);
 }
 
 TEST_F(EveryVerb, ADeepModelDoesNotStopTheOtherProfilesOfAFolder) {
