@@ -12,6 +12,8 @@
 namespace lifemodel {
 namespace {
 
+using lifemodel_test::damage_of;
+
 std::int64_t log2_q26(double value) {
   return static_cast<std::int64_t>(std::nearbyint(std::ldexp(std::log2(value), 26)));
 }
@@ -20,16 +22,6 @@ LoadRatio ratio_of(double value) {
 }
 Ratio risk_of(double value) {
   return pack::from_double<Ratio>(value);
-}
-Damage damage_of(double value) {
-  Flags flags;
-  Damage damage;
-  int exponent = 0;
-  const double mantissa = std::frexp(value, &exponent);
-  damage.add(
-      {static_cast<std::uint32_t>(std::ldexp(mantissa, 32)), exponent - 32 + Damage::kFractionBits},
-      flags);
-  return damage;
 }
 
 // By hand, tensions relative to the ultimate one: at R = 0 a tension of 1/2 has T_a = T_m = 1/4 and
