@@ -83,9 +83,9 @@ class TerminalTest(unittest.TestCase):
         pane = self.pane()
         self.show(pane, (1, "normal", 20_000_000), (2, "inspect", 612_345_678), (3, "worn", 1_200_000_000))
         rows = [line.split() for line in pane.screen().splitlines()]
-        self.assertIn("1 normal 2 12.3 - 45.6 h 0.0001234 0.9 s 0 0".split(), rows)
-        self.assertIn("2 inspect 61.2345678 12.3 - 45.6 h 0.0001234 0.9 s 0 0".split(), rows)
-        self.assertIn("3 worn 120 12.3 - 45.6 h 0.0001234 0.9 s 0 0".split(), rows)
+        self.assertIn("1 normal 2 12.3 - 45.6 h - 0.0001234 0.9 s 0 0".split(), rows)
+        self.assertIn("2 inspect 61.2345678 12.3 - 45.6 h - 0.0001234 0.9 s 0 0".split(), rows)
+        self.assertIn("3 worn 120 12.3 - 45.6 h - 0.0001234 0.9 s 0 0".split(), rows)
         coloured = pane.screen(colours=True)
         for look in ("\x1b[32mnormal", "\x1b[33minspect", "\x1b[1m\x1b[37m\x1b[41mworn"):
             self.assertIn(look, coloured)

@@ -73,7 +73,7 @@ class VerbTest(unittest.TestCase):
         done = self.status_of()
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertNotIn("\x1b", done.stdout)
-        self.assertEqual(done.stdout.splitlines()[-1].split(), "5 normal 3 12.3 - 45.6 h 0 0.9 s 0 0".split())
+        self.assertEqual(done.stdout.splitlines()[-1].split(), "5 normal 3 12.3 - 45.6 h - 0 0.9 s 0 0".split())
         self.assertIn("42 frames", done.stdout)
         self.assertEqual(done.stderr, "")
 
