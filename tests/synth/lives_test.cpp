@@ -284,6 +284,72 @@ TEST(SynthLives, TheFilesAreACampaign) {
   EXPECT_FALSE(last.days);
 }
 
+const std::string kSeenOtherwise = R"(
+[lives]
+[[lives.level]]
+bend_angle_deg = 0
+output_tension_mean_N = 30
+output_tension_amplitude_N = 30
+specimens = 40
+inspect_every_cycles = 300
+[[lives.level]]
+bend_angle_deg = 90
+output_tension_mean_N = 40
+output_tension_amplitude_N = 20
+specimens = 12
+trim_low = 1
+trim_high = 2
+)";
+
+TEST(SynthLives, AreInspectedAndTrimmedAsPlanned) {
+  const SynthPlan plan = plan_of(kSeenOtherwise);
+  const Campaign campaign = campaign_of(plan, life_texts(plan, 1));
+  const auto lives = run_lives(plan, 1);
+  using Status = Campaign::Status;
+  std::map<Status, int> count;
+  double lowest = HUGE_VAL;
+  double highest = 0;
+  for (std::size_t i = 0; i < lives.size(); ++i) {
+    const Campaign::Specimen& specimen = campaign.specimens[i];
+    const double life = lives[i].result.cycles.front();
+    ++count[specimen.status];
+    if (i < 40) {
+      EXPECT_LE(life, specimen.cycles());
+      EXPECT_GT(life, specimen.from_cycles);
+      EXPECT_EQ(specimen.cycles() - specimen.from_cycles, 300);
+      EXPECT_EQ(specimen.status == Status::left, life <= 300);
+    } else if (specimen.status == Status::failed) {
+      lowest = std::min(lowest, life);
+      highest = std::max(highest, life);
+    }
+  }
+  EXPECT_EQ(count[Status::trimmed_low], 1);
+  EXPECT_EQ(count[Status::trimmed_high], 2);
+  EXPECT_EQ(count[Status::failed], 9);
+  for (std::size_t i = 40; i < lives.size(); ++i) {
+    const double life = lives[i].result.cycles.front();
+    const Status status = campaign.specimens[i].status;
+    EXPECT_TRUE(status != Status::trimmed_low || life <= lowest);
+    EXPECT_TRUE(status != Status::trimmed_high || life >= highest);
+  }
+}
+
+TEST(SynthLives, WhatCannotBeTrimmedIsRefused) {
+  const auto complaint = [](std::string_view from, std::string_view to) {
+    std::string text = kSeenOtherwise;
+    text.replace(text.find(from), from.size(), to);
+    return complaint_of([&] { plan_of(text); });
+  };
+  EXPECT_NE(complaint("trim_low = 1", "trim_low = 10").find("12 of 12 specimens are dropped"),
+            std::string::npos);
+  EXPECT_NE(complaint("trim_low = 1", "trim_low = 1\nsuspend_at_cycles = 500")
+                .find("trim_low beside suspend_at_cycles"),
+            std::string::npos);
+  EXPECT_NE(complaint("trim_low = 1", "inspect_every_cycles = 50")
+                .find("trim_high beside inspect_every_cycles"),
+            std::string::npos);
+}
+
 TEST(SynthLives, ProgramsGoFromLevelToLevel) {
   const SynthPlan plan =
       plan_of(kLives + "[[lives.program]]\nlevels = [1, 2]\ncycles = [100]\nspecimens = 4\n");

@@ -112,13 +112,65 @@ struct Columns {
   bool days = false;
   bool wire_to_bend_ratio = false;
   bool group = false;
+  bool cycles_from = false;
 };
+
+/// What the table says of a life.
+struct Seen {
+  std::string cycles, cycles_from;
+  std::string_view status;
+};
+
+std::string whole(double cycles) {
+  return fmt::format("{:.0f}", cycles);
+}
+
+Seen seen_of(const LifePlan& plan, const LifeSpecimen& specimen) {
+  const auto& of_steps = specimen.result.cycles;
+  const double cycles = std::accumulate(of_steps.begin(), of_steps.end(), 0.0);
+  const LifeLevel& level = plan.levels[specimen.levels.front()];
+  if (!specimen.result.failed) {
+    return {whole(cycles), "", "suspended"};
+  }
+  if (specimen.levels.size() > 1 || level.inspect_every_cycles == 0) {
+    return {whole(cycles), "", "failed"};
+  }
+  const double step = level.inspect_every_cycles;
+  const double from = (std::ceil(cycles / step) - 1) * step;
+  const double found = std::min(from + step, level.suspend_at_cycles);
+  return from > 0 ? Seen{whole(found), whole(from), "interval"} : Seen{whole(found), "", "left"};
+}
+
+/// Of each specimen. Those under a level alone stand together, in the order of the levels.
+std::vector<Seen> seen_of(const LifePlan& plan, const std::vector<LifeSpecimen>& specimens) {
+  std::vector<Seen> seen;
+  for (const LifeSpecimen& specimen : specimens) {
+    seen.push_back(seen_of(plan, specimen));
+  }
+  std::size_t first = 0;
+  for (const LifeLevel& level : plan.levels) {
+    std::vector<std::size_t> places(level.specimens);
+    std::iota(places.begin(), places.end(), first);
+    std::ranges::stable_sort(places, {},
+                             [&](std::size_t i) { return specimens[i].result.cycles.front(); });
+    for (std::size_t i = 0; i < level.trim_low; ++i) {
+      seen[places[i]] = {"", "", "trimmed_low"};
+    }
+    for (std::size_t i = places.size() - level.trim_high; i < places.size(); ++i) {
+      seen[places[i]] = {"", "", "trimmed_high"};
+    }
+    first += level.specimens;
+  }
+  return seen;
+}
 
 Columns columns_of(const LifePlan& plan) {
   const bool has_ratio =
       std::any_of(plan.levels.begin(), plan.levels.end(),
                   [](const LifeLevel& level) { return level.load.wire_to_bend_ratio > 0; });
-  return {plan.record_days, has_ratio, plan.rigs > 1};
+  const bool inspected = std::ranges::any_of(
+      plan.levels, [](const LifeLevel& level) { return level.inspect_every_cycles > 0; });
+  return {plan.record_days, has_ratio, plan.rigs > 1, inspected};
 }
 
 std::string load_text(const LifeLoad& load) {
@@ -129,16 +181,14 @@ std::string name_of(const LifeSpecimen& specimen) {
   return fmt::format("w{:04}", specimen.place.number + 1);
 }
 
-void append_row(const LifePlan& plan, const LifeSpecimen& specimen, const Columns& columns,
-                std::string& text) {
+void append_row(const LifePlan& plan, const LifeSpecimen& specimen, const Seen& seen,
+                const Columns& columns, std::string& text) {
   const LifeLoad& load = plan.levels[specimen.levels.front()].load;
-  const auto& cycles = specimen.result.cycles;
   const bool constant = specimen.levels.size() == 1;
   const auto out = std::back_inserter(text);
-  fmt::format_to(
-      out, "{},lot{},{},{:.0f},{},{}", name_of(specimen), specimen.place.lot + 1,
-      constant ? load_text(load) : ",,", std::accumulate(cycles.begin(), cycles.end(), 0.0),
-      specimen.result.failed ? "failed" : "suspended", specimen.validation ? "validation" : "fit");
+  fmt::format_to(out, "{},lot{},{},{},{},{}", name_of(specimen), specimen.place.lot + 1,
+                 constant ? load_text(load) : ",,", seen.cycles, seen.status,
+                 specimen.validation ? "validation" : "fit");
   if (columns.days) {
     fmt::format_to(out, ",{:.6f}", specimen.result.days);
   }
@@ -148,6 +198,10 @@ void append_row(const LifePlan& plan, const LifeSpecimen& specimen, const Column
   }
   if (columns.group) {
     fmt::format_to(out, ",rig{}", specimen.place.rig + 1);
+  }
+  if (columns.cycles_from) {
+    text += ',';
+    text += seen.cycles_from;
   }
   text += '\n';
 }
@@ -170,12 +224,16 @@ LifeTexts life_texts(const SynthPlan& plan, std::uint64_t seed) {
   texts.specimens += columns.days ? ",days" : "";
   texts.specimens += columns.wire_to_bend_ratio ? ",wire_to_bend_ratio" : "";
   texts.specimens += columns.group ? ",group" : "";
+  texts.specimens += columns.cycles_from ? ",cycles_from" : "";
   texts.specimens += '\n';
   if (!plan.lives->programs.empty()) {
     texts.blocks = fmt::format("specimen,order,{},cycles\n", kLoad);
   }
-  for (const LifeSpecimen& specimen : run_lives(plan, seed)) {
-    append_row(*plan.lives, specimen, columns, texts.specimens);
+  const std::vector<LifeSpecimen> specimens = run_lives(plan, seed);
+  const std::vector<Seen> seen = seen_of(*plan.lives, specimens);
+  for (std::size_t i = 0; i < specimens.size(); ++i) {
+    const LifeSpecimen& specimen = specimens[i];
+    append_row(*plan.lives, specimen, seen[i], columns, texts.specimens);
     if (specimen.levels.size() > 1) {
       append_blocks(*plan.lives, specimen, texts.blocks);
     }

@@ -21,8 +21,11 @@ constexpr NumberKey kFrequency{"frequency_Hz", "Hz", {0.001, 1000}};
 constexpr NumberKey kRatio{"wire_to_bend_ratio", "", {0, 1, true}};
 constexpr NumberKey kSpecimens{"specimens", "", {1, 10'000}};
 constexpr NumberKey kSuspend{"suspend_at_cycles", "cycles", {1, 1e15}};
-constexpr std::array kLevel{kLevelBendAngle, kMean,      kAmplitude, kFrequency,
-                            kRatio,          kSpecimens, kSuspend};
+constexpr NumberKey kInspect{"inspect_every_cycles", "cycles", {1, 1e15}};
+constexpr NumberKey kTrimLow{"trim_low", "", {0, 10'000}};
+constexpr NumberKey kTrimHigh{"trim_high", "", {0, 10'000}};
+constexpr std::array kLevel{kLevelBendAngle, kMean,    kAmplitude, kFrequency, kRatio,
+                            kSpecimens,      kSuspend, kInspect,   kTrimLow,   kTrimHigh};
 constexpr NumberKey kLevelSpecimens{"specimens", "", {0, 10'000}};
 
 constexpr NumberKey kLevels{"levels", "", {1, 10'000}};
@@ -39,6 +42,26 @@ constexpr std::array<std::string_view, 2> kLotsBy{"specimen", "level"};
 constexpr std::array<std::string_view, 1> kRole{"role"};
 constexpr std::array<std::string_view, 2> kRoles{"fit", "validation"};
 
+/// Only where all lives of a level are known is it clear which are dropped.
+void check_trimming(const TomlTable& table, const LifeLevel& level) {
+  const std::size_t dropped = level.trim_low + level.trim_high;
+  const std::string_view key = level.trim_low > 0 ? kTrimLow.name : kTrimHigh.name;
+  if (dropped == 0) {
+    return;
+  }
+  for (const NumberKey& other : {kSuspend, kInspect}) {
+    if (table.has(other.name)) {
+      table.fail(table.place_of(key), fmt::format("{} beside {}", key, other.name),
+                 "lives that are dropped from levels whose lives are all known");
+    }
+  }
+  if (dropped >= level.specimens) {
+    table.fail(table.place_of(key),
+               fmt::format("{} of {} specimens are dropped", dropped, level.specimens),
+               "fewer than there are");
+  }
+}
+
 LifeLevel level_in(const TomlTable& table) {
   table.refuse_unknown_keys(kLevel, kRole);
   LifeLevel level;
@@ -51,6 +74,12 @@ LifeLevel level_in(const TomlTable& table) {
   if (table.has(kSuspend.name)) {
     level.suspend_at_cycles = static_cast<double>(whole_or(table, kSuspend, 0));
   }
+  if (table.has(kInspect.name)) {
+    level.inspect_every_cycles = static_cast<double>(whole_or(table, kInspect, 0));
+  }
+  level.trim_low = whole_or(table, kTrimLow, 0);
+  level.trim_high = whole_or(table, kTrimHigh, 0);
+  check_trimming(table, level);
   level.validation = choice_of(table, "role", kRoles) == 1;
   return level;
 }

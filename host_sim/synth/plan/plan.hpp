@@ -46,6 +46,9 @@ struct LifeLevel {
   LifeLoad load;
   std::size_t specimens = 0;
   double suspend_at_cycles = 1e15;
+  double inspect_every_cycles = 0;  ///< 0: lives are known to the cycle
+  /// So many of the lowest and of the highest lives are dropped.
+  std::size_t trim_low = 0, trim_high = 0;
   bool validation = false;
 };
 
