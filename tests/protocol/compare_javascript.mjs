@@ -52,11 +52,11 @@ assert.deepEqual(decode(0x701, [5]).labels, { NmtState: 'operational' });
 // Node 1, counter 0: the CRC of zeros with the data id 1 is 0x0e, as AUTOSAR publishes it.
 assert.equal(decode(0x181, [0x0e, 0, 0, 0, 0, 0, 0, 0]).error, null);
 assert.equal(decode(0x182, [0x0e, 0, 0, 0, 0, 0, 0, 0]).error, 'wrong_crc');
-// Bit 63 of LifeStatus has no meaning; its weight in the CRC over (0 .. 0, 0x80, id) is known from
-// trying all 256 values.
+// Bit 63 of page TendonDamage has no meaning; its weight in the CRC over (0x30, 0 .. 0, 0x80, id) is
+// known from trying all 256 values.
 const errors = new Map();
 for (let crc = 0; crc < 256; ++crc) {
-  const { error } = decode(0x181, [crc, 0, 0, 0, 0, 0, 0, 0x80]);
+  const { error } = decode(0x281, [crc, 0x30, 0, 0, 0, 0, 0, 0x80]);
   errors.set(error, (errors.get(error) ?? 0) + 1);
 }
 assert.deepEqual([...errors].sort(), [['reserved_bit', 1], ['wrong_crc', 255]]);
