@@ -46,15 +46,31 @@ class PageRing {
   /// failed; the page is then left out.
   bool make_blank(std::uint32_t page) {
     constexpr auto kBytes = static_cast<std::uint32_t>(Memory::kPageBytes);
-    if (is_blank(*memory_, address(page), kBytes)) {
+    if ((refused_ & bit(page)) == 0 && is_blank(*memory_, address(page), kBytes)) {
+      as_found_ |= bit(page);
       return true;
     }
+    refused_ &= ~bit(page);
+    as_found_ &= ~bit(page);
     const bool blank = memory_->erase(kPages.first + page) == hal::Error::none &&
                        is_blank(*memory_, address(page), kBytes);
     if (!blank) {
       fail(page);
     }
     return blank;
+  }
+  /// Whether the page was blank when it was wanted so, and was not erased.
+  [[nodiscard]] bool as_found(std::uint32_t page) const { return (as_found_ & bit(page)) != 0; }
+
+  /// A program failed. An erase that lost its power may leave a page that looks blank and takes
+  /// nothing: one that was not erased since is erased before it is used again, any other is left
+  /// out.
+  void refuse(std::uint32_t page) {
+    if (as_found(page)) {
+      refused_ |= bit(page);
+    } else {
+      fail(page);
+    }
   }
 
   [[nodiscard]] bool failed(std::uint32_t page) const { return (failed_ & bit(page)) != 0; }
@@ -64,7 +80,10 @@ class PageRing {
 
  private:
   Memory* memory_;
-  std::uint32_t failed_ = 0;  ///< a bit for each page that is left out
+  // A bit for each page.
+  std::uint32_t failed_ = 0;    ///< is left out
+  std::uint32_t as_found_ = 0;  ///< looked blank, and was not erased
+  std::uint32_t refused_ = 0;   ///< and took nothing: to be erased
 };
 
 /// Slots written one after another over pages taken in turn; of each key the newest counts.
@@ -77,8 +96,8 @@ class PageRing {
 /// A page that fails to erase or program is left out until no other is left or until the next
 /// start; what it holds still counts. Pages that an earlier firmware has filled with slots of the
 /// Former of a format are read, and nothing is added to them: what is newest on them moves to
-/// others in the new format. One append tries each page once, so that it erases at most one page
-/// for each that fails and one more; after prepare() none where none fails. The start reads every
+/// others in the new format. One append erases each page once at most, and at most one page for
+/// each that fails and one more; after prepare() none where none fails. The start reads every
 /// slot once, where there is a Former twice. Sequences are the caller's, each higher than the ones
 /// before.
 template <hal::NonVolatile Memory, SlotFormat Format, std::size_t kKeys, PageRange kPages>
@@ -132,7 +151,8 @@ class NewestLog {
       return hal::Error::out_of_range;
     }
     std::uint32_t tried = 0;
-    for (std::uint32_t attempt = 0; attempt <= Ring::kCount; ++attempt) {
+    // A page may be tried as it was found, and erased.
+    for (std::uint32_t attempt = 0; attempt <= 2 * Ring::kCount; ++attempt) {
       if (slot_ == kSlots && !open_any(tried)) {
         break;
       }
@@ -317,7 +337,7 @@ class NewestLog {
   bool write(View bytes, SlotName name) {
     const std::uint32_t slot = slot_++;
     if (write_slot(ring_.memory(), address(page_, slot), bytes) != hal::Error::none) {
-      ring_.fail(page_);
+      ring_.refuse(page_);
       slot_ = kSlots;
       return false;
     }
@@ -344,8 +364,9 @@ class NewestLog {
       if (ring_.failed(page) || (tried & Ring::bit(page)) != 0 || !release(page)) {
         continue;
       }
-      tried |= Ring::bit(page);
-      if (ring_.make_blank(page)) {
+      const bool blank = ring_.make_blank(page);
+      tried |= ring_.as_found(page) ? 0 : Ring::bit(page);
+      if (blank) {
         page_ = page;
         slot_ = 0;
         former_ &= ~Ring::bit(page);

@@ -234,7 +234,7 @@ TYPED_TEST(SmallFlash, OverAndOver) {
     typename TestFixture::Store store(this->socket_);
     model.check(store);
     ASSERT_FALSE(this->HasFatalFailure()) << "start " << start;
-    const std::uint64_t lasts = start == 0 ? 100 : start * 7 % 59;
+    const std::uint64_t lasts = start == 0 ? 100 : start * 7 % 41;
     this->flash_.fault(this->flash_.operations() + lasts, {kCuts[start % kCuts.size()], start});
     while (this->flash_.powered()) {
       ASSERT_TRUE(this->fine(this->step(store, model, i)) || !this->flash_.powered());
