@@ -16,7 +16,10 @@ except ImportError:
 
 # At B10 for a shape of 5.94, ten hours a day of 0.001: 10 % more after 84.7 hours.
 NAME = "Übermäßig langer Name, mit Komma; Strichpunkt und \\ – " + "ä" * 60
-TABLE = f'tendon,damage,damage_per_h,hours_per_day\n"{NAME}",0.68464,1e-3,10\nnew,0,1e-3,10\n'
+# One octet more before each character: one of both would be divided.
+SHIFTED = "x" + NAME
+TABLE = (f'tendon,damage,damage_per_h,hours_per_day\n"{NAME}",0.68464,1e-3,10\n"{SHIFTED}",0.68464,1e-3,10\n'
+         "new,0,1e-3,10\n")
 
 
 def calendar_of(host_sim, model, today, table=TABLE):
@@ -46,8 +49,12 @@ def main():
         check(b"\n" not in line and b"\r" not in line, f"CRLF: {line}")
         check(len(line) <= 75, f"at most 75 octets: {line}")
         line.decode("utf-8")  # no character is divided
+    unfolded = text.replace(b"\r\n ", b"").decode("utf-8")
+    check("mit Komma\\; Strichpunkt und \\\\ – ä" in unfolded, "semicolon and backslash are escaped")
+    check("Name\\, mit" in unfolded, "a comma is escaped")
     events = events_of(text)
-    check(set(events) == {"Replace tendon " + NAME, "Plan the fleet again"}, f"events {set(events)}")
+    check(set(events) == {"Replace tendon " + NAME, "Replace tendon " + SHIFTED, "Plan the fleet again"},
+          f"events {set(events)}")
     event = events["Replace tendon " + NAME]
     check(event["DTSTART"].dt == datetime.date(2026, 3, 10), "84.7 hours are 8 whole days")
     check(event["DTEND"].dt == datetime.date(2026, 3, 11), "an event of one day")
