@@ -45,6 +45,7 @@ const WatchKey& key_named(std::string_view name) {
 
 Model::Watch read_watch(const TomlTable& table) {
   std::vector<NumberKey> numbers;
+  numbers.reserve(kWatchKeys.size());
   for (const WatchKey& key : kWatchKeys) {
     numbers.push_back(key.number);
   }

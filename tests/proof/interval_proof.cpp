@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cmath>
+#include <functional>
 
 #include "host_sim/calibrate/stress_life.hpp"
 #include "host_sim/calibrate/use_levels.hpp"
 #include "host_sim/life_law/life_fit.hpp"
+#include "host_sim/life_law/life_simulation.hpp"
 #include "host_sim/statistics/parallel.hpp"
 #include "host_sim/statistics/random.hpp"
 #include "tests/proof/campaigns.hpp"
@@ -37,9 +39,18 @@ std::array<Wanted, 5> wanted() {
 
 enum class Truth { below, inside, above };
 
+/// Draws the campaign of a number.
+using Campaigns = std::function<life_law::LifeData(std::size_t number)>;
+
+Campaigns campaigns_of(const plan::Design& design) {
+  return [design](std::size_t number) {
+    return simulated_campaign(design, truth_under(kTruth, design), 20, number);
+  };
+}
+
 /// Where the truth lies for the interval of each quantity, in one campaign.
-std::array<Truth, 5> truths_of(const plan::Design& design, std::size_t number) {
-  const auto data = simulated_campaign(design, truth_under(kTruth, design), 20, number);
+std::array<Truth, 5> truths_of(const Campaigns& draw, std::size_t number) {
+  const life_law::LifeData data = draw(number);
   const life_law::LifeFit fit = life_law::fit_life(data);
   EXPECT_EQ(fit.problem, statistics::FitProblem::none) << "campaign " << number;
   std::array<Truth, 5> found{};
@@ -53,9 +64,9 @@ std::array<Truth, 5> truths_of(const plan::Design& design, std::size_t number) {
   return found;
 }
 
-void prove_profile_intervals(const std::string& what, const plan::Design& design) {
+void prove_profile_intervals(const std::string& what, const Campaigns& draw) {
   std::vector<std::array<Truth, 5>> found(campaigns(2000));
-  statistics::parallel_for(found.size(), [&](std::size_t i) { found[i] = truths_of(design, i); });
+  statistics::parallel_for(found.size(), [&](std::size_t i) { found[i] = truths_of(draw, i); });
   const auto quantities = wanted();
   for (std::size_t i = 0; i < quantities.size(); ++i) {
     Share inside{0, found.size()};
@@ -73,11 +84,52 @@ void prove_profile_intervals(const std::string& what, const plan::Design& design
 }
 
 TEST(ProfileIntervals, CoverWithoutSuspension) {
-  prove_profile_intervals("4 levels of 20", whole_design());
+  prove_profile_intervals("4 levels of 20", campaigns_of(whole_design()));
 }
 
 TEST(ProfileIntervals, CoverUnderSuspension) {
-  prove_profile_intervals("4 levels of 20, suspended", suspended_design());
+  prove_profile_intervals("4 levels of 20, suspended", campaigns_of(suspended_design()));
+}
+
+/// Campaigns of the design whose specimens are seen as `see` says of the first, the second and so
+/// on of each level.
+Campaigns seen_as(const std::function<void(life_law::LifeDatum&, std::size_t)>& see) {
+  const plan::Design design = whole_design();
+  life_law::LifeData like;
+  for (std::size_t i = 0; i < design.levels.size(); ++i) {
+    const double tension_N = design.levels[i].effective_tension_N;
+    const double life = std::floor(kTruth.characteristic_life(tension_N));
+    for (std::size_t j = 0; j < design.levels[i].specimens; ++j) {
+      like.push_back({.blocks = {{tension_N, life}}, .level = i});
+      see(like.back(), j);
+    }
+  }
+  return [simulation = life_law::LifeSimulation(like)](std::size_t number) {
+    constexpr std::uint64_t kStream = 20;
+    statistics::Random random(20, kStream, number);
+    life_law::LifeData drawn;
+    simulation.draw(kTruth, random, drawn);
+    return drawn;
+  };
+}
+
+TEST(ProfileIntervals, CoverWithInspectionsEvery100Cycles) {
+  prove_profile_intervals("4 levels of 20, inspected every 100 cycles",
+                          seen_as([](life_law::LifeDatum& specimen, std::size_t) {
+                            specimen.from_cycles = 500.0;
+                            specimen.blocks.front().cycles = 600;
+                          }));
+}
+
+TEST(ProfileIntervals, CoverWithTheBestAndTheWorstDropped) {
+  prove_profile_intervals("4 levels of 20, best and worst dropped",
+                          seen_as([](life_law::LifeDatum& specimen, std::size_t number) {
+                            specimen.trimmed = number < 2;
+                            specimen.failed = number != 1;
+                            if (number == 0) {
+                              specimen.from_cycles = 0.0;
+                            }
+                          }));
 }
 
 /// Whether the interval from one campaign holds the life of one more specimen.
