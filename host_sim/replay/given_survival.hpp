@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 
 #include "host_sim/model/model.hpp"
+#include "host_sim/report/replay/report_data.hpp"
 
 namespace host_sim {
 
@@ -24,28 +24,7 @@ struct AskedOfSurvivor {
   std::optional<Horizon> horizon;
 };
 
-/// A number with the interval of the fit, where the model has one.
-struct Estimate {
-  double value = 0;
-  std::optional<std::array<double, 2>> interval;
-};
-
-/// Life given survival, conditional.hpp's equations in double precision, in repeats of a profile
-/// after its first pass began: unlike B10 of the whole life, which the wire may have outlived.
-struct GivenSurvival {
-  double used = 0;
-  Estimate to_10;  ///< repeats until it has broken with 10 % probability
-  Estimate to_50;
-  Estimate to_90;
-  struct Risk {
-    std::string horizon;
-    double repeats = 0;  ///< that it stands for
-    Estimate probability;
-  };
-  std::optional<Risk> risk;  ///< of a break within the horizon
-  double level = 0;          ///< of the intervals; 0 where there are none
-};
-
+/// Life given survival, conditional.hpp's equations in double precision.
 /// @param damage of one repeat; where it is 0 all repeats are infinite
 /// @param duration_s of one repeat, for a horizon in hours
 /// @param effective_tension_N that the profile is equivalent to, for the interval of the life there
@@ -55,5 +34,10 @@ struct GivenSurvival {
 /// `used` larger as well as each repeat.
 GivenSurvival given_survival(const AskedOfSurvivor& asked, double damage, double duration_s,
                              double effective_tension_N, const Model::Life& life);
+
+/// The risk over repeats, with the intervals of given_survival(): as far as 99 % risk, and further,
+/// up to three times as far, where a new wire reaches its B90 there. Empty where the damage is 0.
+BreakCurve break_curve(double used, double damage, double effective_tension_N,
+                       const Model::Life& life);
 
 }  // namespace host_sim

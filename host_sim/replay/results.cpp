@@ -175,6 +175,24 @@ std::string_view prose_of(InputKind kind) {
   return "";
 }
 
+/// The first of what was found, each with its time and line.
+std::vector<std::string> found_sentences(const Watched& watched) {
+  constexpr std::size_t kShown = 10;
+  std::vector<std::string> sentences;
+  for (const FoundInWire& found : watched.found) {
+    if (sentences.size() == kShown) {
+      sentences.emplace_back("And more: `--json` has them.");
+      break;
+    }
+    sentences.push_back(fmt::format("{} at {:.6g} s, line {} of the profile.",
+                                    found.event == WireEvent::broken
+                                        ? "Broken: friction alone was left while it was pulled"
+                                        : "Loose",
+                                    found.time_s, found.line));
+  }
+  return sentences;
+}
+
 /// Parameters of what was evaluated among the constants, what was not among the warnings.
 void add_extensions(ReplayReport& report, const ReplayResult& result, const Model& model) {
   for (const std::string& id : result.extensions) {
@@ -285,10 +303,17 @@ void fill_report(ReplayReport& report, const ReplayResult& result, const Model& 
   report.hysteresis_N = model.counting.hysteresis_N;
   report.peak_ratio = result.watched.peak_ratio;
   report.above = result.watched.above;
+  report.minimum_tension_N = result.watched.limits.minimum_tension_N;
   report.below_minimum_s = result.watched.below_minimum_s;
   report.slack_events = result.watched.slack_events;
   report.broken = result.watched.broken;
   report.motion = result.watched.motion;
+  report.found = found_sentences(result.watched);
+  report.given_survival = result.given_survival;
+  if (result.given_survival) {
+    report.break_curve = break_curve(result.given_survival->used, result.damage.total,
+                                     result.equivalent_effective_tension_N, model.life);
+  }
   report.model_constants = {
       {"cable diameter", model.cable.diameter_mm, "mm"},
       {"ultimate tension", model.cable.ultimate_tension_N, "N"},

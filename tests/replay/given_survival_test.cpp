@@ -78,6 +78,37 @@ TEST(GivenSurvival, OfAProfileWithoutDamageIsUnlimited) {
   EXPECT_EQ(given.risk->probability.value, 0);
 }
 
+// Without ageing the risk after 230.26 repeats is 90 %, 68.4 % at twice the life and 99 % at half
+// of it, whatever was used; the curve ends at 99 %, where a new wire is too.
+TEST(BreakCurve, HasTheRiskWithTheIntervalOfTheLife) {
+  const BreakCurve curve = break_curve(0.4, 0.01, 40, known_life());
+  ASSERT_EQ(curve.repeats.size(), 201U);
+  ASSERT_EQ(curve.broken.size(), 201U);
+  EXPECT_EQ(curve.repeats.front(), 0);
+  EXPECT_EQ(curve.broken.front().value, 0);
+  EXPECT_NEAR(curve.repeats.back(), 460.517, 1e-3);
+  EXPECT_NEAR(curve.repeats[100], 230.2585, 1e-4);
+  expect_interval(curve.broken[100], 0.683772, 0.9, 0.99);
+  EXPECT_NEAR(curve.broken_new[100], 0.9, 1e-9);
+}
+
+// Whole at B10 of the paper's shape: 99 % at (0.105361 + 4.605170)^(1 / 5.94) - 0.684648 =
+// 0.613461. Within three times that is the 1.150745 at which 90 % of new wires have broken: it goes
+// so far.
+TEST(BreakCurve, ReachesTheLifeOfANewWire) {
+  const BreakCurve curve = break_curve(0.684648495, 0.02, 40, life_of(5.94));
+  EXPECT_NEAR(curve.repeats.back(), 1.150745 / 0.02, 1e-3);
+  EXPECT_NEAR(curve.broken_new.back(), 0.9, 1e-6);
+  EXPECT_FALSE(curve.broken.back().interval);
+  // Three times as far does not, where 99 % is at (11.1169 + 4.605170)^(1 / 5.94) - 1.5 =
+  // 0.0901292.
+  EXPECT_NEAR(break_curve(1.5, 0.02, 40, life_of(5.94)).repeats.back(), 3 * 0.0901292 / 0.02, 1e-2);
+}
+
+TEST(BreakCurve, OfNoDamageIsEmpty) {
+  EXPECT_TRUE(break_curve(0.4, 0, 0, known_life()).repeats.empty());
+}
+
 TEST(Horizon, IsRepeatsOrHoursAboveNone) {
   EXPECT_EQ(horizon_from("200")->value, 200);
   EXPECT_FALSE(horizon_from("200")->in_hours);

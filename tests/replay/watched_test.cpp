@@ -107,6 +107,12 @@ TEST(WatchedReplay, FindsSlackAndABreakWithTheirLines) {
   EXPECT_NEAR(watched.peak_ratio, 100 / 177.4, 1e-8);
   EXPECT_EQ(watched.above, (std::array<std::uint32_t, 3>{1, 0, 0}));
   EXPECT_NEAR(watched.below_minimum_s, 0.25, 1e-12);
+  ReplayReport report;
+  fill_report(report, result, watched_model());
+  EXPECT_EQ(report.found,
+            (std::vector<std::string>{"Loose at 0.13 s, line 17 of the profile.",
+                                      "Broken: friction alone was left while it was pulled at 0.29 "
+                                      "s, line 33 of the profile."}));
   EXPECT_EQ(found_in(result), (std::vector<std::string>{"tendon_broken", "tendon_slack"}));
   ASSERT_EQ(result.warnings.size(), 2u);
   EXPECT_EQ(result.warnings[0],

@@ -16,7 +16,7 @@ struct Axis {
   Kind kind = Kind::linear;
   std::string unit;                     ///< for the reading line; may be empty
   std::vector<std::string> categories;  ///< lines of a label are divided by a line feed
-  bool from_zero = false;               ///< a linear axis that starts at 0
+  bool from_zero = false;               ///< a linear axis from 0; in per cent y is a share
 };
 
 /// What is drawn on top of each other, in order. A layer without a name is not in the legend.

@@ -8,6 +8,7 @@ namespace host_sim::replay_assets {
 // NOLINTBEGIN(readability-identifier-naming): named after the files
 extern const std::string_view body_html;
 extern const std::string_view draw_js;
+extern const std::string_view given_survival_html;
 // NOLINTEND(readability-identifier-naming)
 
 }  // namespace host_sim::replay_assets

@@ -6,6 +6,7 @@
 #include "host_sim/report/page/frame.hpp"
 #include "host_sim/report/replay/assets.hpp"
 #include "host_sim/report/replay/captions.hpp"
+#include "host_sim/report/replay/given_survival.hpp"
 #include "host_sim/report/replay/plot_builders.hpp"
 #include "host_sim/report/replay/sections.hpp"
 
@@ -71,7 +72,8 @@ json replay_page_json(const ReplayReport& report) {
       {"turning_points", turning_points_json(report.turning_points)},
       {"range_mean", range_mean_json(report.range_mean)},
       {"trajectory", {{"time_s", report.trajectory.time_s}, {"damage", report.trajectory.damage}}},
-      {"life", {{"repeats", life.repeats}, {"broken", life.broken}}}};
+      {"life", {{"repeats", life.repeats}, {"broken", life.broken}}},
+      {"charts", {{"survivor", chart_json(break_chart(report))}}}};
 }
 
 }  // namespace
@@ -84,6 +86,8 @@ void write_replay_report(std::ostream& out, const ReplayReport& report) {
       {"tiles", sections::tiles(report)},
       {"key_table", tables::key_numbers(report)},
       {"flags", sections::flags(report)},
+      {"wire_tiles", sections::wire_tiles(report)},
+      {"wire_found", elements::words(report.found)},
       {"tension_caption", html_escape(captions::tension(report))},
       {"tension_chart", sections::tension_chart(report)},
       {"matrix_caption", html_escape(captions::range_mean(report))},
@@ -92,6 +96,7 @@ void write_replay_report(std::ostream& out, const ReplayReport& report) {
       {"trajectory_chart", sections::trajectory_chart(report)},
       {"life_caption", html_escape(captions::life(report))},
       {"life_chart", sections::life_chart(report)},
+      {"given_survival", sections::given_survival(report)},
       {"reference_caption", html_escape(captions::reference(report))},
       {"reference_table", tables::reference(report)},
       {"constants_caption", html_escape(captions::constants(report))},

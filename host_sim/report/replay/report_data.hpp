@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -68,6 +69,36 @@ struct RepeatsTo {
   double B90 = 0;
 };
 
+/// A number with the interval of the fit, where the model has one.
+struct Estimate {
+  double value = 0;
+  std::optional<std::array<double, 2>> interval;
+};
+
+/// Life given survival, in repeats of a profile after its first pass began: unlike B10 of the whole
+/// life, which the wire may have outlived.
+struct GivenSurvival {
+  double used = 0;
+  Estimate to_10;  ///< repeats until it has broken with 10 % probability
+  Estimate to_50;
+  Estimate to_90;
+  struct Risk {
+    std::string horizon;
+    double repeats = 0;  ///< that it stands for
+    Estimate probability;
+  };
+  std::optional<Risk> risk;  ///< of a break within the horizon
+  double level = 0;          ///< of the intervals; 0 where there are none
+};
+
+/// Probability over repeats of a profile that a wire, whole before the first one, has broken; all
+/// vectors have equal length.
+struct BreakCurve {
+  std::vector<double> repeats;
+  std::vector<Estimate> broken;    ///< of this wire, 0..1
+  std::vector<double> broken_new;  ///< of a new one
+};
+
 struct ModelConstant {
   std::string name;
   double value = 0;
@@ -91,15 +122,19 @@ struct ReplayReport {
   double equivalent_effective_tension_N = 0;
   double survival_probability = 1;  ///< after one pass, 0..1
   RepeatsTo repeats_to;
+  std::optional<GivenSurvival> given_survival;  ///< where it was asked for
+  BreakCurve break_curve;                       ///< of that wire
   std::vector<std::string> flags;     ///< names as in lifemodel::Flag; empty when nothing happened
   std::vector<std::string> warnings;  ///< sentences for people, shown after the flags
 
   double peak_ratio = 0;                 ///< highest tension by its size, of the ultimate one
   std::array<std::uint32_t, 3> above{};  ///< excursions above 50, 70 and 90 % of it
-  double below_minimum_s = 0;            ///< time below the minimum tension
+  double minimum_tension_N = 0;          ///< 0: not watched
+  double below_minimum_s = 0;            ///< time below it
   std::uint32_t slack_events = 0;
   bool broken = false;
-  bool motion = false;  ///< slack and breaks were watched
+  bool motion = false;             ///< slack and breaks were watched
+  std::vector<std::string> found;  ///< slack and breaks with time and line, as sentences
 
   Envelope tension;
   TurningPoints turning_points;

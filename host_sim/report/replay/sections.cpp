@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 #include <string_view>
@@ -46,15 +47,6 @@ std::string key_numbers(const ReplayReport& report) {
   number("Damage in total", report.damage.total);
   number("Relative error against the reference", report.relative_error);
   number("Equivalent effective tension", report.equivalent_effective_tension_N, "N");
-  number("Highest tension of the ultimate one", report.peak_ratio);
-  table.row("Excursions above 50, 70 and 90 %",
-            {fmt::format("{}, {}, {}", report.above[0], report.above[1], report.above[2])});
-  number("Time below the minimum tension", report.below_minimum_s, "s");
-  table.row("Times that the wire hung loose",
-            {report.motion ? count_text(report.slack_events) : "not watched, no motion"});
-  table.row("Wire broken", {!report.motion  ? "not watched, no motion"
-                            : report.broken ? "yes"
-                                            : "no"});
   number("Probability of surviving one pass", report.survival_probability);
   number("Repeats until 10 % have broken (B10)", report.repeats_to.B10);
   number("Repeats until 50 % have broken (B50)", report.repeats_to.B50);
@@ -168,6 +160,29 @@ std::string flags(const ReplayReport& report) {
     html += fmt::format("<li>{}</li>\n", html_escape(warning));
   }
   return html + "</ul>\n";
+}
+
+std::string wire_tiles(const ReplayReport& report) {
+  std::string html = tile("Highest tension", percent_text(report.peak_ratio),
+                          "of the ultimate one, " +
+                              quantity_text(report.peak_ratio * report.ultimate_tension_N, "N", 4));
+  constexpr std::array kLevels_percent = {50, 70, 90};
+  for (std::size_t i = 0; i < kLevels_percent.size(); ++i) {
+    html += tile(fmt::format("Above {}\u00a0%", kLevels_percent[i]), count_text(report.above[i]),
+                 report.above[i] == 1 ? "excursion" : "excursions");
+  }
+  html += report.minimum_tension_N > 0
+              ? tile("Below the minimum", duration_text(report.below_minimum_s),
+                     "under " + quantity_text(report.minimum_tension_N, "N"))
+              : tile("Below the minimum", "not watched", "the minimum is 0");
+  constexpr std::string_view kNoMotion = "the profile tells no motion";
+  html += report.motion ? tile("Hung loose", count_text(report.slack_events),
+                               report.slack_events == 1 ? "time" : "times")
+                        : tile("Hung loose", "not watched", kNoMotion);
+  html += report.motion ? tile("Wire", report.broken ? "broken" : "whole",
+                               report.broken ? "friction alone was left" : "at the end")
+                        : tile("Wire", "not watched", kNoMotion);
+  return html;
 }
 
 std::string tension_chart(const ReplayReport& report) {

@@ -23,6 +23,7 @@ namespace host_sim::sections {
 
 [[nodiscard]] std::string tiles(const ReplayReport& report);
 [[nodiscard]] std::string flags(const ReplayReport& report);
+[[nodiscard]] std::string wire_tiles(const ReplayReport& report);
 [[nodiscard]] std::string tension_chart(const ReplayReport& report);
 [[nodiscard]] std::string range_mean_chart(const ReplayReport& report);
 [[nodiscard]] std::string trajectory_chart(const ReplayReport& report);

@@ -1,12 +1,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 
+#include "host_sim/report/page/number_text.hpp"
 #include "host_sim/report/replay/captions.hpp"
+#include "host_sim/report/replay/given_survival.hpp"
 #include "host_sim/report/replay/html.hpp"
 #include "tests/report/page/page_text.hpp"
 #include "tests/report/replay/samples.hpp"
@@ -199,6 +203,93 @@ TEST(ReplayPage, EveryFlagOfTheEstimatorIsExplained) {
   report.flags = {"saturated", "overload", "negative_tension",
                   "gap",       "overrun",  "residue_overflow"};
   EXPECT_THAT(page_of(report), Not(HasSubstr("this page has no explanation")));
+}
+
+TEST(ReplayPage, TellsWhatTheWireWasFoundIn) {
+  ReplayReport report = samples::survivor(0.4, "9", true);
+  std::string page = page_of(report);
+  EXPECT_THAT(page, HasSubstr("<dt>Highest tension</dt><dd class=\"value\">31.2\u00a0%</dd>"
+                              "<dd class=\"note\">of the ultimate one, 55.44\u00a0N</dd>"));
+  EXPECT_THAT(page, HasSubstr("<dt>Above 50\u00a0%</dt><dd class=\"value\">12</dd>"
+                              "<dd class=\"note\">excursions</dd>"));
+  EXPECT_THAT(page, HasSubstr("<dt>Above 70\u00a0%</dt><dd class=\"value\">1</dd>"
+                              "<dd class=\"note\">excursion</dd>"));
+  EXPECT_THAT(page, HasSubstr("<dt>Above 90\u00a0%</dt><dd class=\"value\">0</dd>"));
+  EXPECT_THAT(page, HasSubstr("<dt>Below the minimum</dt><dd class=\"value\">1.5\u00a0s</dd>"
+                              "<dd class=\"note\">under 0.4\u00a0N</dd>"));
+  EXPECT_THAT(page, HasSubstr("<dt>Hung loose</dt><dd class=\"value\">1</dd>"));
+  EXPECT_THAT(page, HasSubstr("<dt>Wire</dt><dd class=\"value\">whole</dd>"));
+  EXPECT_THAT(page, HasSubstr("<li>Loose at 12.5 s, line 2502 of the profile.</li>"));
+  report.broken = true;
+  EXPECT_THAT(page_of(report), HasSubstr("<dt>Wire</dt><dd class=\"value\">broken</dd>"));
+  report.motion = false;
+  report.minimum_tension_N = 0;
+  page = page_of(report);
+  EXPECT_EQ(count_of(page, "<dd class=\"value\">not watched</dd>"), 3U);
+}
+
+// B10 of the paper's shape is 0.684648: from there 10, 50 and 90 % are 0.0847407, 0.278179 and
+// 0.474797 further (tests/lifemodel/conditional_test.cpp).
+TEST(ReplayPage, TellsOfAWireThatIsWholeNow) {
+  ReplayReport report = samples::survivor(0.684648495, "9", false);
+  const double damage = report.damage.total;
+  std::string page = page_of(report);
+  EXPECT_THAT(page, HasSubstr("A wire that is whole at damage 0.685: "));
+  EXPECT_THAT(page, HasSubstr("how well its life is known: no intervals."));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">10\u00a0%</th><td class=\"number\">" +
+                              number_text(0.0847407 / damage, 4) +
+                              "</td><td class=\"number\">not known</td>"));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">50\u00a0%</th><td class=\"number\">" +
+                              number_text(0.278179 / damage, 4)));
+  EXPECT_THAT(page, HasSubstr("<th scope=\"row\">90\u00a0%</th><td class=\"number\">" +
+                              number_text(0.474797 / damage, 4)));
+  const double risk =
+      -std::expm1(std::pow(0.684648495, 5.94) - std::pow(0.684648495 + 9 * damage, 5.94));
+  EXPECT_THAT(page, HasSubstr("Within 9 repeats it breaks with a probability of " +
+                              percent_text(risk) + ", a new wire with "));
+  page = page_of(samples::survivor(0, "0.5h", true));
+  EXPECT_THAT(page, HasSubstr("Within 0.5h, 30 repeats it breaks"));
+  EXPECT_THAT(page, Not(HasSubstr(", a new wire with")));
+  EXPECT_THAT(page_of(samples::typical()), Not(HasSubstr("whole at damage")));
+}
+
+const Layer* layer_of(const Chart& chart, std::string_view name) {
+  const auto found = std::ranges::find(chart.layers, name, &Layer::name);
+  return found == chart.layers.end() ? nullptr : &*found;
+}
+
+TEST(BreakChart, HasTheWireWithItsIntervalAndANewOne) {
+  const Chart chart = break_chart(samples::survivor(0.4, "0.5h", true));
+  const Layer* wire = layer_of(chart, "This wire, damage 0.4");
+  const Layer* band = layer_of(chart, "95\u00a0% interval of the fit");
+  const Layer* of_new = layer_of(chart, "A new wire");
+  const Layer* marks = layer_of(chart, "10, 50 and 90 %");
+  ASSERT_TRUE(wire && band && of_new && marks && layer_of(chart, "The horizon"));
+  const std::size_t size = wire->x.size();
+  ASSERT_EQ(band->x.size(), 2 * size);
+  for (std::size_t i = 1; i < size; ++i) {
+    EXPECT_EQ(band->x[i], band->x[2 * size - 1 - i]);
+    EXPECT_LT(band->y[i], wire->y[i]);
+    EXPECT_GT(band->y[2 * size - 1 - i], wire->y[i]);
+    EXPECT_LT(of_new->y[i], wire->y[i]);
+  }
+  EXPECT_THAT(marks->y, testing::ElementsAre(10, 50, 90));
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto after = std::ranges::lower_bound(wire->x, marks->x[i]) - wire->x.begin();
+    EXPECT_LE(wire->y[static_cast<std::size_t>(after) - 1], marks->y[i]);
+    EXPECT_GE(wire->y[static_cast<std::size_t>(after)], marks->y[i]);
+  }
+}
+
+TEST(BreakChart, LeavesOutWhatIsNotKnownOrTheSame) {
+  const Chart without_fit = break_chart(samples::survivor(0.4, "0.5h", false));
+  EXPECT_TRUE(std::ranges::none_of(
+      without_fit.layers, [](const Layer& layer) { return layer.kind == Layer::Kind::area; }));
+  const Chart of_new = break_chart(samples::survivor(0, "1e9", true));
+  EXPECT_FALSE(of_new.layers.empty());
+  EXPECT_TRUE(std::ranges::none_of(of_new.layers, [](const Layer& layer) { return layer.dashed; }));
+  EXPECT_EQ(layer_of(of_new, "The horizon"), nullptr);  // far beyond
+  EXPECT_TRUE(break_chart(samples::typical()).layers.empty());
 }
 
 TEST(ReplayPage, HasAPlaceForEachPlotThatHasData) {

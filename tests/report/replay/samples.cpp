@@ -7,6 +7,7 @@
 #include <random>
 #include <span>
 
+#include "host_sim/replay/given_survival.hpp"
 #include "host_sim/report/replay/plot_builders.hpp"
 
 namespace host_sim::samples {
@@ -137,6 +138,27 @@ void add_life(ReplayReport& report) {
   report.equivalent_effective_tension_N = std::pow(kScale * damage / cycles, 1 / kExponent);
 }
 
+void add_survivor(ReplayReport& report, double used, const std::string& horizon,
+                  bool with_interval) {
+  Model::Life life{.mean_stress = Model::MeanStress::kGerber,
+                   .ipl_scale = kScale,
+                   .ipl_exponent = kExponent,
+                   .weibull_shape = kShape};
+  if (with_interval) {
+    life.interval = Model::Life::Interval{.level = 0.95,
+                                          .ipl_scale = {1.1e5, 2.1e5},
+                                          .ipl_exponent = {1.30, 1.46},
+                                          .weibull_shape = {4.9, 7.1},
+                                          .pivot_tension_N = 52,
+                                          .life_at_pivot = {620, 690}};
+  }
+  report.given_survival =
+      given_survival({.used = used, .horizon = horizon_from(horizon)}, report.damage.total,
+                     report.duration_s, report.equivalent_effective_tension_N, life);
+  report.break_curve =
+      break_curve(used, report.damage.total, report.equivalent_effective_tension_N, life);
+}
+
 /// A crank motion of 3 s between 14 and 55 N with tremor and noise; every stroke differs a little.
 ReplayReport motion(double duration_s, double rate_Hz) {
   constexpr double kPeriod_s = 3;
@@ -183,6 +205,7 @@ ReplayReport without_damage(std::vector<double> tensions_N) {
   report.equivalent_effective_tension_N = kNotANumber;
   report.cycles = {};
   report.range_mean = {};
+  add_survivor(report, 0.4, "8h", true);
   return report;
 }
 
@@ -225,6 +248,7 @@ ReplayReport huge() {
     damage *= 1e-40;
   }
   add_life(report);
+  add_survivor(report, 0.4, "1e35", true);
   return report;
 }
 
@@ -234,8 +258,25 @@ ReplayReport typical() {
   return motion(60, 200);
 }
 
+ReplayReport survivor(double damage, const std::string& horizon, bool with_interval) {
+  ReplayReport report = typical();
+  report.profile_name = "whole_now.csv";
+  report.peak_ratio = 0.3125;
+  report.above = {12, 1, 0};
+  report.minimum_tension_N = 0.4;
+  report.below_minimum_s = 1.5;
+  report.motion = true;
+  report.slack_events = 1;
+  report.found = {"Loose at 12.5 s, line 2502 of the profile."};
+  add_survivor(report, damage, horizon, with_interval);
+  return report;
+}
+
 ReplayReport hostile() {
   ReplayReport report = motion(15, 50);
+  add_survivor(report, 0.4, "1h", true);
+  report.given_survival->risk->horizon = "</ul><script>throw 4</script>";
+  report.found = {"<style>*{display:none}</style>"};
   report.profile_name =
       "</script><script>throw 1</script>\"'&amp;{{title}} \u00dcberlast \u8155 \xff";
   report.model_name = "--><img src=x onerror=\"throw 2\">";
@@ -251,10 +292,14 @@ ReplayReport hostile() {
 std::vector<Sample> all() {
   std::vector<Sample> samples;
   samples.push_back({"typical", 4, typical()});
+  samples.push_back({"survivor", 5, survivor(0.4, "0.5h", true)});
+  samples.push_back({"survivor_without_fit", 5, survivor(0.684648495, "9", false)});
+  samples.push_back({"survivor_worn", 5, survivor(1.5, "2h", true)});
+  samples.push_back({"survivor_new", 5, survivor(0, "0.5h", true)});
   samples.push_back({"two_hours", 4, motion(7200, 200)});
   samples.push_back({"overload", 4, overload()});
-  samples.push_back({"huge", 4, huge()});
-  samples.push_back({"hostile", 4, hostile()});
+  samples.push_back({"huge", 5, huge()});
+  samples.push_back({"hostile", 5, hostile()});
   samples.push_back({"constant", 2, without_damage({20, 20, 20, 20})});
   samples.push_back({"one_sample", 2, without_damage({20})});
   samples.push_back({"nothing", 0, ReplayReport{}});

@@ -17,6 +17,10 @@ struct Sample {
 /// enough for a band.
 [[nodiscard]] ReplayReport typical();
 
+/// The typical motion with a wire that is whole at `damage`, as replay makes it.
+/// @param with_interval the model says how well its life is known
+[[nodiscard]] ReplayReport survivor(double damage, const std::string& horizon, bool with_interval);
+
 /// Texts that try to leave the place they are put in, and letters beyond ASCII.
 [[nodiscard]] ReplayReport hostile();
 

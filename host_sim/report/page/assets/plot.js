@@ -34,6 +34,10 @@ function fullView(spec, layers) {
   if (spec.x.kind === 'category') {
     x.splice(0, 2, -0.6, spec.x.categories.length - 0.4);
   }
+  const whole = 105;
+  if (spec.y.from_zero && spec.y.unit === '%') {
+    y[1] = Math.min(y[1], whole);
+  }
   return { x: spec.x.from_zero ? [0, x[1]] : x, y: spec.y.from_zero ? [0, y[1]] : y };
 }
 
