@@ -168,7 +168,7 @@ void count_spares(const Fleet& fleet, const PlanRequest& request, FleetPlan& pla
 
 /// What the numbers do not hold, in sentences.
 std::vector<std::string> warnings_of(const Fleet& fleet, const FleetPlan& plan) {
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = fleet.doubts;
   for (const FleetModel& model : fleet.models) {
     if (belief_of(model.model.life).exact()) {
       warnings.push_back(fmt::format(

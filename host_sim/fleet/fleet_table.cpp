@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <limits>
 #include <map>
 #include <set>
 #include <unordered_map>
 #include <utility>
 
+#include "hal/files/csv.hpp"
 #include "hal/files/input_error.hpp"
 #include "hal/files/text.hpp"
 #include "host_sim/campaign/csv_table.hpp"
@@ -61,9 +63,8 @@ std::optional<double> number_if_given(const CsvTable& table, FleetColumn column,
 }
 
 /// The rate that is given, or the mean one of the age.
-double rate_in(const CsvTable& table, double damage) {
+double rate_in(const CsvTable& table, double damage, std::optional<double> age_h) {
   const auto given = number_if_given(table, kDamagePerHour, kRateRange);
-  const auto age_h = number_if_given(table, kAge, kAgeRange);
   if (given) {
     return *given;
   }
@@ -84,7 +85,8 @@ TendonRow row_in(const CsvTable& table) {
   Tendon& tendon = row.tendon;
   tendon.name = name_in_row(table, kTendon);
   tendon.damage = table.number(kDamage, kDamageRange);
-  tendon.damage_per_h = rate_in(table, tendon.damage);
+  row.age_h = number_if_given(table, kAge, kAgeRange);
+  tendon.damage_per_h = rate_in(table, tendon.damage, row.age_h);
   tendon.rate_log_sd = number_if_given(table, kRateLogSd, kLogSdRange).value_or(0);
   tendon.hours_per_day = table.number(kHoursPerDay, kHoursRange);
   tendon.effective_tension_N = number_if_given(table, kEffectiveTension, kTensionRange);
@@ -119,6 +121,28 @@ std::vector<TendonRow> parse_fleet_table(std::unique_ptr<hal::files::ByteSource>
     rows.push_back(std::move(row));
   }
   return rows;
+}
+
+std::string fleet_table_text(const std::vector<TendonRow>& rows,
+                             const std::vector<std::string>& broken) {
+  constexpr std::array<std::string_view, 6> kColumns{"tendon", "damage",      "damage_per_h",
+                                                     "age_h",  "rate_log_sd", "hours_per_day"};
+  std::string text;
+  for (const std::string& name : broken) {
+    text += fmt::format("# broken: {}\n", hal::files::printable(name));
+  }
+  text += hal::files::csv_head(kColumns);
+  for (const TendonRow& row : rows) {
+    hal::files::CsvRow fields;
+    fields.add(row.tendon.name);
+    fields.add(row.tendon.damage);
+    fields.add(row.tendon.damage_per_h);
+    fields.add(row.age_h.value_or(std::numeric_limits<double>::quiet_NaN()));
+    fields.add(row.tendon.rate_log_sd);
+    fields.add(row.tendon.hours_per_day);
+    text += fields.line();
+  }
+  return text;
 }
 
 std::vector<std::filesystem::path> models_of(const std::vector<TendonRow>& rows,

@@ -35,11 +35,14 @@ struct FleetModel {
 struct Fleet {
   std::vector<Tendon> tendons;  ///< in the order of the table, at least one
   std::vector<FleetModel> models;
+  std::vector<std::string> broken;  ///< names of tendons that are left out, for theirs has broken
+  std::vector<std::string> doubts;  ///< what the tendons are not sure by, in sentences
 };
 
 /// A row of a table, whose model is not read yet.
 struct TendonRow {
   Tendon tendon;
+  std::optional<double> age_h;  ///< hours of operation so far, where that is known
   std::string model;  ///< path from the folder of the table; empty where the row gives none
 };
 
@@ -50,6 +53,10 @@ struct TendonRow {
 /// @throws InputError for anything that is missing, unknown, out of range or there twice
 std::vector<TendonRow> parse_fleet_table(std::unique_ptr<hal::files::ByteSource> source,
                                          std::string_view name);
+
+/// A table of these tendons that parse_fleet_table() reads, with a comment that names the `broken`.
+std::string fleet_table_text(const std::vector<TendonRow>& rows,
+                             const std::vector<std::string>& broken);
 
 /// The files of the models that rows name, each once, in order; `table` is where they are from.
 std::vector<std::filesystem::path> models_of(const std::vector<TendonRow>& rows,

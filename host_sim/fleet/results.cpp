@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -38,6 +39,14 @@ ordered_json spares_json(const Spares& spares) {
           {"demand", demand}};
 }
 
+std::vector<std::string> printable_names(const std::vector<std::string>& names) {
+  std::vector<std::string> result;
+  for (const std::string& name : names) {
+    result.push_back(printable(name));
+  }
+  return result;
+}
+
 }  // namespace
 
 std::string plan_json(const Fleet& fleet, const PlanRequest& request, const FleetPlan& plan) {
@@ -49,6 +58,7 @@ std::string plan_json(const Fleet& fleet, const PlanRequest& request, const Flee
                     {"risk", request.risk},
                     {"due", plan.due},
                     {"past_b10", plan.past_b10},
+                    {"broken", printable_names(fleet.broken)},
                     {"expected_breaks", plan.expected_breaks},
                     {"expected_breaks_until_due", plan.breaks_until_due},
                     {"second_breaks_at_most", plan.second_breaks_at_most},
@@ -144,6 +154,10 @@ void write_plan(std::ostream& out, std::string_view source, const Fleet& fleet,
   fmt::print(out, "  {:<16} {} until the horizon: the risk of a break since today reaches {:g} %\n",
              "to replace", plan.due, 100 * request.risk);
   fmt::print(out, "  {:<16} {} today\n", "past B10", plan.past_b10);
+  if (!fleet.broken.empty()) {
+    fmt::print(out, "  {:<16} {}, to be replaced now, and in no number here: {}\n", "broken",
+               fleet.broken.size(), printable(fmt::format("{}", fmt::join(fleet.broken, ", "))));
+  }
   write_spares(out, "run to break", plan.breaks);
   write_spares(out, "on condition", plan.on_condition);
   fmt::print(out,

@@ -3,7 +3,9 @@
 #include <chrono>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hal/files/input_file.hpp"
@@ -11,6 +13,7 @@
 #include "host_sim/fleet/fleet_plan.hpp"
 #include "host_sim/fleet/fleet_table.hpp"
 #include "host_sim/fleet/horizon.hpp"
+#include "host_sim/fleet/records.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
@@ -18,25 +21,35 @@ namespace host_sim {
 namespace {
 
 struct FleetArguments {
-  std::string table;
+  std::string tendons;
   std::string model;
+  std::optional<double> hours_per_day;
   std::string horizon = "90d";
   std::string today;
   std::string out_table;
   std::string json;
   std::string calendar;
+  std::string read_table;
   fleet::PlanRequest request;
 
-  [[nodiscard]] std::array<std::string, 3> outputs() const { return {out_table, json, calendar}; }
-  [[nodiscard]] VerbFiles files(const std::vector<std::filesystem::path>& models) const {
-    VerbFiles files{.reads = {{"TABLE", table}, {"--model", model}},
-                    .writes = {{"--table", out_table}, {"--json", json}, {"--calendar", calendar}},
+  [[nodiscard]] std::array<std::string, 4> outputs() const {
+    return {out_table, json, calendar, read_table};
+  }
+  /// @param beside what is read besides the table and the model
+  void check(const std::vector<std::filesystem::path>& beside) const {
+    VerbFiles files{.reads = {{kTendons, tendons}, {"--model", model}},
+                    .writes = {{"--table", out_table},
+                               {"--json", json},
+                               {"--calendar", calendar},
+                               {"--write-table", read_table}},
                     .fills = {}};
-    for (const NamedPath& read : named("TABLE", models)) {
+    for (const NamedPath& read : named(kTendons, beside)) {
       files.reads.push_back(read);
     }
-    return files;
+    check_files("fleet", files);
   }
+
+  static constexpr const char* kTendons = "TENDONS";
 };
 
 fleet::Date today_of(const std::string& text) {
@@ -63,17 +76,50 @@ void read_request(FleetArguments& arguments) {
   request.horizon = *horizon;
 }
 
+/// @throws CLI::ValidationError, InputError
+fleet::RecordedFleet read_folder(const FleetArguments& arguments) {
+  if (!arguments.hours_per_day) {
+    throw CLI::ValidationError(
+        "fleet", "records do not say how long tendons run each day: give --hours-per-day");
+  }
+  const auto records = fleet::records_in(arguments.tendons);
+  std::vector<std::filesystem::path> logs;
+  for (const fleet::Record& record : records) {
+    logs.insert(logs.end(), record.logs.begin(), record.logs.end());
+  }
+  arguments.check(logs);
+  return fleet::read_records(arguments.tendons, records, *arguments.hours_per_day,
+                             arguments.request.today);
+}
+
+/// @throws CLI::ValidationError, InputError
+fleet::RecordedFleet read_table(const FleetArguments& arguments) {
+  arguments.check({});
+  auto rows = fleet::parse_fleet_table(
+      hal::files::open_source(arguments.tendons, "a CSV file of tendons, or a folder of records"),
+      arguments.tendons);
+  arguments.check(fleet::models_of(rows, arguments.tendons));
+  if (arguments.hours_per_day) {
+    throw CLI::ValidationError("--hours-per-day", "a table has its own column hours_per_day");
+  }
+  return {std::move(rows), {}, {}};
+}
+
 int run_fleet(FleetArguments& arguments) {
   read_request(arguments);
-  check_files("fleet", arguments.files({}));
-  const auto rows = fleet::parse_fleet_table(
-      hal::files::open_source(arguments.table, "a CSV file of tendons"), arguments.table);
-  check_files("fleet", arguments.files(fleet::models_of(rows, arguments.table)));
-  const fleet::Fleet tendons = fleet::fleet_of(rows, arguments.table, arguments.model);
+  const bool of_records = std::filesystem::is_directory(arguments.tendons);
+  fleet::RecordedFleet read = of_records ? read_folder(arguments) : read_table(arguments);
+  fleet::Fleet tendons = fleet::fleet_of(read.rows, arguments.tendons, arguments.model);
+  tendons.broken = read.broken;
+  tendons.doubts = read.doubts;
+  auto as_read = open_if_asked(arguments.read_table);
   auto table = open_if_asked(arguments.out_table);
   auto json = open_if_asked(arguments.json);
   auto calendar = open_if_asked(arguments.calendar);
   const fleet::FleetPlan plan = fleet::make_plan(tendons, arguments.request);
+  if (as_read) {
+    as_read->write(fleet::fleet_table_text(read.rows, read.broken));
+  }
   if (table) {
     table->write(fleet::plan_table(tendons, plan));
   }
@@ -83,8 +129,8 @@ int run_fleet(FleetArguments& arguments) {
   if (calendar) {
     calendar->write(fleet::plan_calendar(tendons, arguments.request, plan));
   }
-  commit_all({&table, &json, &calendar});
-  fleet::write_plan(summary_stream(arguments.outputs()), arguments.table, tendons,
+  commit_all({&as_read, &table, &json, &calendar});
+  fleet::write_plan(summary_stream(arguments.outputs()), arguments.tendons, tendons,
                     arguments.request, plan);
   return 0;
 }
@@ -97,11 +143,15 @@ void add_fleet(CLI::App& app, int& status) {
   auto arguments = std::make_shared<FleetArguments>();
   CLI::App* verb = app.add_subcommand(
       "fleet", "When which tendon is to be replaced, and how many spares it takes");
-  verb->add_option("TABLE", arguments->table,
-                   "The tendons, a CSV file: damage so far, damage per hour, hours per day")
+  verb->add_option("TENDONS", arguments->tendons,
+                   "The tendons: a CSV file with damage so far, damage per hour, hours per day, or "
+                   "a folder of records of monitor --record")
       ->required();
   verb->add_option("--model", arguments->model,
                    "The life model of tendons that name none, a TOML file");
+  verb->add_option("--hours-per-day", arguments->hours_per_day,
+                   "Of operation, of tendons that are read from records")
+      ->check(command_line::in_range(0.0, 24.0));
   verb->add_option("--horizon", arguments->horizon,
                    "How far ahead: 90d, 12w, 6m, 2000h of operation, or a date")
       ->type_name("TIME")
@@ -121,12 +171,16 @@ void add_fleet(CLI::App& app, int& status) {
   verb->add_option("--json", arguments->json, "Write the plan as JSON; - is standard output");
   verb->add_option("--calendar", arguments->calendar,
                    "Write the dates to replace within the horizon as a calendar, iCalendar");
+  verb->add_option("--write-table", arguments->read_table,
+                   "Write the tendons as they were read as CSV, to look at, edit and plan with");
   verb->add_option("--threads", arguments->request.threads,
                    "How many threads; all cores without it. The result does not depend on it")
       ->check(command_line::in_range(1U, kMostThreads));
   verb->footer(
       "Example: host_sim fleet host_sim/examples/fleet/tendons.csv --model "
-      "host_sim/examples/upper_arm.toml --horizon 90d --service 0.95 --today 2026-03-02");
+      "host_sim/examples/upper_arm.toml --horizon 90d --service 0.95 --today 2026-03-02\n"
+      "         host_sim fleet records --model model.toml --hours-per-day 8 --write-table "
+      "tendons.csv");
   verb->callback([arguments, &status] { status = run_fleet(*arguments); });
 }
 

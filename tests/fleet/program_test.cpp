@@ -91,6 +91,64 @@ TEST_F(FleetProgram, EachTendonMayHaveItsOwnModel) {
   EXPECT_NE(err_.find("would overwrite"), std::string::npos) << err_;
 }
 
+TEST_F(FleetProgram, ReadsAFolderOfRecords) {
+  ASSERT_EQ(run("replay '" EXAMPLES "/upper_arm.csv' --model model.toml --can run.log"), 0) << err_;
+  std::filesystem::create_directory(folder_ / "rec");
+  ASSERT_EQ(run("monitor --log run.log --once --record rec/robot1"), 0) << err_;
+  const std::string log = host_sim_test::contents(folder_ / "rec/robot1/frames-00000001.log");
+  // A line that is being written, or was cut off with the power, is none yet.
+  write("rec/robot1/frames-00000001.log", log + log.substr(0, 25));
+  std::filesystem::rename(folder_ / "run.log", folder_ / "rec/robot2.log");
+  const std::string model = " --model model.toml --today 2026-03-02 ";
+  ASSERT_EQ(run("fleet rec --hours-per-day 8 --json p.json --write-table t.csv" + model), 0)
+      << err_;
+  const json plan = json::parse(host_sim_test::contents(folder_ / "p.json"));
+  ASSERT_EQ(plan["tendons"].size(), 2U);
+  const json& tendon = plan["tendons"][0];
+  EXPECT_EQ(tendon["tendon"], "robot1/1/0");
+  EXPECT_EQ(plan["tendons"][1]["tendon"], "robot2.log/1/0");
+  EXPECT_EQ(tendon["hours_per_day"], 8);
+  // What the replay of the same minute gives: 0.0209475, of which the last second is not reported.
+  EXPECT_NEAR(tendon["damage"], 0.02095, 4e-4);
+  EXPECT_NEAR(tendon["damage_per_h"], 0.02095 * 60, 0.1);
+  EXPECT_EQ(tendon["damage"], plan["tendons"][1]["damage"]);
+  // The table that was read, read again.
+  ASSERT_EQ(run("fleet t.csv --json again.json" + model), 0) << err_;
+  const json again = json::parse(host_sim_test::contents(folder_ / "again.json"));
+  EXPECT_EQ(again["tendons"], plan["tendons"]);
+  EXPECT_EQ(run("fleet rec/robot1 --hours-per-day 8" + model), 0) << err_;
+  EXPECT_NE(out_.find("robot1/1/0"), std::string::npos) << out_;
+}
+
+TEST_F(FleetProgram, TellsFoldersThatAreNoRecords) {
+  std::filesystem::create_directory(folder_ / "rec");
+  const std::string rest = " --model model.toml --json p.json --write-table t.csv --hours-per-day ";
+  const std::string accepted =
+      "; accepted: a folder of records, each a folder of monitor --record or a log (.log, .asc, "
+      ".pcap, .pcapng)\n";
+  const auto before = files();
+  EXPECT_EQ(run("fleet rec" + rest + "8"), 1);
+  EXPECT_EQ(err_, "rec: no records in this folder" + accepted);
+  write("rec/a.log", "(1.000000) can0 123#00\n");
+  EXPECT_EQ(run("fleet rec" + rest + "8"), 1);
+  EXPECT_EQ(err_,
+            "a.log: no damage of a tendon in this record; accepted: frames of a controller, of "
+            "which LifeDetail page 3 has the damage\n");
+  write("rec/a.log", "(1.000000) can0 123#00\nnone\n");
+  EXPECT_EQ(run("fleet rec" + rest + "8"), 1);
+  EXPECT_EQ(err_.substr(0, 12), "rec/a.log:2:") << err_;
+  EXPECT_EQ(run("fleet rec --model model.toml"), 2);
+  EXPECT_NE(err_.find("give --hours-per-day"), std::string::npos) << err_;
+  EXPECT_EQ(run("fleet rec" + rest + "25"), 2);
+  EXPECT_EQ(run("fleet fleet.csv" + rest + "8"), 2);
+  EXPECT_NE(err_.find("--hours-per-day: a table has its own column"), std::string::npos) << err_;
+  EXPECT_EQ(run("fleet nothing" + rest + "8"), 1);
+  EXPECT_EQ(err_.substr(0, 8), "nothing:") << err_;
+  EXPECT_EQ(run("fleet rec --json rec/a.log --hours-per-day 8 --model model.toml"), 1);
+  EXPECT_NE(err_.find("would overwrite"), std::string::npos) << err_;
+  EXPECT_EQ(files(), before);
+}
+
 TEST_F(FleetProgram, TellsOptionsThatDoNotFit) {
   const std::vector<std::pair<std::string, std::string>> cases{
       {"--horizon 0d", "--horizon: '0d' is none; accepted: days, weeks or months"},

@@ -11,6 +11,7 @@
 #include <cerrno>
 #include <charconv>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -83,6 +84,45 @@ std::vector<std::filesystem::path> logs_in(const std::filesystem::path& folder) 
     logs.clear();
   }
   return logs;
+}
+
+namespace {
+
+/// Holds back what follows the last end of a line, for ever where no other end comes.
+class WholeLines final : public hal::files::ByteSource {
+ public:
+  explicit WholeLines(std::unique_ptr<ByteSource> source) : source_(std::move(source)) {}
+
+  std::size_t read(std::span<char> buffer) override {
+    constexpr std::size_t kPiece = std::size_t{64} << 10;
+    while (whole_ == 0 && held_.size() <= hal::files::LineBuffer::kLineLimit) {
+      const std::size_t before = held_.size();
+      held_.resize(before + kPiece);
+      const std::size_t count = source_->read(std::span(held_).subspan(before));
+      held_.resize(before + count);
+      if (count == 0) {
+        return 0;
+      }
+      whole_ = held_.rfind('\n') + 1;
+    }
+    // A line that is too long is for the reader to refuse.
+    const std::size_t count = std::min(buffer.size(), whole_ == 0 ? held_.size() : whole_);
+    std::copy_n(held_.begin(), count, buffer.begin());
+    held_.erase(0, count);
+    whole_ -= std::min(count, whole_);
+    return count;
+  }
+
+ private:
+  std::unique_ptr<ByteSource> source_;
+  std::string held_;
+  std::size_t whole_ = 0;  ///< bytes of what is held that are whole lines
+};
+
+}  // namespace
+
+std::unique_ptr<hal::files::ByteSource> open_whole_lines(const std::filesystem::path& log) {
+  return std::make_unique<WholeLines>(hal::files::open_source(log, "a log of candump -L"));
 }
 
 LogFolder::LogFolder(const std::filesystem::path& folder, const Rotation& rotation)

@@ -3,10 +3,12 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "hal/files/input_file.hpp"
 #include "hal/linux/descriptor.hpp"
 
 namespace host_sim::monitor {
@@ -19,6 +21,10 @@ struct Rotation {
 
 /// The logs of a folder, the oldest first, links left out. Empty where it cannot be read.
 std::vector<std::filesystem::path> logs_in(const std::filesystem::path& folder);
+
+/// The whole lines of a log. What follows the last of them is still being written, or was cut off
+/// with the power. @throws InputError
+std::unique_ptr<hal::files::ByteSource> open_whole_lines(const std::filesystem::path& log);
 
 /// Logs in a folder: frames-00000001.log and so on, of which the last is written. Each ends with a
 /// whole line. Files with other names are left alone, and no link is followed to what it points at.
