@@ -24,7 +24,7 @@ concept ExtendingSensor = requires(T& sensor, std::size_t tendon) {
   { sensor.isr_flags(tendon) } -> std::same_as<lifemodel::Flags>;
 };
 
-using lifemodel::extension::Velocity;
+using lifemodel::Velocity;
 
 /// A sample of output tension, which the estimator carries to the motor end.
 struct OutputTension {

@@ -58,8 +58,7 @@ void add_velocity(const Extension& e, const Model& model, fixed::Extension& resu
                                 .log2_a_speed = word(std::numbers::log2e / speed_m_s, 16)};
     result.add(Effect::friction_velocity);
   }
-  constexpr int kBits =
-      lifemodel::Tension::kFractionBits - lifemodel::extension::Velocity::kFractionBits;
+  constexpr int kBits = lifemodel::Tension::kFractionBits - lifemodel::Velocity::kFractionBits;
   const auto factor =
       lifemodel::pack::factor(std::ldexp(viscous_N_s_m / model.cable.ultimate_tension_N, kBits));
   // What is too small for a factor moves no tension by a step.
@@ -74,7 +73,7 @@ void add_presliding(const Extension& e, const Model& model, std::string_view mod
   // In steps of velocity times samples; what is dropped of them leaves 24 bits of the length.
   const double length =
       std::ldexp(value_of(e, "presliding_length_m") * model.counting.sample_rate_Hz,
-                 lifemodel::extension::Velocity::kFractionBits);
+                 lifemodel::Velocity::kFractionBits);
   fixed::Presliding presliding;
   constexpr int kLengthBits = 24;
   presliding.drop = std::max(0, std::ilogb(length) - kLengthBits);
@@ -171,7 +170,7 @@ void add_lag(const Extension& e, const Model& model, fixed::Extension& result) {
 /// Steps of the covariate at a unit of it.
 double steps_of(fixed::Empirical::Covariate covariate, const Model& model) {
   using fixed::Empirical;
-  const double speed = std::ldexp(1, fixed::Velocity::kFractionBits);
+  const double speed = std::ldexp(1, lifemodel::Velocity::kFractionBits);
   switch (covariate) {
     case Empirical::output_tension:
       break;

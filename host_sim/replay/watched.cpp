@@ -54,7 +54,7 @@ WireFollower::WireFollower(const Model& model, const lifemodel::Parameters& para
 }
 
 void WireFollower::take(double time_s, std::uint64_t line, lifemodel::Tension tension,
-                        lifemodel::extension::Velocity velocity) {
+                        lifemodel::Velocity velocity) {
   watch_.push(tension, velocity);
   const lifemodel::WatchReading now = watch_.reading();
   const auto note = [&](WireEvent event) {

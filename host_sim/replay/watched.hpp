@@ -59,7 +59,7 @@ class WireFollower {
   WireFollower(const Model& model, const lifemodel::Parameters& parameters, bool motion);
 
   void take(double time_s, std::uint64_t line, lifemodel::Tension tension,
-            lifemodel::extension::Velocity velocity);
+            lifemodel::Velocity velocity);
   void miss(std::uint32_t samples) { watch_.miss(samples); }
   /// The first sample that found the wire broken was the last one.
   [[nodiscard]] bool just_broken() const { return just_broken_; }

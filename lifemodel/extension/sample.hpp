@@ -10,11 +10,7 @@
 /// Samples, and what their sensors do to them.
 namespace lifemodel::extension {
 
-struct MetrePerSecond {};
 struct Celsius {};
-
-/// Velocity of the tendon, positive while pulling, Q7.24: resolution 60 nm/s, range +-128 m/s.
-using Velocity = Quantity<MetrePerSecond, std::int32_t, 24, -kInt32Max, kInt32Max, SaturateFlagged>;
 
 /// Temperature in degrees Celsius, Q15.16.
 using Temperature = Quantity<Celsius, std::int32_t, 16, -kInt32Max, kInt32Max, SaturateFlagged>;

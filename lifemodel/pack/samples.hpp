@@ -41,7 +41,7 @@ struct Surroundings {
 };
 
 inline extension::Covariates covariates(const Surroundings& at, Flags& flags) {
-  return {saturating<extension::Velocity>(at.tendon_velocity_m_s, flags),
+  return {saturating<Velocity>(at.tendon_velocity_m_s, flags),
           rotor_angle(at.motor_angle_rad, flags),
           saturating<extension::Temperature>(at.sheath_temperature_C, flags),
           saturating<extension::Temperature>(at.winding_temperature_C, flags)};

@@ -101,6 +101,7 @@ class Quantity {
 
 struct UltimateTension {};  ///< the tension at which the wire breaks is 1
 struct Ampere {};
+struct MetrePerSecond {};
 struct Radian {};
 struct One {};        ///< a ratio
 struct PerRadian {};  ///< log2 of a tension ratio for each radian of bend
@@ -120,6 +121,9 @@ inline constexpr Tension kUltimate = Tension::from_raw(1 << 29);
 
 /// Motor current, Q7.24: resolution 60 nA, closed range +-128 A less one step.
 using MotorCurrent = Quantity<Ampere, std::int32_t, 24, -kInt32Max, kInt32Max, SaturateFlagged>;
+
+/// Velocity of the tendon, positive while pulling, Q7.24: resolution 60 nm/s, range +-128 m/s.
+using Velocity = Quantity<MetrePerSecond, std::int32_t, 24, -kInt32Max, kInt32Max, SaturateFlagged>;
 
 /// Bend angle of the sheath, Q5.26, 0 .. 31.5 rad (1800 deg).
 using Angle = Quantity<Radian, std::int32_t, 26, 0, 63 << 25, SaturateFlagged>;

@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "lifemodel/extension/sample.hpp"
 #include "lifemodel/quantity/units.hpp"
 #include "lifemodel/support/shared_word.hpp"
 #include "lifemodel/watch/watch_limits.hpp"
@@ -50,8 +49,6 @@ struct WatchReading {
 /// other.
 class WireWatch {
  public:
-  using Velocity = extension::Velocity;
-
   /// Of the excursions, relative to the ultimate tension.
   static constexpr std::array<std::uint32_t, WatchReading::kLevels> kLevels{1u << 28, 375809638u,
                                                                             483183821u};

@@ -23,7 +23,7 @@ using lifemodel::pack::to_double;
 DriveSample amperes(double current_A, double velocity_m_s = 0.1) {
   DriveSample sample;
   sample.current = from_double<lifemodel::MotorCurrent>(current_A);
-  sample.at.velocity = from_double<lifemodel::extension::Velocity>(velocity_m_s);
+  sample.at.velocity = from_double<lifemodel::Velocity>(velocity_m_s);
   return sample;
 }
 

@@ -21,8 +21,8 @@ TensionRange range_of(double range_N) {
   return distance(newtons(range_N), newtons(0));
 }
 
-WireWatch::Velocity velocity(double mm_s) {
-  return pack::from_double<WireWatch::Velocity>(mm_s * 1e-3);
+Velocity velocity(double mm_s) {
+  return pack::from_double<Velocity>(mm_s * 1e-3);
 }
 
 WatchLimits limits(Tension minimum, Tension broken, std::uint32_t broken_travel_um,
@@ -315,11 +315,11 @@ TEST(WireWatch, TheEndsOfTheRangesAreOrdinaryValues) {
   WireWatch wire(limits(Tension::highest(), Tension::highest(), ~0u, ~0u), TensionRange::highest(),
                  ~0u);
   for (int i = 0; i < 100; ++i) {
-    wire.push(Tension::from_raw(0), WireWatch::Velocity::lowest());
+    wire.push(Tension::from_raw(0), Velocity::lowest());
   }
   EXPECT_TRUE(wire.reading().slack);
   for (int i = 0; i < 100; ++i) {
-    wire.push(Tension::from_raw(0), WireWatch::Velocity::highest());
+    wire.push(Tension::from_raw(0), Velocity::highest());
   }
   EXPECT_TRUE(wire.reading().broken);
   wire.push(Tension::lowest());

@@ -24,7 +24,7 @@ void evaluate(const ExtendedParameters& model) {
   for (const std::int32_t raw : kRaws) {
     for (const std::int32_t other : kRaws) {
       extension::Covariates at;
-      at.velocity = extension::Velocity::from_raw(raw);
+      at.velocity = Velocity::from_raw(raw);
       at.rotor.raw = std::int64_t{raw} * other;
       at.sheath = extension::Temperature::from_raw(other);
       at.winding = extension::Temperature::from_raw(raw);

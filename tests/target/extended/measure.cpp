@@ -26,7 +26,7 @@ struct Worst {
 
 lifemodel::extension::Covariates drawn(target::Random& random) {
   lifemodel::extension::Covariates at;
-  at.velocity = lifemodel::extension::Velocity::from_raw(random.below(1 << 23) - (1 << 22));
+  at.velocity = lifemodel::Velocity::from_raw(random.below(1 << 23) - (1 << 22));
   at.rotor.raw = std::int64_t{random.below(1 << 30)} * 64;
   at.sheath = lifemodel::extension::Temperature::from_raw(random.below(80 << 16));
   at.winding = lifemodel::extension::Temperature::from_raw(random.below(150 << 16));

@@ -110,7 +110,7 @@ class Trail {
     for (std::uint32_t i = 0; i < 8000; ++i) {
       const std::int32_t swing = lifemodel::numeric::sine(i * 40'000'003u);
       Covariates at;
-      at.velocity = lifemodel::extension::Velocity::from_raw(swing >> 9);
+      at.velocity = lifemodel::Velocity::from_raw(swing >> 9);
       at.rotor.raw = std::int64_t{lifemodel::numeric::cosine(i * 40'000'003u)} * 13;
       at.sheath = lifemodel::extension::Temperature::from_raw((20 << 16) + random.below(1 << 21));
       at.winding = lifemodel::extension::Temperature::from_raw((20 << 16) + random.below(1 << 22));

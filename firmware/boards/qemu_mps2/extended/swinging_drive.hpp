@@ -42,7 +42,7 @@ class SwingingDrive {
     const lifemodel::numeric::Phase phase = samples_ * kThousandth;
     lifemodel::extension::Covariates at;
     // 82 mm/s at most.
-    at.velocity = lifemodel::extension::Velocity::from_raw(
+    at.velocity = lifemodel::Velocity::from_raw(
         static_cast<std::int32_t>((std::int64_t{lifemodel::numeric::sine(phase)} * 82) >> 16));
     at.rotor.raw = std::int64_t{lifemodel::numeric::cosine(phase)} * -6;
     at.sheath = lifemodel::extension::Temperature::from_raw(kRoom);
