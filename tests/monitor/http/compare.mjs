@@ -146,6 +146,17 @@ export function compareNode(shown, number, decoded, problems) {
     problems.number(`${at}: ${tendon}`, damage, 100 * share, 7);
     problems.same(`${at}: state of ${tendon}`, state, wanted);
   }
+  problems.same(`${at}: wires`, shown.wires.length, Object.keys(node.wires).length);
+  for (const [tendon, state, peak, ...rest] of shown.wires) {
+    const { newest, counts } = node.wires[tendon.replace('Tendon ', '')];
+    const wanted = [newest.WireBroken && 'broken', newest.WireSlack && 'slack', 'whole'];
+    problems.same(`${at}: wire of ${tendon}`, state, wanted.find(Boolean));
+    problems.number(`${at}: peak of ${tendon}`, peak, newest.WirePeak);
+    ['above_50', 'above_70', 'above_90', 'slack'].forEach((event, i) =>
+      problems.number(`${at}: ${event} of ${tendon}`, rest[i], counts[event]),
+    );
+    problems.number(`${at}: below the minimum of ${tendon}`, rest[4], newest.BelowMinimum);
+  }
   for (const [frame, good, , repeated, wrongSequence, damaged] of shown.streams) {
     const counts = node.counts[frame] ?? { good: 0, repeated: 0, wrong_sequence: 0, damaged: 0 };
     problems.number(`${at}: good ${frame}`, good, counts.good);

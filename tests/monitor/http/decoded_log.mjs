@@ -11,7 +11,7 @@ const COUNTED = {
 };
 
 function emptyNode() {
-  return { messages: {}, tendons: {}, bins: {}, counts: {}, damage: 0, emergencies: [] };
+  return { messages: {}, tendons: {}, bins: {}, wires: {}, counts: {}, damage: 0, emergencies: [] };
 }
 
 function keep(node, result, time_us) {
@@ -24,6 +24,10 @@ function keep(node, result, time_us) {
     node.emergencies.push(labels.EmergencyCode);
   } else if (page === 'TendonDamage') {
     node.tendons[signals.Tendon] = message;
+  } else if (page === 'WireHistory') {
+    const wire = (node.wires[signals.WireTendon] ??= { counts: {} });
+    wire.newest = signals;
+    wire.counts[labels.WireEvent] = signals.WireCount;
   } else if (page === 'RainflowBin') {
     node.bins[`${signals.BinTendon} ${signals.BinRange} ${signals.BinMean}`] = signals;
   }

@@ -198,6 +198,15 @@ void MadeNode::send_page(std::int64_t time_ns, const Take& take) {
           static_cast<std::uint16_t>(std::min(given_survival_dh(0.105361) / 3 + 1, 16382));
       return page(detail::BreakRisk{8, break_risk(), low, high});
     }
+    case detail::WireHistory::kPage: {
+      const auto event = static_cast<protocol::WireEvent>(turn % 4);
+      const std::uint32_t tendon = turn / 4 % kTendons;
+      return page(detail::WireHistory{
+          u8(tendon), node_ == 2 && tendon == 1, node_ == 2 && tendon == 3,
+          u8(40u + 3u * node_ + tendon), event,
+          static_cast<std::uint16_t>(node_ == 8 ? 16383u : 1000 * tendon + 10 * turn + node_),
+          static_cast<std::uint16_t>(7 * turn + tendon)});
+    }
     default:
       return page(detail::Bus{u8(node_), u8(2u * node_), 1, 3, u8(turn % 5)});
   }

@@ -43,6 +43,7 @@ export function shownNode() {
     tiles: { ...tilesOf('tiles'), ...tilesOf('trust') },
     thresholds: document.querySelector('#thresholds').innerText,
     tendons: rowsOf('tendons'),
+    wires: rowsOf('wires'),
     streams: rowsOf('streams'),
     events: [...document.querySelectorAll('#events li')].map((line) => line.textContent),
     cells: document.querySelectorAll('#bins .cell').length,

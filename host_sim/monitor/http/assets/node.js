@@ -19,7 +19,7 @@ import {
   UNKNOWN,
   wholeField,
 } from './prose.js';
-import { Bins, Tendons } from './tendons.js';
+import { Bins, Tendons, Wires } from './tendons.js';
 import { Trust } from './trust.js';
 
 /** The key numbers of a node. */
@@ -172,7 +172,7 @@ export class NodeView {
     if (!node) {
       return;
     }
-    this.panels ??= [new NodeTiles(), new Tendons(), new Bins(), new Trust()];
+    this.panels ??= [new NodeTiles(), new Tendons(), new Bins(), new Wires(), new Trust()];
     const all = { ...shown, node, history: this.history };
     this.panels.forEach((panel) => panel.show(all));
     this.drawn ??= [new Curves(), new Timeline()];

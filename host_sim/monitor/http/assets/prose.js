@@ -50,6 +50,11 @@ export function hoursField(remaining, name) {
   return value === 'unknown' ? value : orMore(remaining, name, numberText(value, 5));
 }
 
+/** A whole number of a unit. */
+export function unitField(message, name, unit) {
+  return orMore(message, name, `${wholeText(message[name])} ${unit}`);
+}
+
 /** Until it has broken with 10 and 50 % probability, given that it is whole now. */
 export function givenSurvivalText(conditional) {
   if (!conditional) {

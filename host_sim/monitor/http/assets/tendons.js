@@ -1,5 +1,5 @@
 import { byId, Keyed, make, makeSvg, setAttribute, setText, Value } from './dom.js';
-import { percentField, percentText, UNKNOWN, wholeField } from './prose.js';
+import { percentField, percentText, unitField, UNKNOWN, wholeField } from './prose.js';
 
 /**
  * The damage at which the life states begin: the controller reports when B10 and B50 are reached at
@@ -103,6 +103,96 @@ export class Tendons {
       row.damage.show(percentField(tendon, 'TendonDamage', 7), isStale(tendon));
       setText(row.state, tendon.TendonLifeState);
       setAttribute(row.state, 'class', `state life-${tendon.TendonLifeState}`);
+    }
+  }
+}
+
+const WIRE_EVENTS = ['above_50', 'above_70', 'above_90', 'slack'];
+
+/** What is known of each wire: its newest page, and the page of each event. */
+function wiresOf(node) {
+  const wires = {};
+  for (const page of Object.values(node.wires)) {
+    const wire = (wires[page.WireTendon] ??= { newest: page, events: {} });
+    wire.events[page.WireEvent] = page;
+    if (page.time_us > wire.newest.time_us) {
+      wire.newest = page;
+    }
+  }
+  return wires;
+}
+
+function wireState({ WireBroken: broken, WireSlack: slack }) {
+  if (broken) {
+    return 'broken';
+  }
+  return slack ? 'slack' : 'whole';
+}
+
+function makeWireRow(number) {
+  const state = make('td');
+  const peak = make('td', { class: 'number' });
+  const counts = WIRE_EVENTS.map(() => make('td', { class: 'number' }));
+  const below = make('td', { class: 'number' });
+  return {
+    element: make(
+      'tr',
+      { 'data-tendon': number },
+      make('th', { scope: 'row' }, `Tendon ${number}`),
+      state,
+      peak,
+      ...counts,
+      below,
+    ),
+    state,
+    peak: new Value(peak),
+    counts: counts.map((cell) => new Value(cell)),
+    below: new Value(below),
+  };
+}
+
+/** What happened to the wire of every tendon. */
+export class Wires {
+  constructor() {
+    const body = make('tbody');
+    const heads = ['Tendon', 'Wire', 'Peak', '> 50 %', '> 70 %', '> 90 %', 'Loose', 'Below minimum'];
+    const columns = heads.map((name, i) =>
+      make('th', { scope: 'col', ...(i > 1 && { class: 'number' }) }, name),
+    );
+    byId('wires').append(
+      make(
+        'table',
+        { 'aria-labelledby': 'wires-heading' },
+        make('thead', {}, make('tr', {}, ...columns)),
+        body,
+      ),
+    );
+    this.rows = new Keyed(body, makeWireRow);
+  }
+
+  show({ node, isStale }) {
+    const wires = wiresOf(node);
+    const numbers = Object.keys(wires);
+    setText(
+      byId('wires-none'),
+      numbers.length === 0 ? 'The controller has not told of its wires yet.' : '',
+    );
+    byId('wires').hidden = numbers.length === 0;
+    const rows = this.rows.show(numbers);
+    for (const number of numbers) {
+      const { newest, events } = wires[number];
+      const row = rows.get(number);
+      const state = wireState(newest);
+      setText(row.state, state);
+      setAttribute(row.state, 'class', state === 'whole' ? 'state life-normal' : 'state emergency');
+      row.peak.show(unitField(newest, 'WirePeak', '%'), isStale(newest));
+      WIRE_EVENTS.forEach((event, i) =>
+        row.counts[i].show(
+          wholeField(events[event], 'WireCount'),
+          events[event] !== undefined && isStale(events[event]),
+        ),
+      );
+      row.below.show(unitField(newest, 'BelowMinimum', 'min'), isStale(newest));
     }
   }
 }
