@@ -149,7 +149,7 @@ TEST_F(Fault, StopIsOpenAtTheStart) {
   EXPECT_THAT(board.broken_rules(), IsEmpty());
 }
 
-/// Pushes into the lowest 32 bytes of the stack.
+/// The frame of an exception comes into the lowest 32 bytes of the stack.
 TEST_F(Fault, StackRunsOver) {
   Board board(contents);
   start(board);
@@ -159,7 +159,8 @@ TEST_F(Fault, StackRunsOver) {
   board.core->enforce_guard();
   board.run(10 * kMillisecond);
   ASSERT_EQ(board.core->faults(), 0u) << "the stack is as deep as it was measured";
-  ASSERT_TRUE(board.run_until([&] { return board.core->in_thread(); }, kMillisecond, kMicrosecond));
+  ASSERT_TRUE(board.run_until([&] { return board.core->in_thread() && board.core->asleep(); },
+                              kMillisecond, kMicrosecond));
   board.core->set_stack_pointer(guard + size + 8);
   const Ticks ran_over_at = board.agenda.now();
   board.run(kSecond);

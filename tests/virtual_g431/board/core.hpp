@@ -73,6 +73,8 @@ class Core {
   [[nodiscard]] std::uint64_t faults() const { return faults_; }
 
   [[nodiscard]] bool in_thread() const { return active_.empty(); }
+  /// In a WFI: the next access to the stack is the frame of an exception.
+  [[nodiscard]] bool asleep() const { return sleeping_; }
   [[nodiscard]] std::uint32_t stack_pointer();
   void set_stack_pointer(std::uint32_t value);
   /// The thread goes on at a jump to itself, which is looked for in the memory at `address`.
