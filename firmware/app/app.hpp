@@ -223,6 +223,7 @@ class App {
   }
 
   void read_lives(hal::Time now) {
+    bool window_over = false;
     for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
       if (!counts(tendon)) {
         continue;
@@ -239,12 +240,18 @@ class App {
         // The next reading has those that count.
         reading.flags = {};
         watched.peak = 0;
+        watched.window_peak = 0;
         watched.broken = false;
         watched.slack = false;
       }
       const storage::WireHistory before = book_.records()[tendon].history;
-      book_.take(now, tendon, reading, watched, estimator_.parameters(tendon).sample_period_us);
+      window_over = book_.take(now, tendon, reading, watched,
+                               estimator_.parameters(tendon).sample_period_us) ||
+                    window_over;
       log_wire(tendon, before);
+    }
+    if (window_over) {
+      intake_.begin_window();
     }
   }
 

@@ -76,6 +76,13 @@ class Intake {
     return (((asked_.own() ^ done_.acquire()) >> tendon) & 1u) != 0;
   }
 
+  /// The peaks of all tendons since the last call are sought anew, from the next sample on.
+  void begin_window() {
+    if (((asked_.own() ^ done_.acquire()) & kWindow) == 0) {
+      asked_.release(asked_.own() ^ kWindow);
+    }
+  }
+
   template <hal::Sensor SensorT>
   void isr_sample(SensorT& sensor, Estimator& estimator) {
     isr_forget(estimator);
@@ -135,6 +142,9 @@ class Intake {
         estimator.input_flags(tendon) = {};
         watches_[tendon].begin();
       }
+      if ((open & kWindow) != 0) {
+        watches_[tendon].begin_window();
+      }
     }
     done_.release(asked);
   }
@@ -167,11 +177,12 @@ class Intake {
     isr_push(estimator, tendon, moving.sample, moving.velocity);
   }
 
-  static_assert(kTendons <= 32, "a bit each");
+  static constexpr std::uint32_t kWindow = std::uint32_t{1} << 31;
+  static_assert(kTendons <= 31, "a bit each, and one of all");
 
   std::array<lifemodel::WireWatch, kTendons> watches_;
   std::array<bool, kTendons> left_out_{};
-  lifemodel::SharedWord<std::uint32_t> asked_;  ///< changes its bit to have flags forgotten
+  lifemodel::SharedWord<std::uint32_t> asked_;  ///< changes a bit to have something begun anew
   lifemodel::SharedWord<std::uint32_t> done_;   ///< follows
   std::array<lifemodel::SharedWord<std::uint32_t>, kTendons> without_{};
   lifemodel::SharedWord<std::uint32_t> periods_;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "firmware/app/derating.hpp"
 #include "firmware/app/rates.hpp"
 #include "firmware/app/wire_log.hpp"
 #include "firmware/protocol/messages.hpp"
@@ -74,6 +75,9 @@ class TendonLife {
     flags_ = flags_ | reading.flags;
   }
 
+  /// It was counted for so long more.
+  void operate(hal::Time time) { wire_.operate(time.us); }
+
   /// Takes in what the watch has seen.
   void take(const lifemodel::WatchReading& watched, std::uint32_t sample_period_us) {
     wire_.take(watched, sample_period_us);
@@ -136,10 +140,10 @@ class TendonLife {
 struct Outlook {
   std::uint32_t horizon_s = lifemodel::WatchLimits::kStandardHorizon_s;
   lifemodel::LifeUncertainty fit;
-  lifemodel::IplExponent exponent = lifemodel::IplExponent::lowest();
+  Derating::Terms wanted{};
 
   static Outlook of(const lifemodel::Parameters& parameters) {
-    return {parameters.watch.horizon(), parameters.uncertainty, parameters.law.exponent};
+    return {parameters.watch.horizon(), parameters.uncertainty, Derating::Terms::of(parameters)};
   }
 };
 
@@ -153,6 +157,7 @@ class LifeBook {
     for (Rates& rates : rates_) {
       rates.start(now);
     }
+    last_reading_.fill(now);
   }
 
   /// What is known of a tendon before the first reading. Without `life` it has no parameters.
@@ -163,15 +168,24 @@ class LifeBook {
                           configuration);
     distributions_[tendon] = life;
     outlooks_[tendon] = outlook;
+    deratings_[tendon].resume(life ? outlook.wanted : Derating::Terms{});
     records_[tendon] = lives_[tendon].record();
   }
 
-  void take(hal::Time now, std::size_t tendon, const lifemodel::Reading& reading,
+  /// True where the window of the watch is over, once a minute.
+  bool take(hal::Time now, std::size_t tendon, const lifemodel::Reading& reading,
             const lifemodel::WatchReading& watched = {}, std::uint32_t sample_period_us = 0) {
     lives_[tendon].take(watched, sample_period_us);
     lives_[tendon].take(reading);
-    rates_[tendon].take(now, reading.total, reading.closed_cycles.raw());
+    lives_[tendon].operate(now - last_reading_[tendon]);
+    last_reading_[tendon] = now;
+    const bool marked =
+        rates_[tendon].take(now, reading.total, reading.closed_cycles.raw(), watched.window_peak);
     records_[tendon] = lives_[tendon].record();
+    if (marked && distributions_[tendon]) {
+      deratings_[tendon].take(distributions_[tendon]->shape, rates_[tendon], records_[tendon]);
+    }
+    return marked && rates_[tendon].window_over();
   }
 
   [[nodiscard]] storage::LifeRecord next_epoch(std::size_t tendon) const {
@@ -180,6 +194,7 @@ class LifeBook {
   /// `next` is what next_epoch() gave, with no reading taken since.
   void open(std::size_t tendon, const storage::LifeRecord& next) {
     lives_[tendon].open(next);
+    deratings_[tendon].begin();
     records_[tendon] = lives_[tendon].record();
   }
 
@@ -197,6 +212,7 @@ class LifeBook {
   }
 
   [[nodiscard]] const Outlook& outlook(std::size_t tendon) const { return outlooks_[tendon]; }
+  [[nodiscard]] const Derating& derating(std::size_t tendon) const { return deratings_[tendon]; }
 
   /// The tendon with the highest damage.
   [[nodiscard]] std::size_t worst() const {
@@ -286,6 +302,8 @@ class LifeBook {
   std::array<Rates, kTendons> rates_;
   std::array<std::optional<lifemodel::LifeDistribution>, kTendons> distributions_;
   std::array<Outlook, kTendons> outlooks_;
+  std::array<Derating, kTendons> deratings_;
+  std::array<hal::Time, kTendons> last_reading_{};
   Records records_;
 };
 

@@ -19,8 +19,8 @@ constexpr Field below(Field unknown, std::uint64_t value) {
   return value < unknown ? static_cast<Field>(value) : static_cast<Field>(unknown - 1);
 }
 
-/// Damage and cycles of one tendon over the last minute, from readings since the start, which never
-/// fall.
+/// Damage, cycles and peak of one tendon over the last minute, from readings since the start, which
+/// never fall.
 class Rates {
  public:
   static constexpr std::size_t kSlots = 6;
@@ -28,20 +28,33 @@ class Rates {
 
   void start(hal::Time now) { next_ = now + kSlot; }
 
-  void take(hal::Time now, const lifemodel::Damage& damage, std::uint64_t cycles) {
+  /// True where the rates are new, every ten seconds. `window_peak` is the highest tension since
+  /// the window of the watch has begun.
+  bool take(hal::Time now, const lifemodel::Damage& damage, std::uint64_t cycles,
+            std::uint32_t window_peak = 0) {
     if (now < next_) {
-      return;
+      return false;
     }
     oldest_ = marks_[position_];
     newest_ = {damage, cycles};
     marks_[position_] = newest_;
+    window_peak_ = window_peak;
     position_ = (position_ + 1) % kSlots;
     marked_ += marked_ < kSlots ? 1 : 0;
     next_ = now + kSlot;
-    if (known() && position_ == 0) {
-      add_stretch();
+    if (known()) {
+      heaviest_ = std::max(heaviest_, damage_per_min());
+      if (position_ == 0) {
+        add_stretch();
+      }
     }
+    if (window_over()) {
+      past_window_peak_ = window_peak;
+    }
+    return true;
   }
+  /// After take() was true: whether a whole minute is over, and the window of the watch with it.
+  [[nodiscard]] bool window_over() const { return position_ == 0; }
 
   /// Whether load_spread() is known: ten minutes with damage were seen.
   [[nodiscard]] bool spread_known() const { return stretches_ >= kFewestStretches; }
@@ -60,8 +73,7 @@ class Rates {
   /// Cycles::kUnknownRate until it is known; stops below.
   [[nodiscard]] std::uint16_t cycles_per_min() const {
     using protocol::detail::Cycles;
-    return known() ? below(Cycles::kUnknownRate, newest_.cycles - oldest_.cycles)
-                   : Cycles::kUnknownRate;
+    return known() ? below(Cycles::kUnknownRate, cycles_of_min()) : Cycles::kUnknownRate;
   }
   /// DamageRate::kUnknownRate until it is known; stops below.
   [[nodiscard]] std::uint32_t damage_ppb_per_h() const {
@@ -75,6 +87,17 @@ class Rates {
   [[nodiscard]] lifemodel::Damage damage_in(std::uint32_t hours) const {
     return damage_per_min().multiplied(60 * hours);
   }
+  /// @pre known()
+  [[nodiscard]] lifemodel::Damage damage_per_min() const {
+    return lifemodel::Damage::difference(newest_.damage, oldest_.damage);
+  }
+  /// The highest of these since the start.
+  [[nodiscard]] const lifemodel::Damage& heaviest_per_min() const { return heaviest_; }
+  /// Closed cycles of the same minute.
+  [[nodiscard]] std::uint64_t cycles_of_min() const { return newest_.cycles - oldest_.cycles; }
+  /// The highest tension of the last minute at least, and of no more than two, Q29 as
+  /// lifemodel::Tension.
+  [[nodiscard]] std::uint32_t peak() const { return std::max(past_window_peak_, window_peak_); }
   /// Tenths of an hour that `left` lasts at this rate; RemainingLife::kUnknown until the rate is
   /// known; stops below.
   [[nodiscard]] std::uint16_t lasts_dh(const lifemodel::Damage& left) const {
@@ -101,10 +124,6 @@ class Rates {
     lifemodel::Damage damage;
     std::uint64_t cycles = 0;
   };
-
-  [[nodiscard]] lifemodel::Damage damage_per_min() const {
-    return lifemodel::Damage::difference(newest_.damage, oldest_.damage);
-  }
 
   /// Mean and variance, which forget what lies longer back than kMostStretches.
   void add_stretch() {
@@ -133,6 +152,9 @@ class Rates {
   std::int32_t mean_ = 0;      ///< of log2 of the damage of a minute, Q10
   std::int32_t variance_ = 0;  ///< Q20
   std::array<Mark, kSlots> marks_{};
+  std::uint32_t window_peak_ = 0;
+  std::uint32_t past_window_peak_ = 0;
+  lifemodel::Damage heaviest_;
   Mark oldest_;
   Mark newest_;
   std::size_t position_ = 0;

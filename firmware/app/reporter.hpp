@@ -101,6 +101,8 @@ class Reporter {
         return send(bus());
       case WireHistory::kPage:
         return send_history(send);
+      case Advice::kPage:
+        return send_advice(send);
     }
     return false;
   }
@@ -149,6 +151,28 @@ class Reporter {
         .count = stopped(count, 0x3fff),
         .below_minimum_min = stopped(history.below_minimum_s / 60, 0xffff)});
     wire_ = left ? (wire_ + 1) % (kTendons * kEvents) : wire_;
+    return left;
+  }
+
+  /// The tendons in turn.
+  template <class Send>
+  bool send_advice(Send& send) {
+    using protocol::AdviceState;
+    protocol::detail::Advice page;
+    const Derating& derating = book_.derating(advised_);
+    page.tendon = static_cast<std::uint8_t>(advised_);
+    page.state = derating.state();
+    if (page.state != AdviceState::off && page.state != AdviceState::unknown) {
+      const auto in_steps = [](lifemodel::Ratio ratio) {
+        return static_cast<std::uint16_t>(
+            (std::uint64_t{ratio.raw()} * protocol::detail::Advice::kWhole) >>
+            lifemodel::Ratio::kFractionBits);
+      };
+      page.highest_tension = in_steps(derating.advice().tension);
+      page.pace = in_steps(derating.advice().pace);
+    }
+    const bool left = send(page);
+    advised_ = left ? (advised_ + 1) % kTendons : advised_;
     return left;
   }
 
@@ -267,7 +291,7 @@ class Reporter {
         lifemodel::log2_of(record.epoch_damage) - lifemodel::numeric::log2(count);
     constexpr int kDrop = lifemodel::numeric::kLogBits - lifemodel::numeric::kExpBits;
     const lifemodel::LifeSpread spread{
-        .life = lifemodel::life_spread(outlook.fit, outlook.exponent,
+        .life = lifemodel::life_spread(outlook.fit, outlook.wanted.law.exponent,
                                        static_cast<std::int32_t>(log2_each >> kDrop)),
         .shape = outlook.fit.log2_shape,
         .load = rates.load_spread()};
@@ -312,6 +336,7 @@ class Reporter {
   std::size_t tendon_ = 0;
   std::uint32_t bin_ = 0;
   std::uint32_t wire_ = 0;
+  std::size_t advised_ = 0;
   std::uint32_t published_unsaved_ppb_ = 0;
 };
 

@@ -32,10 +32,19 @@ class WireLog {
     history_.broken = history_.broken || now.broken;
     before_ = now;
   }
+  /// It was counted for so long.
+  void operate(std::uint64_t us) {
+    operated_us_ += us;
+    // As above.
+    for (; operated_us_ >= kSecond_us; operated_us_ -= kSecond_us) {
+      add(history_.operated_s, 1);
+    }
+  }
   /// A new wire was put in with the last reading.
   void begin() {
     history_ = {};
     below_minimum_us_ = 0;
+    operated_us_ = 0;
     before_.slack = false;
   }
 
@@ -53,6 +62,7 @@ class WireLog {
   storage::WireHistory history_;
   lifemodel::WatchReading before_;
   std::uint64_t below_minimum_us_ = 0;  ///< of a second that is not full
+  std::uint64_t operated_us_ = 0;       ///< the same
 };
 
 }  // namespace app

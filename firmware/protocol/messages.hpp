@@ -60,6 +60,16 @@ enum class WireEvent : std::uint8_t {
   slack,  ///< times that it hung loose
 };
 
+/// What is advised to the drive.
+enum class AdviceState : std::uint8_t {
+  off,          ///< nothing is wanted of the wire
+  unknown,      ///< no minute was seen yet
+  no_limit,     ///< the load as it is lets it last
+  limited,      ///< less tension, or less pace, lets it last
+  unreachable,  ///< no tension with which it still pulls lets it last
+  over,         ///< it has lasted as long as was wanted
+};
+
 /// Pages of LifeDetail. Each has its number as the multiplexor.
 namespace detail {
 
@@ -184,7 +194,25 @@ struct WireHistory {
   friend constexpr bool operator==(const WireHistory&, const WireHistory&) = default;
 };
 
-inline constexpr std::uint8_t kPages = 12;
+/// What each tendon may do so that it lasts as long as the model wants, one after the other. The
+/// drive decides.
+struct Advice {
+  static constexpr std::uint8_t kPage = 12;
+  static constexpr std::uint16_t kWhole = 4000;              ///< a ratio of 1
+  static constexpr std::uint16_t kUnknown = (1u << 12) - 1;  ///< it is off, or unknown
+  std::uint8_t tendon = 0;                                   ///< 0 .. 31
+  AdviceState state = AdviceState::off;
+  /// Peak of the load, scaled as a whole, relative to the ultimate tension, 0 .. kWhole; rounded
+  /// down, as is the pace.
+  std::uint16_t highest_tension = kUnknown;
+  /// Instead of that: cycles in a time, relative to the heaviest minute since the start, 0 ..
+  /// kWhole.
+  std::uint16_t pace = kUnknown;
+
+  friend constexpr bool operator==(const Advice&, const Advice&) = default;
+};
+
+inline constexpr std::uint8_t kPages = 13;
 
 }  // namespace detail
 

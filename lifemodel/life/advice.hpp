@@ -136,16 +136,30 @@ struct Advice {
   friend constexpr bool operator==(const Advice&, const Advice&) = default;
 };
 
-/// The advice for a wire that is whole at `used`, does `needed` damage more until the date as it
-/// goes on now, and may be broken then with the probability of `hazard`: the allowed damage over
-/// the needed one is the pace, and its gamma-th root scales the effective tension. More wear, less
-/// risk and a later date never raise it but by the error of the logarithms, 2e-6 of the tension.
-constexpr Advice advise(const CycleLaw& law, WeibullShape shape, const Damage& used, Hazard hazard,
-                        const Damage& needed, const RepresentativeCycle& cycle) {
+/// A number as a ratio, rounded down; 1 at most.
+constexpr Ratio ratio_of(numeric::Normal number) {
+  return number.exponent >= 0 ? Ratio::highest()
+                              : Ratio::from_raw(numeric::fixed(number, Ratio::kFractionBits));
+}
+
+/// Cycles in a time, relative to as many as do `needed` damage until the date, so that they do no
+/// more than `allowed`; no more than there are.
+constexpr Ratio pace(const Damage& allowed, const Damage& needed) {
+  if (needed.none()) {
+    return Ratio::highest();
+  }
+  return allowed.none() ? Ratio::lowest()
+                        : ratio_of(numeric::quotient(normalise(allowed), normalise(needed)));
+}
+
+/// The advice for a wire that may take `allowed` damage until the date, and takes `needed` as it
+/// goes on now: the one over the other is the pace, and its gamma-th root scales the effective
+/// tension.
+constexpr Advice advise(const CycleLaw& law, const Damage& allowed, const Damage& needed,
+                        const RepresentativeCycle& cycle) {
   if (needed.none()) {
     return {};
   }
-  const Damage allowed = further_damage(shape, used, hazard);
   if (allowed.none()) {
     return {Ratio::lowest(), Ratio::lowest()};
   }
@@ -154,8 +168,15 @@ constexpr Advice advise(const CycleLaw& law, WeibullShape shape, const Damage& u
   return {
       highest_tension(cycle.log2_effective + RepresentativeCycle::divide(log2_share, law.exponent),
                       cycle.ratio),
-      share.exponent >= 0 ? Ratio::highest()
-                          : Ratio::from_raw(numeric::fixed(share, Ratio::kFractionBits))};
+      ratio_of(share)};
+}
+
+/// The same for a wire that is whole at `used` and may be broken at the date with the probability
+/// of `hazard`. More wear, less risk and a later date never raise it but by the error of the
+/// logarithms, 2e-6 of the tension.
+constexpr Advice advise(const CycleLaw& law, WeibullShape shape, const Damage& used, Hazard hazard,
+                        const Damage& needed, const RepresentativeCycle& cycle) {
+  return advise(law, further_damage(shape, used, hazard), needed, cycle);
 }
 
 /// Advice as a drive hears it: it falls at once, and rises by no more than a step each time, so

@@ -16,6 +16,7 @@ struct WatchReading {
   static constexpr std::size_t kLevels = 3;
 
   std::uint32_t peak = 0;                      ///< the highest tension, Q29 as Tension
+  std::uint32_t window_peak = 0;               ///< the same since begin_window()
   std::array<std::uint32_t, kLevels> above{};  ///< excursions above 50, 70 and 90 %
   std::uint32_t below_minimum = 0;             ///< samples below the minimum tension
   std::uint32_t slack_events = 0;
@@ -45,8 +46,8 @@ struct WatchReading {
 /// a gap leaves out is not known: a longer one than kLongestGap begins the travel anew. Without
 /// motion there are neither breaks nor slack, only peaks and samples below the minimum.
 ///
-/// push(), miss() and begin() belong to one side, the interrupt; reading() may be called from the
-/// other.
+/// push(), miss(), begin() and begin_window() belong to one side, the interrupt; reading() may be
+/// called from the other.
 class WireWatch {
  public:
   /// Of the excursions, relative to the ultimate tension.
@@ -82,14 +83,20 @@ class WireWatch {
     peak_.set_relaxed(0);
     state_.set_relaxed(0);
     above_ = 0;
-    width_ = 0;
     gap_ = 0;
     rest();
+    begin_window();
+  }
+  /// The peak of a stretch of time is sought anew; all else goes on.
+  void begin_window() {
+    window_peak_.set_relaxed(0);
+    width_ = 0;
   }
 
   [[nodiscard]] WatchReading reading() const {
     const std::uint32_t state = state_.relaxed();
     return {peak_.relaxed(),
+            window_peak_.relaxed(),
             {counts_[0].relaxed(), counts_[1].relaxed(), counts_[2].relaxed()},
             below_minimum_.relaxed(),
             slack_events_.relaxed(),
@@ -111,8 +118,11 @@ class WireWatch {
 
   /// A sample outside the band in which there is nothing to note.
   [[gnu::noinline]] void take(std::uint32_t size, Velocity velocity) {
-    if (size > peak_.own()) {
-      peak_.set_relaxed(size);
+    if (size > window_peak_.own()) {
+      window_peak_.set_relaxed(size);
+      if (size > peak_.own()) {
+        peak_.set_relaxed(size);
+      }
     }
     climb(size);
     const std::uint32_t low = this->low();
@@ -128,7 +138,7 @@ class WireWatch {
     gap_ = 0;
     // The band reaches from floor_ up to, and without, the next peak or level.
     const std::uint32_t back = above_ == 0 ? 0 : end_of(above_ - 1);
-    const std::uint32_t peak = peak_.own() + 1;
+    const std::uint32_t peak = window_peak_.own() + 1;
     const std::uint32_t level = above_ < kLevels.size() ? kLevels[above_] : peak;
     floor_ = back < low ? low : back;
     width_ = (peak < level ? peak : level) - floor_;
@@ -228,6 +238,7 @@ class WireWatch {
   std::int64_t released_ = 0;  ///< furthest, since the tension was more than friction alone makes
 
   SharedWord<std::uint32_t> peak_;
+  SharedWord<std::uint32_t> window_peak_;
   SharedWord<std::uint32_t> state_;
   SharedWord<std::uint32_t> below_minimum_;
   SharedWord<std::uint32_t> slack_events_;

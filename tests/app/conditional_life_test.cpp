@@ -78,7 +78,8 @@ TEST(ConditionalLife, OfAWireAtItsB10) {
 // 24 h of 8.583e-4 are 0.0206: 1 - exp(-0.1053605 ((1 + 0.0300870)^5.94 - 1)) = 2.008 %.
 TEST(BreakRisk, IsWithinTheHorizonOfTheModelInWholeHours) {
   const auto within = [](std::uint32_t horizon_s) {
-    return Pages<1>({Load{0.684648495 - 60 * 0x1p-22, 22}}, 60, {.horizon_s = horizon_s, .fit = {}})
+    return Pages<1>({Load{0.684648495 - 60 * 0x1p-22, 22}}, 60,
+                    {.horizon_s = horizon_s, .fit = {}, .wanted = {}})
         .page<BreakRisk>();
   };
   EXPECT_EQ(within(24 * 3600).horizon_h, 24);
@@ -131,7 +132,7 @@ lifemodel::LifeUncertainty fit_of(double log2_life, double exponent, double log2
 // 0.1053605)^(1/5.94) - 0.814189 = 0.0429642 left, of a life that is as much shorter: 42.09 h. With
 // 2^0.25 of it 0.575718 is used and 0.1450585 left: 200.98 h.
 TEST(BreakRisk, HasTheIntervalOfTheFitOnceTheLoadIsKnown) {
-  const Outlook outlook{.horizon_s = 1, .fit = fit_of(0.25, 0, 0)};
+  const Outlook outlook{.horizon_s = 1, .fit = fit_of(0.25, 0, 0), .wanted = {}};
   const Load load{0.684648495 - 600 * 0x1p-22, 22};
   const auto page = Pages<1>({load}, 600, outlook).page<BreakRisk>();
   EXPECT_EQ(page.to_10_low_30min, 84);

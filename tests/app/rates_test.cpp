@@ -54,6 +54,25 @@ TEST(Rates, TellWhatTheLastMinuteDid) {
   EXPECT_EQ(rates.remaining_dh(lives(1, 0), {1u << 28}), 0);
 }
 
+TEST(Rates, KnowTheHeaviestMinuteAndThePeakOfTheLastOne) {
+  Rates rates;
+  rates.start({});
+  // A cycle a second of 2^-20 of a life, from 70 s to 129 s 2^-19; the peak falls after 120 s.
+  std::uint32_t damage = 0;
+  for (std::uint32_t s = 1; s <= 200; ++s) {
+    damage += s >= 71 && s <= 130 ? 2 : 1;
+    EXPECT_EQ(rates.take(hal::seconds(s), lives(damage, 20), s, s <= 120 ? 900 : 500), s % 10 == 0);
+    if (s % 10 == 0) {
+      EXPECT_EQ(rates.window_over(), s % 60 == 0) << s;
+      // The window until 120 s counts until the next is over.
+      EXPECT_EQ(rates.peak(), s < 180 ? 900u : 500u) << s;
+    }
+  }
+  EXPECT_EQ(rates.cycles_of_min(), 60u);
+  EXPECT_EQ(rates.damage_per_min(), lives(60, 20));
+  EXPECT_EQ(rates.heaviest_per_min(), lives(120, 20));
+}
+
 TEST(Rates, StopAtTheirHighestValue) {
   Rates rates;
   rates.start({});

@@ -118,6 +118,7 @@ TEST_F(Services, ANewWireHasNoneOfTheFlagsOfTheOld) {
   // It has swung between 10 and 60 N.
   storage::WireHistory of_the_new;
   of_the_new.peak = static_cast<std::uint32_t>(lifemodel::pack::tension(60, 177.4).raw());
+  of_the_new.operated_s = 2;
   EXPECT_EQ(rig.app->lives().records()[0].history, of_the_new);
   const protocol::LifeStatus status = rig.sent<protocol::LifeStatus>().back();
   EXPECT_EQ(status.quality, protocol::Quality::measured);

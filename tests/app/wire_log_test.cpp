@@ -46,6 +46,19 @@ TEST(WireLog, AddsWhatIsSeenToWhatWasStored) {
   EXPECT_EQ(log.history(), (history_of(1u << 29, 9, 3, 3, 13, 5)));
 }
 
+TEST(WireLog, CountsTheSecondsInWhichItWasOperated) {
+  WireLog log;
+  log.resume({.operated_s = 100});
+  log.operate(2'700'000);
+  EXPECT_EQ(log.history().operated_s, 102u);
+  log.operate(300'000);
+  EXPECT_EQ(log.history().operated_s, 103u);
+  log.operate(999'999);
+  log.begin();
+  log.operate(1);
+  EXPECT_EQ(log.history().operated_s, 0u);
+}
+
 TEST(WireLog, CountsWrapAndHistoriesStop) {
   WireLog log;
   log.resume({.above_50 = 0xffff'fffe});
@@ -214,7 +227,8 @@ TEST_F(WatchedApp, SeesPeaksExcursionsAndTimeWithoutMotion) {
                    .above_50 = 2,
                    .above_70 = 2,
                    .above_90 = 1,
-                   .below_minimum_s = 2}));
+                   .below_minimum_s = 2,
+                   .operated_s = 2}));
   EXPECT_TRUE(told().empty());
 }
 

@@ -28,7 +28,7 @@ class SlcanTest(Case):
         log = self.log(INTERFACE)
         receiver = self.start(binary("receiver"), INTERFACE, NODE)
         ear = Ear(self, INTERFACE, NODE)
-        ear.until(lambda e: len(e.statuses) > 20 and len(e.pages) >= 12, "statuses and all pages", 60)
+        ear.until(lambda e: len(e.statuses) > 20 and len(e.pages) >= 13, "statuses and all pages", 60)
         ear.until(lambda e: e.status.damage_ppb > e.statuses[0].damage_ppb, "damage grows", 60)
         ear.until(lambda e: len({s.damage_ppb for s in e.statuses[-10:]}) == 1, "the tendons rest", 60)
 

@@ -76,6 +76,33 @@ TEST(WireWatch, ThePeakIsTheHighestTension) {
   EXPECT_EQ(wire.reading().peak, 1001u);
 }
 
+TEST(WireWatch, AWindowHasAPeakOfItsOwn) {
+  WireWatch wire = watch();
+  const auto window_N = [&] { return std::ldexp(wire.reading().window_peak, -29) * kUltimate_N; };
+  move(wire, 100, 1);
+  EXPECT_NEAR(window_N(), 100, 1e-6);
+  wire.begin_window();
+  EXPECT_EQ(wire.reading().window_peak, 0u);
+  stand(wire, 60, 2);
+  stand(wire, 70, 2);
+  stand(wire, 65, 2);
+  EXPECT_NEAR(window_N(), 70, 1e-6);
+  EXPECT_NEAR(peak_N(wire), 100, 1e-6);
+  stand(wire, 120, 2);
+  EXPECT_NEAR(window_N(), 120, 1e-6);
+  EXPECT_NEAR(peak_N(wire), 120, 1e-6);
+  // The excursion above 50 % that began before the window is one, and the travel of a loose wire is
+  // not begun anew.
+  EXPECT_EQ(wire.reading().above, (Counts{2, 0, 0}));
+  move(wire, 1, 15);
+  wire.begin_window();
+  move(wire, 1, 5.1);
+  EXPECT_TRUE(wire.reading().broken);
+  EXPECT_NEAR(window_N(), 1, 1e-6);
+  wire.begin();
+  EXPECT_EQ(wire.reading().window_peak, 0u);
+}
+
 /// 88.7, 124.18 and 159.66 N of 177.4 N.
 TEST(WireWatch, AnExcursionCountsOnceUntilItHasComeBackByTheHysteresis) {
   WireWatch wire = watch();
@@ -208,7 +235,8 @@ TEST(WireWatch, ReleasingAloneIsNoBreak) {
 TEST(WireWatch, ATensionOfTheOtherWireOfAPairIsNoSlack) {
   WireWatch wire = watch();
   move(wire, -30, 100);
-  EXPECT_EQ(wire.reading(), (WatchReading{.peak = wire.reading().peak}));
+  EXPECT_EQ(wire.reading(),
+            (WatchReading{.peak = wire.reading().peak, .window_peak = wire.reading().peak}));
   move(wire, -1, 20.1);
   EXPECT_TRUE(wire.reading().broken);
 }
@@ -335,6 +363,7 @@ TEST(WireWatch, PassesOverNothingThatCounts) {
     WireWatch wire = watch();
     double tension_N = 50;
     double peak = 0;
+    double window_peak = 0;
     std::array<bool, 3> above{};
     Counts counts{};
     std::uint32_t below = 0;
@@ -343,6 +372,12 @@ TEST(WireWatch, PassesOverNothingThatCounts) {
       tension_N = tension_N > 190 ? 380 - tension_N : tension_N;
       wire.push(newtons(tension_N), velocity(speed_mm_s(random)));
       peak = std::max(peak, tension_N);
+      window_peak = std::max(window_peak, tension_N);
+      if (i % 500 == 499) {
+        EXPECT_NEAR(std::ldexp(wire.reading().window_peak, -29) * kUltimate_N, window_peak, 1e-6);
+        wire.begin_window();
+        window_peak = 0;
+      }
       below += tension_N < 5 ? 1 : 0;
       for (std::size_t level = 0; level < 3; ++level) {
         const double at_N = std::array{88.7, 124.18, 159.66}[level];

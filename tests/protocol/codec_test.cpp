@@ -109,6 +109,13 @@ TEST(Codec, PagesOfLifeDetail) {
                    5, frame(0x285, {0x00, 0xb0, 0x23, 0x53, 0xb2, 0x04, 0x02, 0x01}));
   expect_both_ways(detail::WireHistory{.slack = true, .event = WireEvent::slack, .count = 0x3fff},
                    5, frame(0x285, {0x00, 0xb0, 0x40, 0x00, 0xff, 0xff, 0x00, 0x00}));
+  // Tendon 3, limited: 3 + 32 * 3; 0x3ed of the ultimate tension, 0xa1f of the pace.
+  expect_both_ways(
+      detail::Advice{
+          .tendon = 3, .state = AdviceState::limited, .highest_tension = 0x3ed, .pace = 0xa1f},
+      5, frame(0x285, {0x00, 0xc0, 0x63, 0xed, 0xf3, 0xa1, 0x00, 0x00}));
+  expect_both_ways(detail::Advice{}, 5,
+                   frame(0x285, {0x00, 0xc0, 0x00, 0xff, 0xff, 0xff, 0x00, 0x00}));
   expect_both_ways(detail::Bus{.transmit_errors = 1,
                                .receive_errors = 2,
                                .bus_offs = 3,

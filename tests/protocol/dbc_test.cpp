@@ -68,13 +68,14 @@ TEST(Dbc, IsWhatTheFramePlanSays) {
         " SG_ HoursToRisk10 m9 : 16|16@1+ (0.1,0) [0|6553.5] \"h\" Host",
         " SG_ BreakRisk m10 : 24|12@1+ (0.00025,0) [0|1.02375] \"\" Host",
         " SG_ HoursToRisk10High m10 : 50|14@1+ (0.5,0) [0|8191.5] \"h\" Host",
+        " SG_ AdviceTension m12 : 24|12@1+ (0.00025,0) [0|1.02375] \"\" Host",
         " SG_ Argument : 16|8@1+ (1,0) [0|255] \"\" Node127",
         "VAL_ 1793 NmtState 0 \"boot_up\" 4 \"stopped\" 5 \"operational\" ;",
         "BA_ \"GenMsgCycleTime\" BO_ 1799 1000;", "BA_ \"GenMsgCycleTime\" BO_ 385 100;"}) {
     EXPECT_THAT(lines, Contains(line));
   }
   EXPECT_EQ(matches(lines, "BO_ .*").size(), 15u);
-  EXPECT_EQ(matches(lines, kSignalLine).size(), 3u * (1 + 14 + 3 + 42 + 5 + 4));
+  EXPECT_EQ(matches(lines, kSignalLine).size(), 3u * (1 + 14 + 3 + 46 + 5 + 4));
 }
 
 TEST(Dbc, EveryLineIsOneOfTheKnownKinds) {

@@ -55,6 +55,23 @@ inline std::string label_of(WireEvent event) {
   }
   return {};
 }
+inline std::string label_of(AdviceState state) {
+  switch (state) {
+    case AdviceState::off:
+      return "off";
+    case AdviceState::unknown:
+      return "unknown";
+    case AdviceState::no_limit:
+      return "no_limit";
+    case AdviceState::limited:
+      return "limited";
+    case AdviceState::unreachable:
+      return "unreachable";
+    case AdviceState::over:
+      return "over";
+  }
+  return {};
+}
 inline std::string label_of(NmtState state) {
   switch (state) {
     case NmtState::boot_up:
@@ -249,6 +266,22 @@ inline Expected expected(const detail::WireHistory& m) {
            {"WireCount", m.count},
            {"BelowMinimum", m.below_minimum_min}},
           {{"WireEvent", label_of(m.event)}}};
+}
+inline Expected expected(const detail::Advice& m) {
+  Expected result{"LifeDetail",
+                  "Advice",
+                  {{"AdviceTendon", m.tendon},
+                   {"AdviceState", code_of(m.state)},
+                   {"AdviceTension", m.highest_tension * 0.00025},
+                   {"AdvicePace", m.pace * 0.00025}},
+                  {{"AdviceState", label_of(m.state)}}};
+  if (m.highest_tension == 0xfff) {
+    result.labels["AdviceTension"] = "unknown";
+  }
+  if (m.pace == 0xfff) {
+    result.labels["AdvicePace"] = "unknown";
+  }
+  return result;
 }
 inline Expected expected(const detail::Storage& m) {
   return {"LifeDetail",

@@ -116,6 +116,12 @@ inline void fill(Random& random, detail::WireHistory& m) {
        .count = static_cast<std::uint16_t>(number(random, 14)),
        .below_minimum_min = u16(random)};
 }
+inline void fill(Random& random, detail::Advice& m) {
+  m = {.tendon = u8(random, 5),
+       .state = static_cast<AdviceState>(random() % 6),
+       .highest_tension = static_cast<std::uint16_t>(number(random, 12)),
+       .pace = static_cast<std::uint16_t>(number(random, 12))};
+}
 inline void fill(Random& random, Emergency& m) {
   constexpr std::array kCodes{EmergencyCode::none,           EmergencyCode::emergency_stop,
                               EmergencyCode::life_inspect,   EmergencyCode::life_replace,
@@ -140,7 +146,7 @@ void with_random_message(Random& random, Act act) {
     fill(random, message);
     act(message);
   };
-  switch (random() % 16) {
+  switch (random() % 17) {
     case 0:
       return run(Heartbeat{});
     case 1:
@@ -170,6 +176,8 @@ void with_random_message(Random& random, Act act) {
     case 13:
       return run(detail::WireHistory{});
     case 14:
+      return run(detail::Advice{});
+    case 15:
       return run(Emergency{});
     default:
       return run(Command{});

@@ -104,6 +104,15 @@ inline constexpr std::array kWireEvents{
     name_of(WireEvent::slack, "slack"),
 };
 
+inline constexpr std::array kAdviceStates{
+    name_of(AdviceState::off, "off"),
+    name_of(AdviceState::unknown, "unknown"),
+    name_of(AdviceState::no_limit, "no_limit"),
+    name_of(AdviceState::limited, "limited"),
+    name_of(AdviceState::unreachable, "unreachable"),
+    name_of(AdviceState::over, "over"),
+};
+
 inline constexpr std::array kCommandCodes{
     name_of(CommandCode::identify, "identify"),
     name_of(CommandCode::select_page, "select_page"),
@@ -120,6 +129,10 @@ inline constexpr std::array kDamageRateUnknown{
 
 inline constexpr std::array kRemainingLifeUnknown{
     ValueName{.value = detail::RemainingLife::kUnknown, .name = "unknown"},
+};
+
+inline constexpr std::array kAdviceUnknown{
+    ValueName{.value = detail::Advice::kUnknown, .name = "unknown"},
 };
 
 inline constexpr std::array kBreakRiskUnknown{

@@ -364,4 +364,37 @@ struct Layout<detail::WireHistory> : PageLayout {
   };
 };
 
+template <>
+struct Layout<detail::Advice> : PageLayout {
+  static constexpr std::string_view kName = "Advice";
+  static constexpr std::string_view kComment =
+      "what one tendon after the other may do so that it lasts as long as the model wants";
+  static constexpr std::tuple kFields{
+      field(&detail::Advice::tendon, {.name = "AdviceTendon",
+                                      .start_bit = 16,
+                                      .bits = 5,
+                                      .comment = "of which tendon, from 0"}),
+      field(&detail::Advice::state,
+            {.name = "AdviceState",
+             .start_bit = 21,
+             .bits = 3,
+             .comment = "whether the load as it is lets it last, unreachable by no tension",
+             .values = kAdviceStates}),
+      field(&detail::Advice::highest_tension,
+            {.name = "AdviceTension",
+             .start_bit = 24,
+             .bits = 12,
+             .factor = "0.00025",
+             .comment = "highest tension relative to the ultimate one, rounded down",
+             .values = kAdviceUnknown}),
+      field(&detail::Advice::pace,
+            {.name = "AdvicePace",
+             .start_bit = 36,
+             .bits = 12,
+             .factor = "0.00025",
+             .comment = "instead of that, cycles relative to the heaviest minute since the start",
+             .values = kAdviceUnknown}),
+  };
+};
+
 }  // namespace protocol::schema

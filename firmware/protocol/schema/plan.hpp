@@ -38,7 +38,7 @@ using AllMessages =
     MessageList<Heartbeat, LifeStatus, detail::Identity, detail::Cycles, detail::DamageRate,
                 detail::TendonDamage, detail::RainflowBin, detail::RemainingLife, detail::Storage,
                 detail::Timing, detail::Bus, detail::ConditionalLife, detail::BreakRisk,
-                detail::WireHistory, Emergency, Command>;
+                detail::WireHistory, detail::Advice, Emergency, Command>;
 
 /// A message without its type, for what writes about it.
 struct MessageView {

@@ -112,6 +112,7 @@ struct NodeView {
   std::optional<Timed<protocol::detail::BreakRisk>> break_risk;
   /// What happened to the wires, by tendon and what is counted: index 4 tendon + event.
   std::map<std::uint8_t, Timed<protocol::detail::WireHistory>> wires;
+  std::map<std::uint8_t, Timed<protocol::detail::Advice>> advice;  ///< by tendon
   std::optional<Timed<protocol::detail::Storage>> storage;
   std::optional<Timed<protocol::detail::Timing>> timing;
   std::optional<Timed<protocol::detail::Bus>> bus;
@@ -142,7 +143,8 @@ inline constexpr std::tuple kNodePages{std::pair{"identity", &NodeView::identity
                                        std::pair{"timing", &NodeView::timing},
                                        std::pair{"bus", &NodeView::bus},
                                        std::pair{"conditional", &NodeView::conditional},
-                                       std::pair{"break_risk", &NodeView::break_risk}};
+                                       std::pair{"break_risk", &NodeView::break_risk},
+                                       std::pair{"advice", &NodeView::advice}};
 static_assert(std::tuple_size_v<decltype(kNodePages)> == protocol::detail::kPages);
 
 /// Hands each page of `node` to `take`, with its name.

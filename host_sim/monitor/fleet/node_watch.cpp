@@ -79,6 +79,10 @@ std::uint8_t key_of(const detail::WireHistory& wire) {
   return static_cast<std::uint8_t>(4 * wire.tendon + static_cast<std::uint8_t>(wire.event));
 }
 
+std::uint8_t key_of(const detail::Advice& page) {
+  return page.tendon;
+}
+
 template <class Page>
 bool take_into(std::optional<Timed<Page>>& last, const hal::CanFrame& frame, std::int64_t time_ns) {
   const auto page = protocol::decode<Page>(frame);

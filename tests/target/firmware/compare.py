@@ -60,6 +60,15 @@ def check_gaps(lines, serial, summary):
     require(any(page[1] >> 4 == 8 and page[5] > 0 for page in pages), "gaps: no page was dropped")
 
 
+def check_sine(lines, serial, summary):
+    # Page 12 of both tendons: state limited or no_limit, and a tension below the ultimate one.
+    pages = [bytes.fromhex(line) for line in messages(lines, 0x280) if line[2] == "C"]
+    told = {page[2] & 31: (page[2] >> 5, page[3] | (page[4] & 15) << 8) for page in pages}
+    require(sorted(told) == [0, 1], f"sine: advice for tendons {sorted(told)}")
+    require(told[0][0] == 3 and told[1][0] == 2, f"sine: states of advice {told}")
+    require(0 < told[0][1] < told[1][1] < 4000, f"sine: tensions of advice {told}")
+
+
 def check_overload(lines, serial, summary):
     require({"replace", "worn", "overload"} <= emergencies(lines), "overload: an emergency is missing")
 
@@ -93,7 +102,7 @@ def check_restart(lines, serial, summary):
     require("100B620261020000" in answers, "restart: tendon 1 does not count with what was loaded")
 
 
-CHECKS = {"gaps": check_gaps, "overload": check_overload, "commands": check_commands,
+CHECKS = {"sine": check_sine, "gaps": check_gaps, "overload": check_overload, "commands": check_commands,
           "epoch": check_epoch, "restart": check_restart}
 DURATIONS_S = {"sine": 63, "noise": 15, "gaps": 20, "overload": 30, "commands": 12, "epoch": 40,
                "restart": 4}

@@ -18,8 +18,11 @@
 
 #include "firmware/boards/qemu_mps2/image/options.hpp"
 #include "firmware/boards/qemu_mps2/image/virtual_run.hpp"
+#include "lifemodel/block/parameter_block.hpp"
+#include "lifemodel/pack/pack.hpp"
 #include "tests/target/firmware/host_files.hpp"
 #include "tests/target/firmware/scenarios.hpp"
+#include "tests/target/model/paper_model.hpp"
 
 namespace board = boards::qemu_mps2;
 
@@ -109,9 +112,13 @@ class LiveScript {
   hal::Time last_{};
 };
 
+/// Of the paper's model, whose wires shall last an hour of operation at a risk of a tenth.
 bool write_block(const char* path) {
+  lifemodel::Parameters parameters = target::paper_parameters<1>()[0];
+  parameters.watch.advice_risk = lifemodel::pack::from_double<lifemodel::Ratio>(0.1);
+  parameters.watch.advice_until_s = 3'600;
   std::ofstream block(path, std::ios::binary);
-  put(block, target::kPaperBlock);
+  put(block, lifemodel::encode(parameters));
   block.close();
   return block.good();
 }
