@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hal/files/interruption.hpp"
+#include "host_sim/fleet/costs.hpp"
 #include "host_sim/reference/equations.hpp"
 #include "host_sim/statistics/distribution.hpp"
 #include "host_sim/statistics/parallel.hpp"
@@ -55,6 +56,7 @@ TendonPlan plan_of(const Tendon& tendon, const LawBelief& law, const PlanRequest
   plan.risk_at_fit = risk.within_at_fit(horizon_h);
   plan.replace = due_in(risk.hours_to(request.risk), tendon, request.today);
   plan.b10 = due_in(to_b10 / tendon.damage_per_h, tendon, request.today);
+  plan.risk_until_b10 = plan.b10.hours > 0 ? risk.within(std::min(plan.b10.hours, horizon_h)) : 0;
   plan.due = plan.risk >= request.risk;
   const double of_all_laws = risk.within_of_all_laws(horizon_h);
   plan.evidence = of_all_laws == 0 ? 1 : plan.risk / of_all_laws;
@@ -223,6 +225,7 @@ FleetPlan make_plan(const Fleet& fleet, const PlanRequest& request) {
     plan.past_b10 += planned.b10.hours <= 0 ? 1 : 0;
   }
   count_spares(fleet, request, plan);
+  plan.costs = costs_of(fleet, request, plan);
   plan.warnings = warnings_of(fleet, plan);
   return plan;
 }

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <ostream>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "host_sim/fleet/break_risk.hpp"
@@ -30,12 +32,13 @@ struct Due {
 
 /// What is planned for one tendon.
 struct TendonPlan {
-  double risk = 0;         ///< of a break within the horizon, given that it is whole today
-  double risk_at_fit = 0;  ///< the same with the law and the rate as they are fitted
-  Due replace;             ///< when the risk since today is PlanRequest::risk
-  Due b10;                 ///< B10 of the whole life, by the law as it is fitted
-  bool due = false;        ///< to be replaced within the horizon
-  double evidence = 1;     ///< risk over what it would be if survival so far told nothing
+  double risk = 0;            ///< of a break within the horizon, given that it is whole today
+  double risk_at_fit = 0;     ///< the same with the law and the rate as they are fitted
+  Due replace;                ///< when the risk since today is PlanRequest::risk
+  Due b10;                    ///< B10 of the whole life, by the law as it is fitted
+  double risk_until_b10 = 0;  ///< of a break before that and within the horizon
+  bool due = false;           ///< to be replaced within the horizon
+  double evidence = 1;        ///< risk over what it would be if survival so far told nothing
 };
 
 /// How many spares it takes until the horizon.
@@ -43,6 +46,28 @@ struct Spares {
   Demand demand;
   std::size_t count = 0;  ///< enough with at least the probability asked for
   double service = 0;     ///< with which they are
+};
+
+/// What a policy costs, expected.
+struct PolicyCosts {
+  double planned = 0;        ///< replacements as planned until the horizon
+  double breaks = 0;         ///< until then, each with the replacement after it
+  double cost = 0;           ///< of both
+  double cost_per_year = 0;  ///< in the long run, as new wires follow each other
+};
+
+/// The law is as it is fitted in the long run.
+struct FleetCosts {
+  PolicyCosts run_to_break;
+  PolicyCosts at_b10;        ///< of the whole life, at once where that is past
+  PolicyCosts on_condition;  ///< planned anew at each horizon
+  double cheapest_per_year = 0;
+  /// Share of new wires that would break before the damage that it is cheapest to replace them at:
+  /// the least and the most of all tendons; 1 where no replacement pays.
+  struct {
+    double least = 0;
+    double most = 0;
+  } cheapest_risk;
 };
 
 struct FleetPlan {
@@ -54,6 +79,7 @@ struct FleetPlan {
   double expected_breaks = 0;   ///< where nothing is replaced before it breaks
   double breaks_until_due = 0;  ///< expected where each tendon that is due is replaced on its date
   double second_breaks_at_most = 0;  ///< expected breaks of replacements, which are left out
+  std::optional<FleetCosts> costs;   ///< where the tendons have costs
   std::vector<std::string> warnings;
 };
 
@@ -65,6 +91,12 @@ FleetPlan make_plan(const Fleet& fleet, const PlanRequest& request);
 
 /// Tendons by urgency: the date to replace, then the risk, then the order of the fleet.
 std::vector<std::size_t> by_urgency(const FleetPlan& plan);
+
+/// The policies by their names.
+std::array<std::pair<std::string_view, const PolicyCosts*>, 3> policies_of(const FleetCosts& costs);
+
+/// What risk it is cheapest to replace at, for people.
+std::string cheapest_sentence(const FleetCosts& costs);
 
 /// For people. @param source what stands for the fleet
 void write_plan(std::ostream& out, std::string_view source, const Fleet& fleet,

@@ -15,15 +15,15 @@ namespace host_sim::fleet {
 
 /// A tendon in the field.
 struct Tendon {
-  std::string name;
+  std::string name = {};
   double damage = 0;          ///< Miner, that its model gives for what it has done; 0 .. 100
   double damage_per_h = 0;    ///< mean, for each hour of operation
   double rate_log_sd = 0;     ///< how far the mean rate until the horizon may be from it, in ln
   double hours_per_day = 24;  ///< of operation, 0 .. 24
-  std::optional<double> effective_tension_N;  ///< that its damage is from, where that is known
-  std::optional<double> replacement_cost;     ///< of a planned replacement, where its own
-  std::optional<double> break_cost;           ///< of a break with the replacement after it
-  std::size_t model = 0;                      ///< in Fleet::models
+  std::optional<double> effective_tension_N = {};  ///< that its damage is from, where that is known
+  std::optional<double> replacement_cost = {};     ///< of a planned replacement, where its own
+  std::optional<double> break_cost = {};           ///< of a break with the replacement after it
+  std::size_t model = 0;                           ///< in Fleet::models
 };
 
 /// A law of life that tendons share, and with it what is not known of it.

@@ -39,6 +39,23 @@ ordered_json spares_json(const Spares& spares) {
           {"demand", demand}};
 }
 
+ordered_json policy_json(const PolicyCosts& policy) {
+  return {{"planned", policy.planned},
+          {"breaks", policy.breaks},
+          {"cost", policy.cost},
+          {"cost_per_year", policy.cost_per_year}};
+}
+
+ordered_json costs_json(const FleetCosts& costs) {
+  return {{"run_to_break", policy_json(costs.run_to_break)},
+          {"at_b10", policy_json(costs.at_b10)},
+          {"on_condition", policy_json(costs.on_condition)},
+          {"cheapest",
+           {{"risk_least", costs.cheapest_risk.least},
+            {"risk_most", costs.cheapest_risk.most},
+            {"cost_per_year", costs.cheapest_per_year}}}};
+}
+
 std::vector<std::string> printable_names(const std::vector<std::string>& names) {
   std::vector<std::string> result;
   for (const std::string& name : names) {
@@ -65,6 +82,7 @@ std::string plan_json(const Fleet& fleet, const PlanRequest& request, const Flee
                     {"spares",
                      {{"run_to_break", spares_json(plan.breaks)},
                       {"on_condition", spares_json(plan.on_condition)}}},
+                    {"costs", plan.costs ? costs_json(*plan.costs) : ordered_json(nullptr)},
                     {"warnings", plan.warnings}};
   ordered_json tendons = ordered_json::array();
   for (std::size_t i = 0; i < fleet.tendons.size(); ++i) {
@@ -145,7 +163,42 @@ void write_spares(std::ostream& out, std::string_view name, const Spares& spares
              percent(spares.service), spares.demand.mean());
 }
 
+void write_costs(std::ostream& out, const FleetCosts& costs) {
+  fmt::print(out, "\n{:<16}  {:>8}  {:>8}  {:>12}  {:>12}\n", "COST", "PLANNED", "BREAKS",
+             "UNTIL THEN", "PER YEAR");
+  for (const auto& [name, policy] : policies_of(costs)) {
+    fmt::print(out, "{:<16}  {:>8.2f}  {:>8.2f}  {:>12.6g}  {:>12.6g}\n", name, policy->planned,
+               policy->breaks, policy->cost, policy->cost_per_year);
+  }
+  fmt::print(out, "{:<16}  {:>8}  {:>8}  {:>12}  {:>12.6g}\n{}\n", "at the cheapest", "", "", "",
+             costs.cheapest_per_year, cheapest_sentence(costs));
+}
+
 }  // namespace
+
+std::array<std::pair<std::string_view, const PolicyCosts*>, 3> policies_of(
+    const FleetCosts& costs) {
+  return {{{"run to break", &costs.run_to_break},
+           {"at B10", &costs.at_b10},
+           {"on condition", &costs.on_condition}}};
+}
+
+std::string cheapest_sentence(const FleetCosts& costs) {
+  const auto& [least, most] = costs.cheapest_risk;
+  if (least == 1) {
+    return "In the long run no replacement before a break pays.";
+  }
+  constexpr double kOneShare = 1e-6;
+  const std::string shares =
+      most - least < kOneShare
+          ? fmt::format("{:.3g} %", 100 * most)
+          : fmt::format("{:.3g} .. {:.3g} %, by the tendon,", 100 * least, 100 * most);
+  return fmt::format(
+      "In the long run it is cheapest to replace a tendon at the damage before which {} of new "
+      "ones "
+      "would break.",
+      shares);
+}
 
 void write_plan(std::ostream& out, std::string_view source, const Fleet& fleet,
                 const PlanRequest& request, const FleetPlan& plan) {
@@ -165,6 +218,9 @@ void write_plan(std::ostream& out, std::string_view source, const Fleet& fleet,
              "{:.2g} more, are left out\n",
              "expected breaks", plan.expected_breaks, plan.breaks_until_due,
              plan.second_breaks_at_most);
+  if (plan.costs) {
+    write_costs(out, *plan.costs);
+  }
   write_tendons(out, fleet, plan);
   for (const std::string& warning : plan.warnings) {
     fmt::print(out, "warning: {}\n", printable(warning));

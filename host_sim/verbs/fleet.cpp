@@ -10,6 +10,7 @@
 
 #include "hal/files/input_file.hpp"
 #include "host_sim/command_line/options.hpp"
+#include "host_sim/fleet/costs.hpp"
 #include "host_sim/fleet/fleet_plan.hpp"
 #include "host_sim/fleet/fleet_table.hpp"
 #include "host_sim/fleet/horizon.hpp"
@@ -24,6 +25,8 @@ struct FleetArguments {
   std::string tendons;
   std::string model;
   std::optional<double> hours_per_day;
+  std::optional<double> cost_replacement;
+  std::optional<double> cost_break;
   std::string horizon = "90d";
   std::string today;
   std::string out_table;
@@ -112,6 +115,7 @@ int run_fleet(FleetArguments& arguments) {
   fleet::Fleet tendons = fleet::fleet_of(read.rows, arguments.tendons, arguments.model);
   tendons.broken = read.broken;
   tendons.doubts = read.doubts;
+  fleet::set_costs(tendons, arguments.cost_replacement, arguments.cost_break, arguments.tendons);
   auto as_read = open_if_asked(arguments.read_table);
   auto table = open_if_asked(arguments.out_table);
   auto json = open_if_asked(arguments.json);
@@ -164,6 +168,14 @@ void add_fleet(CLI::App& app, int& status) {
                    "Replace when the risk of a break since today is this")
       ->check(command_line::in_range(kLeastShare, 0.99))
       ->capture_default_str();
+  constexpr double kMostCost = 1e15;
+  verb->add_option("--cost-replacement", arguments->cost_replacement,
+                   "What a planned replacement costs, of tendons without cost_replace")
+      ->check(command_line::in_range(0.0, kMostCost));
+  verb->add_option("--cost-break", arguments->cost_break,
+                   "What a break costs, with the replacement after it, of tendons without "
+                   "cost_break")
+      ->check(command_line::in_range(0.0, kMostCost));
   verb->add_option("--today", arguments->today,
                    "The day of the table, YYYY-MM-DD; else the clock's")
       ->type_name("DATE");

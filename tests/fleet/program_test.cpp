@@ -91,6 +91,31 @@ TEST_F(FleetProgram, EachTendonMayHaveItsOwnModel) {
   EXPECT_NE(err_.find("would overwrite"), std::string::npos) << err_;
 }
 
+TEST_F(FleetProgram, TellsWhatThePoliciesCost) {
+  const std::string plan = "fleet fleet.csv --model model.toml --today 2026-03-02 --horizon 10d ";
+  EXPECT_EQ(run(plan + "--cost-replacement 100 --cost-break 1000 --json p.json"), 0) << err_;
+  const json costs = json::parse(host_sim_test::contents(folder_ / "p.json"))["costs"];
+  // The old one is due at 0.1, and breaks with 0.1232 until the horizon.
+  EXPECT_NEAR(costs["run_to_break"]["cost"], 123.2, 0.2);
+  EXPECT_NEAR(costs["at_b10"]["cost"], 100, 0.1);
+  EXPECT_NEAR(costs["on_condition"]["cost"], 190, 0.1);
+  EXPECT_LT(costs["cheapest"]["cost_per_year"], costs["at_b10"]["cost_per_year"]);
+  EXPECT_NE(out_.find("In the long run it is cheapest to replace a tendon at the damage before "
+                      "which"),
+            std::string::npos)
+      << out_;
+  const auto before = files();
+  EXPECT_EQ(run(plan + "--cost-break 1000 --json q.json"), 1);
+  EXPECT_EQ(err_,
+            "fleet.csv: tendon 'old' has no cost_replace; accepted: --cost-replacement for all, or "
+            "cost_replace of each tendon\n");
+  EXPECT_EQ(run(plan + "--cost-replacement 100 --cost-break 99 --json q.json"), 1);
+  EXPECT_EQ(run(plan + "--cost-replacement -1 --cost-break 99 --json q.json"), 2);
+  EXPECT_EQ(files(), before);
+  EXPECT_EQ(run(plan + "--json p.json"), 0);
+  EXPECT_EQ(json::parse(host_sim_test::contents(folder_ / "p.json"))["costs"], nullptr);
+}
+
 TEST_F(FleetProgram, ReadsAFolderOfRecords) {
   ASSERT_EQ(run("replay '" EXAMPLES "/upper_arm.csv' --model model.toml --can run.log"), 0) << err_;
   std::filesystem::create_directory(folder_ / "rec");
