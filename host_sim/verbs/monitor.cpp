@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "host_sim/command_line/options.hpp"
+#include "host_sim/extension/model_file.hpp"
 #include "host_sim/monitor/bus/frame_source.hpp"
 #include "host_sim/monitor/bus/socketcan_source.hpp"
 #include "host_sim/monitor/fleet/fleet.hpp"
@@ -18,6 +19,7 @@
 #include "host_sim/monitor/http/live_page.hpp"
 #include "host_sim/monitor/record/log_folder.hpp"
 #include "host_sim/monitor/record/recorder.hpp"
+#include "host_sim/monitor/specimens/specimen_file.hpp"
 #include "host_sim/monitor/terminal/table.hpp"
 #include "host_sim/monitor/terminal/terminal.hpp"
 #include "host_sim/verbs/outputs.hpp"
@@ -41,6 +43,8 @@ struct MonitorArguments {
   std::string http_token;
   std::string record;
   monitor::Rotation rotation;
+  std::string specimens;
+  std::string model;
 #ifdef TENDONLIFE_MQTT
   std::optional<monitor::BrokerAddress> mqtt;
 #endif
@@ -127,6 +131,19 @@ void add_record_options(CLI::App& verb, MonitorArguments& arguments) {
       ->capture_default_str();
 }
 
+void add_specimen_options(CLI::App& verb, MonitorArguments& arguments) {
+  CLI::Option* const specimens =
+      verb.add_option("--specimens", arguments.specimens,
+                      "Write each tendon that breaks, or is replaced whole, to a specimens.csv for "
+                      "calibrate, when its cycles are known; what is there is continued")
+          ->type_name(command_line::kFile);
+  CLI::Option* const model = verb.add_option("--model", arguments.model,
+                                             "The model that the nodes count with, a TOML file")
+                                 ->type_name(command_line::kFile)
+                                 ->needs(specimens);
+  specimens->needs(model);
+}
+
 #ifdef TENDONLIFE_MQTT
 void add_mqtt_option(CLI::App& verb, MonitorArguments& arguments) {
   verb.add_option_function<std::string>(
@@ -146,6 +163,7 @@ void add_mqtt_option(CLI::App& verb, MonitorArguments& arguments) {
 void add_monitor_options(CLI::App& verb, MonitorArguments& arguments) {
   add_source_options(verb, arguments);
   add_record_options(verb, arguments);
+  add_specimen_options(verb, arguments);
 #ifdef TENDONLIFE_MQTT
   add_mqtt_option(verb, arguments);
 #endif
@@ -208,7 +226,10 @@ void print_table(const FleetView& view) {
 /// What follows the bus beside the fleet.
 class Followers {
  public:
-  explicit Followers(const MonitorArguments& arguments) {
+  Followers(const MonitorArguments& arguments, std::optional<monitor::SpecimenFile>& specimens) {
+    if (specimens) {
+      observers_.push_back(&*specimens);
+    }
     if (!arguments.record.empty()) {
       begin_record(arguments);
     }
@@ -327,9 +348,13 @@ class TroubleReport final : public Observer {
 };
 
 int run(const MonitorArguments& arguments) {
+  std::optional<monitor::SpecimenFile> specimens;
+  if (!arguments.specimens.empty()) {
+    specimens.emplace(arguments.specimens, read_extended_model(arguments.model).life);
+  }
   const auto source = open_source_of(arguments);
   monitor::Fleet fleet(arguments.bit_rate_bit_s);
-  const Followers followers(arguments);
+  const Followers followers(arguments, specimens);
   const std::vector<Observer*>& observers = followers.observers();
   const bool on_terminal = !arguments.once && monitor::can_draw();
   {
@@ -383,8 +408,8 @@ void add_monitor(CLI::App& app, int& status) {
     if (const std::string error = without_effect(*verb, *arguments); !error.empty()) {
       throw CLI::ValidationError("monitor", error);
     }
-    check_files("monitor", {.reads = {{"--log", arguments->log}},
-                            .writes = {},
+    check_files("monitor", {.reads = {{"--log", arguments->log}, {"--model", arguments->model}},
+                            .writes = {{"--specimens", arguments->specimens}},
                             .fills = {{"--record", arguments->record}}});
     status = run(*arguments);
   });

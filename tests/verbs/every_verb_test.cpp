@@ -110,6 +110,12 @@ const std::vector<Verb>& verbs() {
        {"--out"},
        {"FILE"}},
       {"monitor", "--once --log logs/a.csv", {"logs/a.csv"}, {}, {"--record"}, {"--log"}},
+      {"monitor",
+       "--once --log logs/a.csv --model model.toml",
+       {"logs/a.csv", "model.toml"},
+       {"--specimens"},
+       {},
+       {"--log", "--model"}},
   };
   return all;
 }

@@ -14,6 +14,7 @@
 
 #include "firmware/protocol/messages.hpp"
 #include "firmware/protocol/schema/plan.hpp"
+#include "host_sim/monitor/fleet/wire_lives.hpp"
 
 namespace host_sim::monitor {
 
@@ -117,6 +118,8 @@ struct NodeView {
   std::optional<Timed<protocol::detail::Timing>> timing;
   std::optional<Timed<protocol::detail::Bus>> bus;
   std::optional<Timed<protocol::Emergency>> emergency;  ///< the last; code none: all is over
+
+  std::vector<WireLife> wire_lives;  ///< of wires that ended, oldest first
 
   std::vector<StreamView> streams;  ///< in order of the schema
   std::deque<Event> events;         ///< oldest first, at most kMostEvents

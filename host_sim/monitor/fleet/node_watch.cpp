@@ -235,6 +235,7 @@ void NodeWatch::break_runs(std::size_t kind) {
   if (kFrames[kind] == &protocol::schema::kLifeStatusFrame) {
     damage_.broken();
   } else if (kFrames[kind] == &protocol::schema::kLifeDetailFrame) {
+    wires_.restarted();
     for (auto& [tendon, damage] : tendons_) {
       damage.broken();
     }
@@ -251,15 +252,15 @@ void NodeWatch::take_storage(const detail::Storage& storage) {
   }
 }
 
-void NodeWatch::take_tendon(const detail::TendonDamage& tendon) {
+void NodeWatch::take_tendon(const detail::TendonDamage& tendon, std::int64_t time_ns) {
   DamageWatch& damage = tendons_[tendon.tendon];
   const bool trusted = tendon.state != protocol::LifeState::unknown && view_.status &&
                        view_.status->value.quality != protocol::Quality::untrusted;
   if (view_.two_controllers) {
     damage.raise(tendon.damage_ppb);
     damage.raise(tendon.state);
-  } else {
-    (void)damage.report(tendon.damage_ppb, tendon.state, trusted);
+  } else if (const auto before_ppb = damage.report(tendon.damage_ppb, tendon.state, trusted)) {
+    wires_.epoch_opened(tendon.tendon, *before_ppb, time_ns);
   }
   detail::TendonDamage& shown = view_.tendons.at(tendon.tendon).value;
   shown.damage_ppb = damage.highest_ppb();
@@ -277,8 +278,26 @@ void NodeWatch::take_detail(const hal::CanFrame& frame, std::int64_t time_ns, St
   if (const auto storage = protocol::decode<detail::Storage>(frame)) {
     take_storage(*storage);
   } else if (const auto tendon = protocol::decode<detail::TendonDamage>(frame)) {
-    take_tendon(*tendon);
+    take_tendon(*tendon, time_ns);
   }
+  if (!view_.two_controllers) {
+    follow_wires(frame, time_ns);
+  }
+}
+
+void NodeWatch::follow_wires(const hal::CanFrame& frame, std::int64_t time_ns) {
+  if (const auto tendon = protocol::decode<detail::TendonDamage>(frame)) {
+    wires_.take(*tendon);
+  } else if (const auto cycles = protocol::decode<detail::Cycles>(frame)) {
+    wires_.take(*cycles);
+  } else if (const auto bin = protocol::decode<detail::RainflowBin>(frame)) {
+    wires_.take(*bin);
+  } else if (const auto wire = protocol::decode<detail::WireHistory>(frame)) {
+    const auto damage = view_.tendons.find(wire->tendon);
+    wires_.take(*wire, damage == view_.tendons.end() ? 0 : damage->second.value.damage_ppb,
+                time_ns);
+  }
+  view_.wire_lives = wires_.ended();
 }
 
 void NodeWatch::take_emergency(const hal::CanFrame& frame, std::int64_t time_ns,

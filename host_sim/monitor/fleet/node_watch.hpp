@@ -8,6 +8,7 @@
 #include "host_sim/monitor/fleet/damage_watch.hpp"
 #include "host_sim/monitor/fleet/node_view.hpp"
 #include "host_sim/monitor/fleet/stream_watch.hpp"
+#include "host_sim/monitor/fleet/wire_lives.hpp"
 
 namespace host_sim::monitor {
 
@@ -29,7 +30,8 @@ class NodeWatch {
   void take_heartbeat(const hal::CanFrame& frame, std::int64_t time_ns, StreamView& stream);
   void take_status(const hal::CanFrame& frame, std::int64_t time_ns, StreamView& stream);
   void take_storage(const protocol::detail::Storage& storage);
-  void take_tendon(const protocol::detail::TendonDamage& tendon);
+  void take_tendon(const protocol::detail::TendonDamage& tendon, std::int64_t time_ns);
+  void follow_wires(const hal::CanFrame& frame, std::int64_t time_ns);
   void look_for_a_second_speaker(std::int64_t time_ns);
   void take_of_two(std::size_t kind, const hal::CanFrame& frame, std::int64_t time_ns);
   void break_runs(std::size_t kind);
@@ -44,6 +46,7 @@ class NodeWatch {
   std::vector<StreamWatch> streams_;
   DamageWatch damage_;
   std::map<std::uint8_t, DamageWatch> tendons_;
+  WireLives wires_;
   DamageCurve curve_;
   bool known_ = false;
   int heartbeats_ = 0;

@@ -18,6 +18,28 @@ from logs import Log, LoggedNode
 
 HOST_SIM = ""
 
+MODEL = """schema = 1
+[cable]
+diameter_mm = 0.457
+ultimate_tension_N = 177.4
+[sheath]
+friction_coefficient = 0.128
+bend_angle_deg = 270.0
+[counting]
+sample_rate_Hz = 100.0
+hysteresis_N = 0.2
+[life]
+mean_stress = "gerber"
+ipl_scale = 1.53e5
+ipl_exponent = 1.38
+weibull_shape = 5.94
+[watch]
+minimum_tension_N = 0.4
+broken_tension_N = 0.2
+broken_travel_mm = 20.0
+slack_travel_mm = 2.0
+"""
+
 
 def monitor(*arguments, stdin=None, **options):
     return subprocess.run([HOST_SIM, "monitor", *map(str, arguments)], capture_output=True, text=True, check=False,
@@ -175,6 +197,47 @@ class VerbTest(unittest.TestCase):
         wanted = ["".join(lines), of_five]
         self.assertEqual(self.exported(log), wanted)
         self.assertEqual(self.exported(log, "--record", self.folder / "logs"), wanted)
+
+    def test_a_wire_that_breaks_is_a_specimen(self):
+        model = self.folder / "model.toml"
+        model.write_text(MODEL)
+        profile = self.folder / "profile.csv"
+        # A triangle of 20 to 60 N in 2 s; then nothing is left but friction, while 100 mm are pulled.
+        rows = [(20 + 40 * abs((i / 100) % 2 - 1), 0.01) for i in range(12_000)] + 2000 * [(0.1, 0.01)]
+        with profile.open("w") as file:
+            file.write("time_s,input_tension_N,tendon_velocity_m_s\n")
+            file.writelines(f"{i / 100},{tension:.3f},{velocity}\n" for i, (tension, velocity) in enumerate(rows))
+        log, offline, online = (self.folder / name for name in ("run.log", "offline.csv", "online.csv"))
+        replayed = subprocess.run([HOST_SIM, "replay", profile, "--model", model, "--can", log, "--specimens", offline],
+                                  capture_output=True, text=True, check=False)
+        self.assertEqual(replayed.returncode, 0, replayed.stderr)
+        done = monitor("--log", log, "--once", "--specimens", online, "--model", model)
+        self.assertEqual((done.returncode, done.stderr), (3, ""))
+        (wanted,), (found,) = ([line.split(",") for line in path.read_text().splitlines()[1:]]
+                               for path in (offline, online))
+        self.assertRegex(found[0], r"^node1-tendon0-\d+\.\d{3}$")
+        self.assertEqual((found[1], found[2], found[5]), ("field", "0", "failed"))
+        self.assertEqual(wanted[5], "failed")
+        self.assertAlmostEqual(float(found[3]), float(wanted[3]), delta=0.02 * float(wanted[3]))
+        self.assertAlmostEqual(float(found[4]), float(wanted[4]), delta=2)
+        monitor("--log", log, "--once", "--specimens", online, "--model", model)
+        self.assertEqual(len(online.read_text().splitlines()), 2)
+
+    def test_specimens_that_cannot_be_written_are_told_before_anything_runs(self):
+        model = self.folder / "model.toml"
+        model.write_text(MODEL)
+        log = self.log(lambda log, seconds: LoggedNode(log, 5).speak(0, seconds))
+        other = self.folder / "other.csv"
+        other.write_text("a,b\n1,2\n")
+        for path, wanted in ((self.folder, "cannot be written: "), (self.folder / "none" / "s.csv", "cannot be written: "),
+                             (other, "accepted: a new file, or one that this option has written")):
+            done = monitor("--log", log, "--once", "--specimens", path, "--model", model)
+            self.assertEqual((done.returncode, done.stdout), (1, ""), path)
+            self.assertIn(wanted, done.stderr)
+            self.assertEqual(len(done.stderr.splitlines()), 1)
+        self.assertEqual(other.read_text(), "a,b\n1,2\n")
+        self.assertEqual(monitor("--log", log, "--once", "--specimens", self.folder / "s.csv").returncode, 2)
+        self.assertEqual(monitor("--log", log, "--once", "--model", model).returncode, 2)
 
     def test_wrong_usage(self):
         for arguments in ([], ["--log", "a", "--interface", "can0"], ["--log", "a", "--replay-speed", "fast"],

@@ -1,0 +1,114 @@
+#include "host_sim/monitor/specimens/specimen_file.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+#include "hal/files/input_error.hpp"
+#include "hal/files/output_file.hpp"
+#include "host_sim/monitor/fleet/node_view.hpp"
+#include "host_sim/replay/results.hpp"
+
+namespace host_sim::monitor {
+namespace {
+
+/// Of a life, from when it ended: unique, and the same when a log is read again.
+std::string specimen_name(protocol::Node node, const WireLife& life) {
+  constexpr std::int64_t kMs = 1'000'000;
+  constexpr std::int64_t kSecond_ms = 1000;
+  const std::int64_t time_ms = life.time_ns / kMs;
+  return fmt::format("node{}-tendon{}-{}.{:03}", node, life.tendon, time_ms / kSecond_ms,
+                     time_ms % kSecond_ms);
+}
+
+std::string text_of(const std::filesystem::path& path) {
+  std::error_code unknown;
+  if (!std::filesystem::is_regular_file(path, unknown)) {
+    return {};
+  }
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+}  // namespace
+
+SpecimenFile::SpecimenFile(const std::filesystem::path& path, const Model::Life& life)
+    : path_(path), life_(life), text_(text_of(path)) {
+  if (path == "-") {
+    throw hal::files::OutputError("-", "standard output has the table; accepted: a file");
+  }
+  const std::string head = specimens_head();
+  if (text_.empty()) {
+    text_ = head;
+  }
+  if (!text_.starts_with(head)) {
+    throw hal::files::InputError(path.string(), 1, 0, "other columns than those of specimens",
+                                 "a new file, or one that this option has written");
+  }
+  if (text_.back() != '\n') {
+    throw hal::files::InputError(path.string(), 0, 0, "the last line is cut",
+                                 "a file that ends with a line feed");
+  }
+  for (std::size_t at = head.size(); at < text_.size(); at = text_.find('\n', at) + 1) {
+    written_.insert(text_.substr(at, text_.find(',', at) - at));
+  }
+  const hal::files::OutputFile can_be_written(path_);
+}
+
+void SpecimenFile::update(const FleetView& view) {
+  if (!begun_) {
+    begun_ = true;
+    save("the head", text_);
+  }
+  for (const auto& [number, node] : view.nodes) {
+    for (const WireLife& life : node.wire_lives) {
+      const std::string name = specimen_name(number, life);
+      if (!written_.contains(name)) {
+        write(name, life);
+      }
+    }
+  }
+}
+
+void SpecimenFile::write(const std::string& name, const WireLife& life) {
+  constexpr double kPpb = 1e9;
+  if (!life.cycles || !(*life.cycles > 0) || life.damage_ppb == 0 ||
+      is_at_least(kDamageSignal, life.damage_ppb)) {
+    not_written_[name] = fmt::format("{}: {} {}, and its cycles or damage are not known: no row",
+                                     path_.string(), name, life.broken ? "broke" : "was replaced");
+    return;
+  }
+  const double tension_N =
+      std::pow(life_.ipl_scale * (life.damage_ppb / kPpb) / *life.cycles, 1 / life_.ipl_exponent);
+  const std::string row = specimen_row(
+      name, {.cycles = *life.cycles, .effective_tension_N = tension_N, .failed = life.broken});
+  if (save(name, text_ + row)) {
+    text_ += row;
+    written_.insert(name);
+  }
+}
+
+bool SpecimenFile::save(const std::string& what, const std::string& text) {
+  try {
+    hal::files::write_file(path_, text);
+    not_written_.erase(what);
+    return true;
+  } catch (const hal::files::OutputError& error) {
+    not_written_[what] = error.what();
+    return false;
+  }
+}
+
+std::string SpecimenFile::trouble() const {
+  if (not_written_.empty()) {
+    return {};
+  }
+  const std::string& first = not_written_.begin()->second;
+  return not_written_.size() == 1 ? first
+                                  : fmt::format("{} (and {} more)", first, not_written_.size() - 1);
+}
+
+}  // namespace host_sim::monitor

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+
+#include "host_sim/model/model.hpp"
+#include "host_sim/monitor/fleet/watch.hpp"
+
+namespace host_sim::monitor {
+
+/// Writes each tendon that broke on the bus, or was replaced whole, as a row of a specimens.csv
+/// that `calibrate` reads, as soon as its cycles are known. The constant effective tension that
+/// does the same damage in as many cycles is (A D / n)^(1 / gamma), by the life that the nodes
+/// count with.
+class SpecimenFile final : public Observer {
+ public:
+  /// What is there is continued; a life that is in it is not written twice. The file is whole at
+  /// any moment, and there from the first update on.
+  /// @throws InputError where a file is there that has other columns or ends within a line
+  /// @throws OutputError
+  SpecimenFile(const std::filesystem::path& path, const Model::Life& life);
+
+  void update(const FleetView& view) override;
+  /// That a row could not be written, or the lives whose cycles are not known.
+  [[nodiscard]] std::string trouble() const override;
+
+ private:
+  void write(const std::string& name, const WireLife& life);
+  bool save(const std::string& what, const std::string& text);
+
+  std::filesystem::path path_;
+  Model::Life life_;
+  std::string text_;  ///< of the whole file
+  bool begun_ = false;
+  std::set<std::string, std::less<>> written_;
+  std::map<std::string, std::string> not_written_;  ///< by name of the specimen: why
+};
+
+}  // namespace host_sim::monitor
