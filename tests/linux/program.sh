@@ -89,9 +89,9 @@ import zlib
 
 path, block = sys.argv[1], open(sys.argv[2], "rb").read()
 life = bytearray(open(path, "rb").read())
-assert struct.unpack_from("<II", life) == (0x46534C54, 2)
+assert struct.unpack_from("<II", life) == (0x46534C54, 3)
 life[16] |= 2
-struct.pack_into(f"<I{len(block)}s", life, 16 + 4 + 64, len(block), block)
+struct.pack_into(f"<I{len(block)}s", life, 16 + 4 + 88, len(block), block)
 struct.pack_into("<I", life, len(life) - 4, zlib.crc32(life[:-4]))
 open(path, "wb").write(life)
 END

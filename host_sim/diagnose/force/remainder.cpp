@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
-#include <ranges>
 #include <utility>
 
 #include "host_sim/recording/signal.hpp"
@@ -43,8 +42,9 @@ std::vector<double> acceleration_of(const ForceRecord& record) {
 }
 
 std::vector<double> since_start(std::vector<double> time_s) {
-  for (double& value_s : std::views::reverse(time_s)) {
-    value_s -= time_s.front();
+  const double start_s = time_s.front();
+  for (double& value_s : time_s) {
+    value_s -= start_s;
   }
   return time_s;
 }
