@@ -212,6 +212,49 @@ TEST(Fleet, TheDamageOfATendonFallsWithANewEpochOnly) {
   EXPECT_EQ(shown().state, protocol::LifeState::normal);
 }
 
+/// Tendon 2 of two is replaced at 60 %, and of 5,000 cycles of all 1,700 are left.
+std::vector<WireLife> lives_after_replacement(bool with_start) {
+  Reports reports;
+  const auto page = [&](const auto& content) {
+    reports.fleet.see(reports.sender.page(reports.now_ns += 100 * kMs, content));
+  };
+  const auto tendon = [&](std::uint32_t damage_ppb) {
+    page(protocol::detail::TendonDamage{
+        .tendon = 2, .damage_ppb = damage_ppb, .state = protocol::LifeState::normal});
+  };
+  reports.damage(600'000'000);
+  tendon(600'000'000);
+  reports.record(7, 1'000);
+  tendon(600'000'000);
+  page(protocol::detail::Cycles{.cycles = 5000});
+  if (with_start) {
+    reports.fleet.see(reports.sender.heartbeat(reports.now_ns, protocol::NmtState::boot_up));
+  }
+  tendon(0);
+  page(protocol::detail::Cycles{.cycles = 1700});
+  reports.record(8, 1'000);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_TRUE(reports.node().wire_lives.empty());
+    tendon(5);
+  }
+  return reports.node().wire_lives;
+}
+
+TEST(Fleet, AWireThatIsReplacedWholeHasItsLife) {
+  const std::vector<WireLife> lives = lives_after_replacement(false);
+  ASSERT_EQ(lives.size(), 1u);
+  EXPECT_EQ(lives[0].tendon, 2);
+  EXPECT_FALSE(lives[0].broken);
+  EXPECT_EQ(lives[0].damage_ppb, 600'000'000u);
+  EXPECT_EQ(lives[0].cycles, 3300);
+}
+
+TEST(Fleet, WhatCyclesFallByOverAStartIsNoLife) {
+  const std::vector<WireLife> lives = lives_after_replacement(true);
+  ASSERT_EQ(lives.size(), 1u);
+  EXPECT_FALSE(lives[0].cycles);
+}
+
 TEST(Fleet, OneLateStatusAmongOthersIsNoNewEpoch) {
   Fleet fleet;
   Sender sender(3);
