@@ -81,6 +81,9 @@ class Group {
       }
     }
     exponents_ = normal_points(1, 4, away_from_pivot ? law_.exponent_sd : 0);
+    for (const NormalPoint& shape : shapes_) {
+      growths_.push_back(growths_under(beta_of(shape)));
+    }
   }
 
   struct Demands {
@@ -95,11 +98,11 @@ class Group {
     std::vector<double> weights(count);
     const auto under_law = [&](std::size_t k) {
       hal::files::stop_if_interrupted();
-      const NormalPoint& shape = shapes_[k % shapes_.size()];
+      const std::size_t shape = k % shapes_.size();
       const NormalPoint& life = lives_[k / shapes_.size() % lives_.size()];
       const NormalPoint& exponent = exponents_[k / shapes_.size() / lives_.size()];
-      weights[k] = shape.weight * life.weight * exponent.weight;
-      const std::vector<double> breaks = breaks_under(shape.z, life.z, exponent.z);
+      weights[k] = shapes_[shape].weight * life.weight * exponent.weight;
+      const std::vector<double> breaks = breaks_under(shape, life.z, exponent.z);
       std::vector<double> of_later;
       for (std::size_t i = 0; i < breaks.size(); ++i) {
         if (!plan_.tendons[tendons_[i]].due) {
@@ -114,26 +117,49 @@ class Group {
   }
 
  private:
+  /// What a tendon's hazard grows by until the horizon, if its rate is a certain multiple of the
+  /// mean one.
+  struct Growth {
+    double hazard;
+    double weight;
+  };
+
+  [[nodiscard]] double beta_of(const NormalPoint& shape) const {
+    return law_.shape * std::exp(law_.log_shape_sd * shape.z);
+  }
+
+  /// Of each tendon, one for each rate, under the law as it is fitted but for its shape.
+  [[nodiscard]] std::vector<std::vector<Growth>> growths_under(double beta) const {
+    std::vector<std::vector<Growth>> growths;
+    growths.reserve(tendons_.size());
+    for (const std::size_t i : tendons_) {
+      const Tendon& tendon = fleet_.tendons[i];
+      const double further = tendon.damage_per_h * request_.horizon.hours(tendon.hours_per_day);
+      std::vector<Growth>& of_tendon = growths.emplace_back();
+      for (const NormalPoint& rate : rate_factors(tendon.rate_log_sd)) {
+        of_tendon.push_back({hazard_growth(tendon.damage, further * rate.z, beta), rate.weight});
+      }
+    }
+    return growths;
+  }
+
   /// The probability of a break of each tendon under one law. A tendon's survival is evidence of
   /// its own law alone: its neighbours may be the ones that were never replaced. So the laws keep
   /// their weights, and each tendon its own risk as the mean.
-  [[nodiscard]] std::vector<double> breaks_under(double shape_z, double life_z,
+  [[nodiscard]] std::vector<double> breaks_under(std::size_t shape, double life_z,
                                                  double exponent_z) const {
-    const double beta = law_.shape * std::exp(law_.log_shape_sd * shape_z);
+    const double beta = beta_of(shapes_[shape]);
     std::vector<double> breaks;
     breaks.reserve(tendons_.size());
-    for (const std::size_t i : tendons_) {
-      const Tendon& tendon = fleet_.tendons[i];
-      const double log_life = law_.log_life_sd * life_z -
-                              law_.exponent_sd * exponent_z * distance_from_pivot(law_, tendon);
+    for (std::size_t k = 0; k < tendons_.size(); ++k) {
+      const double distance = distance_from_pivot(law_, fleet_.tendons[tendons_[k]]);
+      const double log_life = law_.log_life_sd * life_z - law_.exponent_sd * exponent_z * distance;
       const double rate_of_hazard = std::exp(-beta * log_life);
-      const double further = tendon.damage_per_h * request_.horizon.hours(tendon.hours_per_day);
       double risk = 0;
-      for (const NormalPoint& rate : rate_factors(tendon.rate_log_sd)) {
-        const double growth = hazard_growth(tendon.damage, further * rate.z, beta);
-        risk -= rate.weight * std::expm1(-growth * rate_of_hazard);
+      for (const Growth& growth : growths_[shape][k]) {
+        risk -= growth.weight * std::expm1(-growth.hazard * rate_of_hazard);
       }
-      breaks.push_back(std::clamp(risk * plan_.tendons[i].evidence, 0.0, 1.0));
+      breaks.push_back(std::clamp(risk * plan_.tendons[tendons_[k]].evidence, 0.0, 1.0));
     }
     return breaks;
   }
@@ -146,6 +172,7 @@ class Group {
   std::vector<NormalPoint> shapes_;
   std::vector<NormalPoint> lives_;
   std::vector<NormalPoint> exponents_;
+  std::vector<std::vector<std::vector<Growth>>> growths_;  ///< by shape
 };
 
 Spares spares_of(Demand demand, double service) {
@@ -228,6 +255,21 @@ FleetPlan make_plan(const Fleet& fleet, const PlanRequest& request) {
   plan.costs = costs_of(fleet, request, plan);
   plan.warnings = warnings_of(fleet, plan);
   return plan;
+}
+
+std::vector<SparesUntil> course_of(const Fleet& fleet, const PlanRequest& request,
+                                   const FleetPlan& plan) {
+  constexpr std::size_t kTendonSteps = 30'000;
+  const std::size_t steps = std::clamp<std::size_t>(kTendonSteps / fleet.tendons.size(), 3, 30);
+  std::vector<SparesUntil> course(1);
+  for (std::size_t i = 1; i < steps; ++i) {
+    PlanRequest part = request;
+    part.horizon.length *= static_cast<double>(i) / static_cast<double>(steps);
+    FleetPlan until = make_plan(fleet, part);
+    course.push_back({part.horizon.length, std::move(until.breaks), std::move(until.on_condition)});
+  }
+  course.push_back({request.horizon.length, plan.breaks, plan.on_condition});
+  return course;
 }
 
 std::vector<std::size_t> by_urgency(const FleetPlan& plan) {

@@ -89,6 +89,18 @@ LawBelief belief_of(const Model::Life& life);
 /// @throws Interruption
 FleetPlan make_plan(const Fleet& fleet, const PlanRequest& request);
 
+/// The spares that are enough until a part of the horizon.
+struct SparesUntil {
+  double length = 0;  ///< of the horizon, in its unit
+  Spares breaks;
+  Spares on_condition;
+};
+
+/// From today to the horizon, whose plan is `plan`, in even steps: fewer for a large fleet.
+/// @throws Interruption
+std::vector<SparesUntil> course_of(const Fleet& fleet, const PlanRequest& request,
+                                   const FleetPlan& plan);
+
 /// Tendons by urgency: the date to replace, then the risk, then the order of the fleet.
 std::vector<std::size_t> by_urgency(const FleetPlan& plan);
 

@@ -15,6 +15,7 @@
 #include "host_sim/fleet/fleet_table.hpp"
 #include "host_sim/fleet/horizon.hpp"
 #include "host_sim/fleet/records.hpp"
+#include "host_sim/report/fleet/html.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
@@ -32,11 +33,12 @@ struct FleetArguments {
   std::string out_table;
   std::string json;
   std::string calendar;
+  std::string report;
   std::string read_table;
   fleet::PlanRequest request;
 
-  [[nodiscard]] std::array<std::string, 4> outputs() const {
-    return {out_table, json, calendar, read_table};
+  [[nodiscard]] std::array<std::string, 5> outputs() const {
+    return {out_table, json, calendar, report, read_table};
   }
   /// @param beside what is read besides the table and the model
   void check(const std::vector<std::filesystem::path>& beside) const {
@@ -44,6 +46,7 @@ struct FleetArguments {
                     .writes = {{"--table", out_table},
                                {"--json", json},
                                {"--calendar", calendar},
+                               {"--report", report},
                                {"--write-table", read_table}},
                     .fills = {}};
     for (const NamedPath& read : named(kTendons, beside)) {
@@ -120,6 +123,7 @@ int run_fleet(FleetArguments& arguments) {
   auto table = open_if_asked(arguments.out_table);
   auto json = open_if_asked(arguments.json);
   auto calendar = open_if_asked(arguments.calendar);
+  auto report = open_if_asked(arguments.report);
   const fleet::FleetPlan plan = fleet::make_plan(tendons, arguments.request);
   if (as_read) {
     as_read->write(fleet::fleet_table_text(read.rows, read.broken));
@@ -133,7 +137,11 @@ int run_fleet(FleetArguments& arguments) {
   if (calendar) {
     calendar->write(fleet::plan_calendar(tendons, arguments.request, plan));
   }
-  commit_all({&as_read, &table, &json, &calendar});
+  if (report) {
+    write_fleet_report(report->stream(), arguments.tendons, tendons, arguments.request, plan,
+                       fleet::course_of(tendons, arguments.request, plan), kProgramVersion);
+  }
+  commit_all({&as_read, &table, &json, &calendar, &report});
   fleet::write_plan(summary_stream(arguments.outputs()), arguments.tendons, tendons,
                     arguments.request, plan);
   return 0;
@@ -183,6 +191,7 @@ void add_fleet(CLI::App& app, int& status) {
   verb->add_option("--json", arguments->json, "Write the plan as JSON; - is standard output");
   verb->add_option("--calendar", arguments->calendar,
                    "Write the dates to replace within the horizon as a calendar, iCalendar");
+  verb->add_option("--report", arguments->report, "Write a page with plots as HTML");
   verb->add_option("--write-table", arguments->read_table,
                    "Write the tendons as they were read as CSV, to look at, edit and plan with");
   verb->add_option("--threads", arguments->request.threads,
@@ -191,6 +200,8 @@ void add_fleet(CLI::App& app, int& status) {
   verb->footer(
       "Example: host_sim fleet host_sim/examples/fleet/tendons.csv --model "
       "host_sim/examples/upper_arm.toml --horizon 90d --service 0.95 --today 2026-03-02\n"
+      "         host_sim fleet tendons.csv --model model.toml --cost-replacement 100 --cost-break "
+      "1000 --report fleet.html\n"
       "         host_sim fleet records --model model.toml --hours-per-day 8 --write-table "
       "tendons.csv");
   verb->callback([arguments, &status] { status = run_fleet(*arguments); });

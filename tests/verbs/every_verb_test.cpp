@@ -85,7 +85,7 @@ const std::vector<Verb>& verbs() {
       {"fleet",
        "fleet.csv --model model.toml",
        {"fleet.csv", "model.toml", "elsewhere/other.toml"},
-       {"--table", "--json", "--calendar", "--write-table"},
+       {"--table", "--json", "--calendar", "--report", "--write-table"},
        {},
        {"TENDONS", "--model"}},
       {"synth",
