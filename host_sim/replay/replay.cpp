@@ -16,6 +16,7 @@
 #include "host_sim/model/model.hpp"
 #include "host_sim/replay/constants.hpp"
 #include "host_sim/replay/profile_input.hpp"
+#include "host_sim/replay/until_date.hpp"
 #include "host_sim/report/replay/flags.hpp"
 #include "host_sim/report/replay/plot_builders.hpp"
 #include "host_sim/report/replay/report_data.hpp"
@@ -248,6 +249,13 @@ class Pass {
     result.missing_samples = reading.missing_samples.raw();
     result.peak_tension_N = exact.peak_tension_N;
     result.watched = wire_.result();
+    if (options_.until) {
+      result.until_date =
+          until_date(*options_.until, options_.survivor ? options_.survivor->used : 0, reading,
+                     lifemodel::pack::from_double<Tension>(result.watched.peak_ratio),
+                     result.duration_s, parameters_.nominal, model_.cable.ultimate_tension_N,
+                     result.watched.limits.minimum_tension_N);
+    }
     result.seen_life = result.watched.broken ? seen_life_ : seen_life(reading, false);
     add_findings(result);
     result.model_digest = model_digest(model_);

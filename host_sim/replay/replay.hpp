@@ -40,6 +40,7 @@ struct ReplayResult {
   double survival_probability = 1;
   reference::LifePoints repeats_to{};           ///< points of the whole life of a new wire
   std::optional<GivenSurvival> given_survival;  ///< where it was asked for
+  std::optional<UntilDate> until_date;          ///< the same
   std::vector<std::string> flags;
   std::vector<std::string> warnings;
   std::uint64_t overloads = 0;
@@ -61,6 +62,7 @@ struct ReplayOptions {
   VirtualBoard::Listener can;      ///< hears what the firmware sends; time 0 is the first sample
   protocol::Node node = 1;         ///< of that firmware
   std::optional<AskedOfSurvivor> survivor;
+  std::optional<AskedUntil> until;
   std::uint32_t start_cycle = 0;  ///< cycles that the sheath has seen before, for its wear
   std::function<void(std::uint64_t bytes)> progress;
 };

@@ -140,6 +140,33 @@ void write_given_survival(std::ostream& out, const GivenSurvival& given) {
   }
 }
 
+void write_until_date(std::ostream& out, const UntilDate& until) {
+  const AskedUntil& asked = until.asked;
+  fmt::print(out,
+             "  until date    {}: {:.6g} day{} of {:.4g} h are {:.6g} h or {} repeats; at {:.4g} % "
+             "risk of a break\n",
+             asked.date, asked.days, asked.days == 1 ? "" : "s", asked.hours_per_day, asked.hours(),
+             repeats_text(until.repeats), 100 * asked.risk);
+  if (until.lasts_as_it_is()) {
+    fmt::print(out,
+               "                lasts as it is, with {:.4g} % risk; up to a peak of {:.4g} N, now "
+               "{:.4g} N\n",
+               100 * until.risk_as_it_is, until.highest_tension_N, until.peak_tension_N);
+    return;
+  }
+  fmt::print(out, "                as it is {:.4g} h to that risk, and {:.4g} % risk at the date\n",
+             until.hours_to_risk, 100 * until.risk_as_it_is);
+  fmt::print(out,
+             "                lasts with a peak of {:.4g} N, now {:.4g} N: {:.3g} % of the tension "
+             "given up\n",
+             until.highest_tension_N, until.peak_tension_N, 100 * until.tension_given_up());
+  fmt::print(out,
+             "                or with {:.4g} of the cycles in a time: {:.3g} % of them given up\n",
+             until.pace, 100 * until.cycles_given_up());
+  fmt::print(out, "                either gains {:.4g} times the life, and {:.4g} % risk\n",
+             until.life_gained(), 100 * until.risk_with);
+}
+
 ordered_json estimate_json(const Estimate& estimate) {
   ordered_json json{{"value", json_number(estimate.value)}, {"interval", nullptr}};
   if (estimate.interval) {
@@ -161,6 +188,28 @@ ordered_json given_survival_json(const GivenSurvival& given) {
     json["break_risk"]["repeats"] = json_number(given.risk->repeats);
   }
   return json;
+}
+
+ordered_json until_date_json(const UntilDate& until) {
+  const AskedUntil& asked = until.asked;
+  return {{"date", asked.date},
+          {"days", asked.days},
+          {"hours_per_day", asked.hours_per_day},
+          {"hours", asked.hours()},
+          {"repeats", until.repeats},
+          {"risk", asked.risk},
+          {"used", until.used},
+          {"lasts_as_it_is", until.lasts_as_it_is()},
+          {"as_it_is",
+           {{"hours_to_risk", json_number(until.hours_to_risk)},
+            {"risk_at_date", until.risk_as_it_is}}},
+          {"peak_tension_N", until.peak_tension_N},
+          {"highest_tension_N", until.highest_tension_N},
+          {"tension_given_up", until.tension_given_up()},
+          {"pace", until.pace},
+          {"cycles_given_up", until.cycles_given_up()},
+          {"life_gained", until.life_gained()},
+          {"risk_at_date", until.risk_with}};
 }
 
 std::string_view prose_of(InputKind kind) {
@@ -244,6 +293,9 @@ std::string replay_json(const ReplayResult& result) {
   if (result.given_survival) {
     json["given_survival"] = given_survival_json(*result.given_survival);
   }
+  if (result.until_date) {
+    json["until_date"] = until_date_json(*result.until_date);
+  }
   if (result.can_frames) {
     json["can_frames"] = *result.can_frames;
   }
@@ -265,6 +317,9 @@ void write_summary(std::ostream& out, const ReplayResult& result, const std::str
   write_watched(out, result.watched);
   if (result.given_survival) {
     write_given_survival(out, *result.given_survival);
+  }
+  if (result.until_date) {
+    write_until_date(out, *result.until_date);
   }
   for (const std::string& id : result.extensions) {
     fmt::print(out, "  {:<13} {}\n", id == kEmpirical ? "correction" : "extension", id);
@@ -310,6 +365,7 @@ void fill_report(ReplayReport& report, const ReplayResult& result, const Model& 
   report.motion = result.watched.motion;
   report.found = found_sentences(result.watched);
   report.given_survival = result.given_survival;
+  report.until_date = result.until_date;
   if (result.given_survival) {
     report.break_curve = break_curve(result.given_survival->used, result.damage.total,
                                      result.equivalent_effective_tension_N, model.life);

@@ -1,6 +1,5 @@
 #include <CLI/CLI.hpp>
 #include <array>
-#include <chrono>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -17,6 +16,7 @@
 #include "host_sim/fleet/records.hpp"
 #include "host_sim/report/fleet/html.hpp"
 #include "host_sim/verbs/outputs.hpp"
+#include "host_sim/verbs/today.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
 namespace host_sim {
@@ -57,18 +57,6 @@ struct FleetArguments {
 
   static constexpr const char* kTendons = "TENDONS";
 };
-
-fleet::Date today_of(const std::string& text) {
-  if (text.empty()) {
-    return std::chrono::floor<std::chrono::days>(std::chrono::system_clock::now());
-  }
-  const auto date = fleet::parse_date(text);
-  if (!date) {
-    throw CLI::ValidationError(
-        "--today", "'" + text + "' is none; accepted: " + std::string(fleet::kDateAccepted));
-  }
-  return *date;
-}
 
 /// What the command line says of time and probability. @throws CLI::ValidationError
 void read_request(FleetArguments& arguments) {

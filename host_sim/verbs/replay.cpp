@@ -1,5 +1,7 @@
 #include "host_sim/replay/replay.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
@@ -12,6 +14,7 @@
 #include "hal/files/interruption.hpp"
 #include "host_sim/command_line/options.hpp"
 #include "host_sim/extension/model_file.hpp"
+#include "host_sim/fleet/horizon.hpp"
 #include "host_sim/io/progress.hpp"
 #include "host_sim/model/model.hpp"
 #include "host_sim/replay/results.hpp"
@@ -20,6 +23,7 @@
 #include "host_sim/verbs/outcome.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/replay_arguments.hpp"
+#include "host_sim/verbs/today.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
 namespace host_sim {
@@ -33,9 +37,11 @@ using hal::files::stop_if_interrupted;
 
 namespace {
 
-constexpr std::array<const char*, 8> kForOneProfile{
-    "--trajectory", "--trajectory-step", "--report", "--can",
-    "--node",       "--start-cycle",     "--used",   "--horizon"};
+constexpr std::array<const char*, 9> kForOneProfile{
+    "--trajectory", "--trajectory-step", "--report",    "--can", "--node", "--start-cycle",
+    "--used",       "--horizon",         "--until-date"};
+
+constexpr double kLeastHoursPerDay = 1e-3;
 
 void add_inputs(CLI::App& verb, ReplayArguments& arguments) {
   verb.add_option("PROFILE", arguments.profiles,
@@ -81,6 +87,25 @@ void add_table(CLI::App& verb, ReplayArguments& arguments) {
       ->check(command_line::in_range(1U, kMostThreads));
 }
 
+void add_until_date(CLI::App& verb, ReplayArguments& arguments) {
+  CLI::Option* until = verb.add_option(
+      "--until-date", arguments.until_date,
+      "Tells the highest tension, or the pace, with which a wire at --used lasts until that day");
+  until->type_name("DATE");
+  verb.add_option("--today", arguments.today, "The day of --used, YYYY-MM-DD; else the clock's")
+      ->type_name("DATE")
+      ->needs(until);
+  verb.add_option("--hours-per-day", arguments.hours_per_day,
+                  "Of operation as in the profile, on each day until the date")
+      ->check(command_line::in_range(kLeastHoursPerDay, 24.0))
+      ->needs(until)
+      ->capture_default_str();
+  verb.add_option("--risk", arguments.risk, "Of a break until the date that is accepted")
+      ->check(command_line::in_range(1e-6, 0.99))
+      ->needs(until)
+      ->capture_default_str();
+}
+
 bool wants_table(const ReplayArguments& arguments) {
   std::error_code ignored;
   return arguments.profiles.size() > 1 || !arguments.table.empty() ||
@@ -116,9 +141,42 @@ std::string conflict_of_one(const CLI::App& verb, const ReplayArguments& argumen
   return {};
 }
 
+/// What the command line says of the date; nothing where there is none. @throws
+/// CLI::ValidationError
+std::optional<AskedUntil> asked_until(const ReplayArguments& arguments) {
+  if (arguments.until_date.empty()) {
+    return std::nullopt;
+  }
+  const fleet::Date today = today_of(arguments.today);
+  const auto until = fleet::parse_date(arguments.until_date);
+  const double days = until ? static_cast<double>((*until - today).count()) : 0;
+  if (!(days > 0 && days <= fleet::kLongestHorizon_days)) {
+    throw CLI::ValidationError(
+        "--until-date", "'" + arguments.until_date + "' is " + (until ? "no day to come" : "none") +
+                            "; accepted: a date after today, " + fleet::date_text(today) +
+                            ", by up to 100 years (YYYY-MM-DD)");
+  }
+  return AskedUntil{arguments.until_date, days, arguments.hours_per_day, arguments.risk};
+}
+
+/// @throws InputError where no tension lets the wire last
+void require_reachable(const UntilDate& until, const std::string& path) {
+  if (!until.reachable) {
+    throw InputError(
+        path, 0, 0,
+        fmt::format(
+            "no tension lets a wire at damage {:.6g} last until {}: {:.4g} h at {:.4g} % risk "
+            "of a break, where this profile takes {:.4g} h to it",
+            until.used, until.asked.date, until.asked.hours(), 100 * until.asked.risk,
+            until.hours_to_risk),
+        "an earlier date, fewer --hours-per-day, a higher --risk, or a new wire");
+  }
+}
+
 /// The only profile. @return the exit status @throws InputError, OutputError, Interruption
 int replay_one(const ReplayArguments& arguments) {
   const std::string& path = arguments.profiles.front();
+  const auto until = asked_until(arguments);
   const Model model = read_extended_model(arguments.model);
   if (arguments.start_cycle && extension_of(model.extensions, "friction_wear") == nullptr) {
     throw InputError(arguments.model, 0, 0,
@@ -145,6 +203,7 @@ int replay_one(const ReplayArguments& arguments) {
     options.survivor = {arguments.used.value_or(0),
                         arguments.horizon.empty() ? std::nullopt : horizon_from(arguments.horizon)};
   }
+  options.until = until;
   if (can) {
     options.can = [&log = can->stream()](hal::Time time, const hal::CanFrame& frame) {
       stop_if_interrupted();
@@ -158,6 +217,9 @@ int replay_one(const ReplayArguments& arguments) {
   };
   const ReplayResult result = replay(profile, model, arguments.model, options);
   progress.finish();
+  if (result.until_date) {
+    require_reachable(*result.until_date, path);
+  }
 
   if (json) {
     json->write(replay_json(result));
@@ -226,6 +288,7 @@ void add_replay(CLI::App& app, int& status) {
                        : text + " is no horizon; accepted: repeats or hours above 0: 200, 8h";
           },
           "REPEATS|HOURSh"));
+  add_until_date(*verb, *arguments);
   add_fail_on(*verb, arguments->fail_on, all_findings(),
               "Exit with status 3 if one of these is found");
   verb->footer(

@@ -28,6 +28,10 @@ struct ReplayArguments {
   std::optional<std::uint32_t> start_cycle;
   std::optional<double> used;
   std::string horizon;
+  std::string until_date;
+  std::string today;
+  double hours_per_day = 24;
+  double risk = 0.1;
   std::vector<std::string> fail_on;
 
   [[nodiscard]] std::array<std::string, 6> outputs() const {

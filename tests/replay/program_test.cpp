@@ -95,6 +95,64 @@ TEST_F(Program, AHorizonOfNoneIsRefusedInALine) {
   EXPECT_EQ(run("replay good.csv --model model.toml --used=-0.1"), 2);
 }
 
+// tests/replay/until_date_test.cpp has the numbers.
+TEST_F(Program, TellsWhatLastsUntilADate) {
+  ASSERT_EQ(run("replay good.csv --model model.toml --json r.json"), 0) << err_;
+  const auto whole = nlohmann::json::parse(contents(folder_ / "r.json"));
+  const double hours =
+      whole["repeats_to"]["B10"].get<double>() * whole["duration_s"].get<double>() / 3600;
+  // A day of twice that.
+  ASSERT_EQ(run("replay good.csv --model model.toml --until-date 2026-11-23 --today 2026-11-22 "
+                "--hours-per-day " +
+                nlohmann::json(2 * hours).dump() + " --risk 0.1 --json r.json --report page.html"),
+            0)
+      << err_;
+  const auto json = nlohmann::json::parse(contents(folder_ / "r.json"))["until_date"];
+  EXPECT_EQ(json["days"], 1);
+  EXPECT_EQ(json["lasts_as_it_is"], false);
+  EXPECT_NEAR(json["as_it_is"]["hours_to_risk"], hours, 1e-5 * hours);
+  EXPECT_NEAR(json["pace"], 0.5, 1e-4);
+  EXPECT_NEAR(json["life_gained"], 2, 1e-3);
+  EXPECT_LT(json["highest_tension_N"], json["peak_tension_N"]);
+  EXPECT_NE(out_.find("until date    2026-11-23: 1 day of"), std::string::npos) << out_;
+  EXPECT_NE(out_.find("lasts with a peak of"), std::string::npos) << out_;
+  EXPECT_NE(contents(folder_ / "page.html").find("<h2 id=\"until-heading\">Until 2026-11-23</h2>"),
+            std::string::npos);
+}
+
+TEST_F(Program, AWantedDateThatCannotBeIsRefusedInALine) {
+  struct Bad {
+    const char* options;
+    int status;
+    const char* says;
+  };
+  for (const Bad& bad :
+       {Bad{"--until-date 2026-11-22 --today 2026-11-22", 2,
+            "--until-date: '2026-11-22' is no day to come; accepted: a date after today, "
+            "2026-11-22, "
+            "by up to 100 years (YYYY-MM-DD)"},
+        Bad{"--until-date 2027-02-30 --today 2026-11-22", 2,
+            "--until-date: '2027-02-30' is none; accepted: a date after today"},
+        Bad{"--until-date 2127-06-30 --today 2026-11-22", 2, "by up to 100 years"},
+        Bad{"--until-date 2027-06-30 --today soon", 2, "--today: 'soon' is none; accepted: a date"},
+        Bad{"--until-date 2027-06-30 --risk 1", 2, "--risk: "},
+        Bad{"--until-date 2027-06-30 --risk 0", 2, "--risk: "},
+        Bad{"--until-date 2027-06-30 --hours-per-day 25", 2, "--hours-per-day: "},
+        Bad{"--risk 0.1", 2, "--risk requires --until-date"},
+        Bad{"--until-date 2126-06-30 --today 2026-11-22 --used 0.6", 1,
+            "good.csv: no tension lets a wire at damage 0.6 last until 2126-06-30: "}}) {
+    EXPECT_EQ(run(std::string("replay good.csv --model model.toml --json r.json --report p.html ") +
+                  bad.options),
+              bad.status)
+        << bad.options;
+    EXPECT_NE(err_.find(bad.says), std::string::npos) << err_;
+    // Of the command line with where to find help.
+    EXPECT_EQ(std::count(err_.begin(), err_.end(), '\n'), bad.status) << err_;
+    EXPECT_TRUE(out_.empty());
+    EXPECT_FALSE(fs::exists(folder_ / "r.json") || fs::exists(folder_ / "p.html"));
+  }
+}
+
 TEST_F(Program, BadModelsAreRefusedWithTheLine) {
   write("unknown.toml", contents(folder_ / "model.toml") + "\n[cable2]\nx = 1\n");
   EXPECT_EQ(run("replay good.csv --model unknown.toml"), 1);

@@ -9,6 +9,7 @@ namespace host_sim::replay_assets {
 extern const std::string_view body_html;
 extern const std::string_view draw_js;
 extern const std::string_view given_survival_html;
+extern const std::string_view until_date_html;
 // NOLINTEND(readability-identifier-naming)
 
 }  // namespace host_sim::replay_assets

@@ -9,6 +9,7 @@
 #include "host_sim/report/replay/given_survival.hpp"
 #include "host_sim/report/replay/plot_builders.hpp"
 #include "host_sim/report/replay/sections.hpp"
+#include "host_sim/report/replay/until_date.hpp"
 
 namespace host_sim {
 namespace {
@@ -88,6 +89,7 @@ void write_replay_report(std::ostream& out, const ReplayReport& report) {
       {"flags", sections::flags(report)},
       {"wire_tiles", sections::wire_tiles(report)},
       {"wire_found", elements::words(report.found)},
+      {"until_date", sections::until_date(report)},
       {"tension_caption", html_escape(captions::tension(report))},
       {"tension_chart", sections::tension_chart(report)},
       {"matrix_caption", html_escape(captions::range_mean(report))},

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -99,6 +100,40 @@ struct BreakCurve {
   std::vector<double> broken_new;  ///< of a new one
 };
 
+/// A wire shall last until a date.
+struct AskedUntil {
+  std::string date;          ///< YYYY-MM-DD
+  double days = 0;           ///< until then, above 0
+  double hours_per_day = 0;  ///< of operation as in the profile
+  double risk = 0;           ///< of a break until then that is accepted, above 0 and below 1
+
+  [[nodiscard]] double hours() const { return days * hours_per_day; }
+};
+
+/// What lets it last: less tension or a slower pace, with the other as it is.
+struct UntilDate {
+  AskedUntil asked;
+  double used = 0;        ///< damage before
+  double repeats = 0;     ///< of the profile until the date
+  bool reachable = true;  ///< false where no tension with which the wire still pulls is low enough
+  double hours_to_risk = 0;  ///< as it is, until the accepted risk; infinite without damage
+  double risk_as_it_is = 0;  ///< at the date
+  double peak_tension_N = 0;
+  double highest_tension_N = 0;  ///< peak of the profile, scaled as a whole; the ultimate at most
+  double pace = 1;               ///< cycles in a time, relative to the profile's
+  /// With the lower of peak_tension_N and highest_tension_N, in double precision.
+  double risk_with = 0;
+
+  [[nodiscard]] bool lasts_as_it_is() const { return hours_to_risk >= asked.hours(); }
+  /// Shares of the peak and of the cycles, 0 .. 1.
+  [[nodiscard]] double tension_given_up() const {
+    return std::max(0.0, 1 - highest_tension_N / peak_tension_N);
+  }
+  [[nodiscard]] double cycles_given_up() const { return 1 - pace; }
+  /// Life to the accepted risk, relative to that as it is; 1 at least.
+  [[nodiscard]] double life_gained() const { return std::max(1.0, asked.hours() / hours_to_risk); }
+};
+
 struct ModelConstant {
   std::string name;
   double value = 0;
@@ -124,6 +159,7 @@ struct ReplayReport {
   RepeatsTo repeats_to;
   std::optional<GivenSurvival> given_survival;  ///< where it was asked for
   BreakCurve break_curve;                       ///< of that wire
+  std::optional<UntilDate> until_date;          ///< where it was asked for
   std::vector<std::string> flags;     ///< names as in lifemodel::Flag; empty when nothing happened
   std::vector<std::string> warnings;  ///< sentences for people, shown after the flags
 

@@ -253,6 +253,37 @@ TEST(ReplayPage, TellsOfAWireThatIsWholeNow) {
   EXPECT_THAT(page_of(samples::typical()), Not(HasSubstr("whole at damage")));
 }
 
+TEST(ReplayPage, TellsWhatLastsUntilADate) {
+  ReplayReport report = samples::typical();
+  EXPECT_THAT(page_of(report), Not(HasSubstr("Until 2")));
+  report.until_date = UntilDate{.asked = {"2027-06-30", 220, 8, 0.1},
+                                .used = 0.4,
+                                .repeats = 660,
+                                .reachable = true,
+                                .hours_to_risk = 440,
+                                .risk_as_it_is = 0.75,
+                                .peak_tension_N = 60,
+                                .highest_tension_N = 45,
+                                .pace = 0.25,
+                                .risk_with = 0.1};
+  const std::string page = page_of(report);
+  EXPECT_THAT(page, HasSubstr("<h2 id=\"until-heading\">Until 2027-06-30</h2>"));
+  EXPECT_THAT(page,
+              HasSubstr("220\u00a0days of 8\u00a0h are 660 repeats of this profile; as it is the "
+                        "wire lasts 440\u00a0h at a risk of 10\u00a0%."));
+  EXPECT_THAT(page, HasSubstr("<dd class=\"value\">45\u00a0N</dd><dd class=\"note\">now 60\u00a0N; "
+                              "25\u00a0% given up</dd>"));
+  EXPECT_THAT(page, HasSubstr("<dd class=\"value\">25\u00a0%</dd><dd class=\"note\">of now; "
+                              "75\u00a0% given up</dd>"));
+  EXPECT_THAT(page, HasSubstr("<dd class=\"value\">4 times</dd>"));
+  EXPECT_THAT(page,
+              HasSubstr("<dd class=\"value\">10\u00a0%</dd><dd class=\"note\">75\u00a0% as it is"));
+  report.until_date->hours_to_risk = 2000;
+  EXPECT_THAT(page_of(report), HasSubstr("which the wire lasts as it is at a risk of 10\u00a0%."));
+  report.until_date->asked.date = "<script>throw 5</script>";
+  EXPECT_THAT(page_of(report), Not(HasSubstr("<script>throw 5")));
+}
+
 const Layer* layer_of(const Chart& chart, std::string_view name) {
   const auto found = std::ranges::find(chart.layers, name, &Layer::name);
   return found == chart.layers.end() ? nullptr : &*found;
