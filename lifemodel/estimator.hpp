@@ -115,6 +115,13 @@ class Estimator {
     channels_[tendon].state.replay(samples, channels_[tendon].parameters, observer);
   }
 
+  /// The same of a stretch of samples of which the full cycles have been taken out, see
+  /// bulk/replay.hpp. False, and nothing taken in, where the samples have to be replayed.
+  bool replay(std::size_t tendon, const Stretch& stretch) {
+    flush(tendon);
+    return channels_[tendon].state.replay(stretch, channels_[tendon].parameters);
+  }
+
   /// Life used at this instant. Flushes first; `observer` hears of the cycles that this counts for
   /// good, `open` of those that are in the reading beside them: the next reading has them again.
   /// Bounded by the capacity of the queue and of the residue.

@@ -9,6 +9,7 @@
 #include "lifemodel/block/parameter_block.hpp"
 #include "lifemodel/counting/queue.hpp"
 #include "lifemodel/counting/rainflow.hpp"
+#include "lifemodel/counting/stretch.hpp"
 #include "lifemodel/counting/turning_points.hpp"
 #include "lifemodel/quantity/units.hpp"
 #include "lifemodel/state/ledger.hpp"
@@ -100,6 +101,22 @@ class Tendon {
       samples = samples.subspan(count);
       flush<kBatchCycles>(parameters, observer);
     }
+  }
+
+  /// The same of a stretch of samples of which the full cycles have been taken out. False, and
+  /// nothing taken in, where the samples themselves might nest too deep.
+  /// @pre nothing is pending
+  bool replay(const Stretch& stretch, const Model& parameters) {
+    // What the stretch does not know of: the candidate, and the extremes of an overrun.
+    constexpr std::size_t kBefore = 8;
+    static_assert(kBefore > Overrun::kPlaces);
+    if (residue_.points().size() + stretch.nesting + kBefore > Layout::kResidue) {
+      return false;
+    }
+    ledger_.closed.add(stretch.damage, ledger_.flags);
+    ledger_.cycles.add(stretch.cycles, ledger_.flags);
+    replay(stretch.left, parameters, NoObserver{});
+    return true;
   }
 
   /// Producer: a gap of `samples` that are missing. The count continues across it with the next

@@ -33,6 +33,11 @@ struct ExtendedLaw {
     return extends ? extended(x, y) : nominal.below_ultimate(x, y);
   }
 
+  /// The nominal law where it is this one, else nothing.
+  [[nodiscard]] constexpr const CycleLaw* nominal_alone() const {
+    return extends ? nullptr : &nominal;
+  }
+
  private:
   [[nodiscard]] constexpr CycleDamage extended(Tension x, Tension y) const {
     std::int32_t log2_effective = bending_fatigue.log2_effective(mean_stress, x, y);

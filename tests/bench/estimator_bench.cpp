@@ -1,7 +1,10 @@
 #include <benchmark/benchmark.h>
 
 #include <cmath>
+#include <string>
+#include <utility>
 
+#include "lifemodel/bulk/replay.hpp"
 #include "tests/lifemodel/support.hpp"
 
 namespace lifemodel_test {
@@ -54,6 +57,31 @@ void by_block(benchmark::State& state, const Signal& signal) {
   benchmark::DoNotOptimize(estimator.reading(0));
   count(state, signal);
 }
+
+void in_bulk(benchmark::State& state, const Signal& signal,
+             const lifemodel::bulk::Instructions& by) {
+  Estimator<1> estimator({parameters()});
+  lifemodel::bulk::Replay replay(by);
+  for (auto _ : state) {
+    replay.take(estimator, 0, signal);
+  }
+  benchmark::DoNotOptimize(estimator.reading(0));
+  count(state, signal);
+}
+
+/// By each set of instructions that the machine has.
+const bool in_bulk_by_each = [] {
+  for (const lifemodel::bulk::Instructions* by : lifemodel::bulk::instructions()) {
+    for (const auto& [name, signal] :
+         {std::pair{"walk", walk(1, kSamples)}, std::pair{"noisy_sine", noisy_sine()},
+          std::pair{"white_noise", white_noise(1, kSamples, 0, 100)}}) {
+      benchmark::RegisterBenchmark(
+          (std::string("in_bulk/") + name + '/' + by->name).c_str(),
+          [samples = signal, by](benchmark::State& state) { in_bulk(state, samples, *by); });
+    }
+  }
+  return true;
+}();
 
 BENCHMARK_CAPTURE(by_sample, walk, walk(1, kSamples));
 BENCHMARK_CAPTURE(by_sample, noisy_sine, noisy_sine());

@@ -32,6 +32,16 @@ std::vector<std::byte> signal(int samples, int step, int settles) {
   return bytes;
 }
 
+std::vector<std::byte> bulk_signal(int samples, int step, int parts) {
+  std::vector<std::byte> bytes{std::byte{9}, std::byte{20}, static_cast<std::byte>(parts)};
+  for (int i = 0; i < samples; ++i) {
+    const int value = (i % 2 == 0 ? 1 : -1) * (i * step % 15000) + 15500;
+    bytes.push_back(static_cast<std::byte>(value));
+    bytes.push_back(static_cast<std::byte>(value >> 8));
+  }
+  return bytes;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -80,6 +90,10 @@ int main(int argc, char** argv) {
     estimator.push(0, Tension::from_raw((i % 2 == 0 ? i : 300 - i) << 20));
   }
   write(corpus / "fuzz_snapshot" / "overrun", estimator.snapshot(buffer));
+
+  write(corpus / "fuzz_bulk" / "growing", bulk_signal(400, 70, 3));
+  write(corpus / "fuzz_bulk" / "mixed", bulk_signal(600, 7919, 7));
+  write(corpus / "fuzz_bulk" / "quantised", bulk_signal(600, 8192, 0));
 
   write(corpus / "fuzz_differential" / "growing", signal(60, 400, 1));
   write(corpus / "fuzz_differential" / "mixed", signal(200, 7919, 3));
