@@ -154,10 +154,10 @@ std::string survivor_caption(const GivenSurvival& given) {
           ? fmt::format("The {} interval is that of the fit; how the load varies is not in it.",
                         percent_text(given.level))
           : std::string("The model does not say how well its life is known: no intervals.");
-  return fmt::format(
-      "{}: the probability that it breaks within so many further repeats. B10 of the whole life "
-      "does not know that it has lasted so far. {}",
-      who, fit);
+  const std::string_view beside =
+      is_new(given) ? "" : " B10 of the whole life does not know that it has lasted so far.";
+  return fmt::format("{}: the probability that it breaks within so many further repeats.{} {}", who,
+                     beside, fit);
 }
 
 std::string horizon_sentence(const ReplayReport& report) {

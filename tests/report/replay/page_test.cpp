@@ -235,6 +235,7 @@ TEST(ReplayPage, TellsOfAWireThatIsWholeNow) {
   const double damage = report.damage.total;
   std::string page = page_of(report);
   EXPECT_THAT(page, HasSubstr("A wire that is whole at damage 0.685: "));
+  EXPECT_THAT(page, HasSubstr("it has lasted so far. The model does not say"));
   EXPECT_THAT(page, HasSubstr("how well its life is known: no intervals."));
   EXPECT_THAT(page, HasSubstr("<th scope=\"row\">10\u00a0%</th><td class=\"number\">" +
                               number_text(0.0847407 / damage, 4) +
@@ -250,6 +251,7 @@ TEST(ReplayPage, TellsOfAWireThatIsWholeNow) {
   page = page_of(samples::survivor(0, "0.5h", true));
   EXPECT_THAT(page, HasSubstr("Within 0.5h, 30 repeats it breaks"));
   EXPECT_THAT(page, Not(HasSubstr(", a new wire with")));
+  EXPECT_THAT(page, Not(HasSubstr("has lasted so far")));
   EXPECT_THAT(page_of(samples::typical()), Not(HasSubstr("whole at damage")));
 }
 
