@@ -6,7 +6,9 @@
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <string>
+#include <tuple>
 
 #include "hal/files/input_error.hpp"
 #include "host_sim/reference/equations.hpp"
@@ -124,6 +126,7 @@ std::optional<FleetCosts> costs_of(const Fleet& fleet, const PlanRequest& reques
   }
   FleetCosts all;
   all.cheapest_risk = {1, 0};
+  std::map<std::tuple<double, double, double>, double> cheapest_limits;
   for (std::size_t i = 0; i < fleet.tendons.size(); ++i) {
     const Tendon& tendon = fleet.tendons[i];
     const TendonPlan& planned = plan.tendons[i];
@@ -144,7 +147,12 @@ std::optional<FleetCosts> costs_of(const Fleet& fleet, const PlanRequest& reques
         reference::weibull_life_damage(kB10, shape));
     add(all.on_condition, planned.due ? request.risk : planned.risk, planned.due,
         limit_on_condition(shape, tendon.damage_per_h * horizon_h, request.risk));
-    const double cheapest = cheapest_limit(shape, costs);
+    const auto [known, is_new] =
+        cheapest_limits.try_emplace(std::tuple(shape, costs.replacement, costs.of_break), 0);
+    if (is_new) {
+      known->second = cheapest_limit(shape, costs);
+    }
+    const double cheapest = known->second;
     const double risk = -std::expm1(-std::pow(cheapest, shape));
     all.cheapest_per_year += per_year * cost_per_damage(shape, cheapest, costs);
     all.cheapest_risk = {std::min(all.cheapest_risk.least, risk),

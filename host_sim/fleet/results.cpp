@@ -58,6 +58,7 @@ ordered_json costs_json(const FleetCosts& costs) {
 
 std::vector<std::string> printable_names(const std::vector<std::string>& names) {
   std::vector<std::string> result;
+  result.reserve(names.size());
   for (const std::string& name : names) {
     result.push_back(printable(name));
   }

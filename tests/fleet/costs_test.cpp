@@ -97,7 +97,7 @@ TEST(FleetCosts, OnConditionIsWhatPlanningAgainAtEachHorizonComesTo) {
   constexpr double kRisk = 0.03;
   const TendonCosts costs{100, 1000};
   Random random(9, 0, 0);
-  constexpr int kWires = 200'000;
+  constexpr int kWires = 40'000;
   double cost = 0;
   double damage = 0;
   for (int wire = 0; wire < kWires; ++wire) {
