@@ -44,6 +44,10 @@ std::string_view name_of(protocol::EmergencyCode code) {
   return name_in(protocol::schema::kEmergencyCodes, code);
 }
 
+std::string_view name_of(protocol::AdviceState state) {
+  return name_in(protocol::schema::kAdviceStates, state);
+}
+
 std::string_view state_name(const NodeView& node) {
   return node.two_controllers ? "two_controllers" : name_of(node.life_state());
 }

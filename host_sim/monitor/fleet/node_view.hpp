@@ -23,6 +23,7 @@ std::string_view name_of(protocol::LifeState state);
 std::string_view name_of(protocol::Quality quality);
 std::string_view name_of(protocol::NmtState state);
 std::string_view name_of(protocol::EmergencyCode code);
+std::string_view name_of(protocol::AdviceState state);
 
 /// What carries the damage of a node.
 inline constexpr protocol::schema::Signal kDamageSignal =

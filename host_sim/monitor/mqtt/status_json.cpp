@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "host_sim/monitor/fleet/node_view.hpp"
@@ -13,6 +14,7 @@ namespace host_sim::monitor {
 namespace {
 
 using nlohmann::ordered_json;
+using protocol::detail::Advice;
 using protocol::detail::BreakRisk;
 using protocol::detail::ConditionalLife;
 using protocol::detail::DamageRate;
@@ -22,6 +24,25 @@ constexpr double kPercent_ppb = 1e7;
 
 ordered_json hours_of(std::uint16_t tenths) {
   return tenths == RemainingLife::kUnknown ? ordered_json(nullptr) : ordered_json(tenths / 10.0);
+}
+
+/// Of the tendons to which something is advised.
+ordered_json advice_of(const NodeView& node) {
+  ordered_json advice = ordered_json::array();
+  for (const auto& [tendon, page] : node.advice) {
+    if (page.stale || page.value.state == protocol::AdviceState::off) {
+      continue;
+    }
+    const auto percent = [](std::uint16_t ratio) {
+      return ratio == Advice::kUnknown ? ordered_json(nullptr)
+                                       : ordered_json(100.0 * ratio / Advice::kWhole);
+    };
+    advice.push_back({{"tendon", tendon},
+                      {"state", name_of(page.value.state)},
+                      {"highest_tension_percent", percent(page.value.highest_tension)},
+                      {"pace_percent", percent(page.value.pace)}});
+  }
+  return advice;
 }
 
 }  // namespace
@@ -95,6 +116,9 @@ std::string status_json(const NodeView& node) {
                                      ? ordered_json(nullptr)
                                      : ordered_json(100.0 * risk.within_horizon / BreakRisk::kSure);
     json["break_risk_horizon_h"] = risk.horizon_h;
+  }
+  if (ordered_json advice = advice_of(node); !advice.empty()) {
+    json["advice"] = std::move(advice);
   }
   if (!at_least.empty()) {
     json["at_least"] = at_least;

@@ -162,6 +162,23 @@ void add_note(Cell& notes, bool there, std::string_view note) {
   }
 }
 
+/// What is advised for a tendon whose load does not last; stale values are left out.
+void add_advice(Cell& notes, const NodeView& node) {
+  using protocol::AdviceState;
+  for (const auto& [tendon, page] : node.advice) {
+    if (page.stale) {
+      continue;
+    }
+    const protocol::detail::Advice& advice = page.value;
+    add_note(notes, advice.state == AdviceState::unreachable,
+             fmt::format("tendon {}: no tension lasts", tendon));
+    add_note(notes, advice.state == AdviceState::limited,
+             fmt::format("tendon {}: at most {:.4g} % tension or {:.4g} % pace", tendon,
+                         100.0 * advice.highest_tension / protocol::detail::Advice::kWhole,
+                         100.0 * advice.pace / protocol::detail::Advice::kWhole));
+  }
+}
+
 Cell notes_cell(const NodeView& node) {
   Cell notes;
   add_note(notes, node.two_controllers, "two controllers have this node id");
@@ -177,6 +194,7 @@ Cell notes_cell(const NodeView& node) {
     add_note(notes, !status.storage_ok, "storage fault");
     add_note(notes, status.quality != protocol::Quality::measured, name_of(status.quality));
   }
+  add_advice(notes, node);
   if (notes.style == CellStyle::alarm && (node.vanished || (node.status && node.status->stale))) {
     return value_cell(std::move(notes.text), true);
   }

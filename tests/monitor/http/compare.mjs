@@ -59,7 +59,7 @@ export function compareFleet(shown, { nodes }, problems) {
   }
 }
 
-function compareTiles(tiles, { messages, damage }, problems, at) {
+function compareTiles(tiles, { messages, damage, advice }, problems, at) {
   const number = (name, value, digits) =>
     problems.number(`${at}: ${name}`, (tiles[name] ?? MISSING).text, value, digits);
   const note = (name, value, digits) =>
@@ -95,6 +95,17 @@ function compareTiles(tiles, { messages, damage }, problems, at) {
   hoursText(whole[1], conditional.HoursToRisk50, problems, `${at}: 50 %`);
   number('Probability of a break', 100 * risk.BreakRisk, 4);
   number('Damage rate', 100 * rate.DamageRate, 4);
+  const told = Object.values(advice);
+  if (told.every((page) => page.AdviceState === 'off')) {
+    problems.same(`${at}: advice`, tiles['Advice to the drive'].text, 'off');
+  } else {
+    const [tightest] = told.sort((a, b) => a.AdvicePace - b.AdvicePace);
+    number('Advice to the drive', 100 * tightest.AdviceTension, 4);
+    const wanted = `tendon ${tightest.AdviceTendon}, limited`;
+    const { note: shown } = tiles['Advice to the drive'];
+    problems.same(`${at}: tendon of the advice`, shown.endsWith(wanted), true);
+    problems.number(`${at}: pace`, shown.split(';')[0], 100 * tightest.AdvicePace, 4);
+  }
   number('Cycles', cycles.Cycles);
   note('Cycles', cycles.CycleRate);
   number('Storage sequence', storage.StorageSequence);

@@ -11,7 +11,7 @@ const COUNTED = {
 };
 
 function emptyNode() {
-  return { messages: {}, tendons: {}, bins: {}, wires: {}, counts: {}, damage: 0, emergencies: [] };
+  return { messages: {}, tendons: {}, bins: {}, wires: {}, advice: {}, counts: {}, damage: 0, emergencies: [] };
 }
 
 function keep(node, result, time_us) {
@@ -28,6 +28,8 @@ function keep(node, result, time_us) {
     const wire = (node.wires[signals.WireTendon] ??= { counts: {} });
     wire.newest = signals;
     wire.counts[labels.WireEvent] = signals.WireCount;
+  } else if (page === 'Advice') {
+    node.advice[signals.AdviceTendon] = message;
   } else if (page === 'RainflowBin') {
     node.bins[`${signals.BinTendon} ${signals.BinRange} ${signals.BinMean}`] = signals;
   }

@@ -207,6 +207,16 @@ void MadeNode::send_page(std::int64_t time_ns, const Take& take) {
           static_cast<std::uint16_t>(node_ == 8 ? 16383u : 1000 * tendon + 10 * turn + node_),
           static_cast<std::uint16_t>(7 * turn + tendon)});
     }
+    case detail::Advice::kPage: {
+      const std::uint32_t tendon = turn % kTendons;
+      if (node_ % 3 == 0) {
+        return page(detail::Advice{.tendon = u8(tendon)});
+      }
+      const auto tension = static_cast<std::uint16_t>(900u + 10 * node_ + tendon);
+      return page(
+          detail::Advice{u8(tendon), protocol::AdviceState::limited, tension,
+                         static_cast<std::uint16_t>(2000u + 3 * node_ + (3 * tendon + node_) % 4)});
+    }
     default:
       return page(detail::Bus{u8(node_), u8(2u * node_), 1, 3, u8(turn % 5)});
   }

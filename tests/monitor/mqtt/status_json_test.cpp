@@ -53,6 +53,21 @@ TEST(StatusJson, ABreakRiskThatIsNotKnownYetIsNull) {
   EXPECT_TRUE(nlohmann::json::parse(status_json(node)).at("break_risk_percent").is_null());
 }
 
+TEST(StatusJson, HasWhatIsAdvised) {
+  using protocol::AdviceState;
+  NodeView node = reported_node();
+  node.advice[0] = {{.tendon = 0, .state = AdviceState::off}, 0};
+  EXPECT_FALSE(nlohmann::json::parse(status_json(node)).contains("advice"));
+  node.advice[1] = {
+      {.tendon = 1, .state = AdviceState::limited, .highest_tension = 1005, .pace = 2590}, 0};
+  node.advice[2] = {{.tendon = 2, .state = AdviceState::unknown}, 0};
+  node.advice[3] = node.advice[1];
+  node.advice[3].stale = true;
+  EXPECT_EQ(nlohmann::json::parse(status_json(node)).at("advice"), nlohmann::json::parse(R"([
+    {"tendon": 1, "state": "limited", "highest_tension_percent": 25.125, "pace_percent": 64.75},
+    {"tendon": 2, "state": "unknown", "highest_tension_percent": null, "pace_percent": null}])"));
+}
+
 TEST(StatusJson, NamesWhatIsAtTheEndOfItsRange) {
   NodeView node = reported_node();
   node.highest_damage_ppb = 0xffff'ffff;

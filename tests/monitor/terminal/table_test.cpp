@@ -165,6 +165,26 @@ TEST(Table, ABreakRiskThatIsNotKnownYetIsNoNumber) {
   EXPECT_NE(row_of(node).find("unknown STALE"), std::string::npos);
 }
 
+TEST(Table, NotesWhatIsAdvisedForALoadThatDoesNotLast) {
+  using protocol::AdviceState;
+  NodeView node = node_of(protocol::LifeState::normal, 0);
+  node.advice[0] = {{.tendon = 0, .state = AdviceState::off}, 10 * kS};
+  node.advice[1] = {
+      {.tendon = 1, .state = AdviceState::no_limit, .highest_tension = 2000, .pace = 4000},
+      10 * kS};
+  EXPECT_EQ(row_of(node).find("tendon"), std::string::npos) << row_of(node);
+  node.advice[2] = {
+      {.tendon = 2, .state = AdviceState::limited, .highest_tension = 1005, .pace = 2591}, 10 * kS};
+  node.advice[3] = {
+      {.tendon = 3, .state = AdviceState::unreachable, .highest_tension = 0, .pace = 0}, 10 * kS};
+  EXPECT_NE(row_of(node).find("tendon 2: at most 25.12 % tension or 64.78 % pace, tendon 3: no "
+                              "tension lasts"),
+            std::string::npos)
+      << row_of(node);
+  node.advice[2].stale = true;
+  EXPECT_EQ(row_of(node).find("tendon 2"), std::string::npos) << row_of(node);
+}
+
 TEST(Table, ANodeWithoutAStatusHasNoDamage) {
   NodeView node;
   node.node = 5;

@@ -140,7 +140,7 @@ export class NodeHistory {
   at(time_us) {
     const point = this.curve.findLast(([at_us]) => at_us <= time_us);
     const event = this.events.findLast((one) => one.time_us <= time_us);
-    const none = { streams: {}, tendons: {}, bins: {}, wires: {} };
+    const none = { streams: {}, tendons: {}, bins: {}, wires: {}, advice: {} };
     const node = { node: Number(this.node), ...none, partial: true };
     if (point) {
       const [at_us, damage, rate] = point;

@@ -4,6 +4,8 @@ import { byId, setAttribute, setText, Tiles } from './dom.js';
 import { Timeline } from './events.js';
 import { NodeHistory } from './history.js';
 import {
+  adviceNote,
+  adviceText,
   ageText,
   breakRiskText,
   cycleRateText,
@@ -16,6 +18,7 @@ import {
   plain,
   rateText,
   remainingText,
+  tightestAdvice,
   UNKNOWN,
   wholeField,
 } from './prose.js';
@@ -31,6 +34,7 @@ class NodeTiles {
   show({ node, view, isStale }) {
     const { status, remaining, conditional, rate, cycles, heartbeat, emergency } = node;
     const risk = node.break_risk;
+    const advice = tightestAdvice(node);
     this.tiles.show([
       [
         'Damage',
@@ -65,6 +69,12 @@ class NodeTiles {
         'given survival, at the present rate',
       ],
       ['Probability of a break', breakRiskText(risk), isStale(risk), 'given survival'],
+      [
+        'Advice to the drive',
+        adviceText(advice),
+        advice !== undefined && isStale(advice),
+        adviceNote(advice),
+      ],
       ['Damage rate', rateText(rate), isStale(rate), 'over the last minute'],
       [
         'Cycles',

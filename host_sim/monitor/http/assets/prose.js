@@ -72,6 +72,43 @@ export function breakRiskText(risk) {
     : `${numberText(100 * risk.BreakRisk, 4)} % within ${risk.BreakHorizon} h`;
 }
 
+const ADVICE_RANKS = ['off', 'unknown', 'over', 'no_limit', 'limited', 'unreachable'];
+
+/** The advice that asks most of the drive. */
+export function tightestAdvice(node) {
+  const rank = (page) => ADVICE_RANKS.indexOf(page.AdviceState);
+  return Object.values(node.advice).reduce(
+    (tightest, page) =>
+      tightest === undefined ||
+      rank(page) > rank(tightest) ||
+      (rank(page) === rank(tightest) && page.AdvicePace < tightest.AdvicePace)
+        ? page
+        : tightest,
+    undefined,
+  );
+}
+
+/** The highest tension that is advised, or why there is none. */
+export function adviceText(page) {
+  if (!page || page.AdviceState === 'unknown') {
+    return UNKNOWN;
+  }
+  return {
+    off: 'off',
+    over: 'no limit, the hours are over',
+    unreachable: 'no tension lasts',
+  }[page.AdviceState] ?? `at most ${numberText(100 * page.AdviceTension, 4)} % tension`;
+}
+
+/** What would do instead, and of which tendon. */
+export function adviceNote(page) {
+  if (!page || page.AdvicePace === 'unknown') {
+    return '';
+  }
+  const pace = `or ${numberText(100 * page.AdvicePace, 4)} % of the heaviest pace`;
+  return `${pace}; tendon ${page.AdviceTendon}, ${plain(page.AdviceState)}`;
+}
+
 /** The band of the remaining life. */
 export function remainingText(remaining) {
   if (!remaining) {
