@@ -39,8 +39,8 @@ constexpr numeric::Normal normalise(const Damage& damage) {
     --top;
   }
   const int shift = std::countl_zero(words[top]);
-  const std::uint32_t below = top > 0 ? words[top - 1] >> 1 : 0;
-  return {((words[top] << shift) | (below >> (31 - shift))) >> (31 - numeric::kMantissaBits),
+  const std::uint64_t bits = (std::uint64_t{words[top]} << 32) | (top > 0 ? words[top - 1] : 0);
+  return {static_cast<std::uint32_t>((bits << shift) >> (63 - numeric::kMantissaBits)),
           static_cast<std::int32_t>(top) * 32 + 31 - shift - Damage::kFractionBits};
 }
 
