@@ -188,10 +188,11 @@ void add_fleet(CLI::App& app, int& status) {
   verb->footer(
       "Example: host_sim fleet host_sim/examples/fleet/tendons.csv --model "
       "host_sim/examples/upper_arm.toml --horizon 90d --service 0.95 --today 2026-03-02\n"
-      "         host_sim fleet tendons.csv --model model.toml --cost-replacement 100 --cost-break "
-      "1000 --report fleet.html\n"
-      "         host_sim fleet records --model model.toml --hours-per-day 8 --write-table "
-      "tendons.csv");
+      "         host_sim fleet host_sim/examples/fleet/tendons.csv --model "
+      "host_sim/examples/upper_arm.toml --cost-replacement 100 --cost-break 1000 --report "
+      "fleet.html\n"
+      "         host_sim fleet records --model host_sim/examples/upper_arm.toml --hours-per-day 8 "
+      "--write-table tendons.csv");
   verb->callback([arguments, &status] { status = run_fleet(*arguments); });
 }
 

@@ -77,6 +77,9 @@ def make_folder(folder, host_sim, source, shared):
     subprocess.run([host_sim, "replay", "host_sim/examples/upper_arm.csv", "--model",
                     "host_sim/examples/upper_arm.toml", "--can", "run.log"], check=True,
                    capture_output=True)
+    # A folder of records, of which fleet reads the tendons.
+    (folder / "records").mkdir()
+    (folder / "records/run.log").symlink_to(folder / "run.log")
 
 
 def failures_of(examples, quick, host_sim, source, shared):

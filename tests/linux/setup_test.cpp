@@ -115,8 +115,8 @@ TEST_F(BlockFile, IsReadAndChecked) {
   EXPECT_NE(complaint().find("damaged: the CRC-32 does not fit"), std::string::npos);
   put(block, 83);
   EXPECT_NE(complaint().find("wrong size"), std::string::npos);
-  write_text(path_, std::string(573, 'x'));
-  EXPECT_NE(complaint().find("larger than 572 bytes"), std::string::npos);
+  write_text(path_, std::string(617, 'x'));
+  EXPECT_NE(complaint().find("larger than 616 bytes"), std::string::npos);
 }
 
 TEST_F(BlockFile, MayHaveAnExtension) {
