@@ -69,7 +69,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   // fits.
   const std::size_t words = std::min(size / 4, kMostExtensionBytes / 4 - 5);
   Parameters parameters = lifemodel_test::parameters_of(lifemodel_test::paper_constants());
-  for (const std::uint32_t horizon_s : {0, 60}) {
+  for (const std::uint32_t horizon_s : {0U, 60U}) {
     parameters.watch.horizon_s = horizon_s;
     const ParameterBlock nominal = encode(parameters);
     std::vector<std::byte> block(nominal.begin(), nominal.end());
