@@ -50,9 +50,10 @@ constexpr Ratio highest_tension(std::int64_t log2_effective, LoadRatio ratio) {
     return Ratio::lowest();
   }
   // In Q30: a 0 .. 1, m 0 .. 1, 2 T_e m 0 .. 8.
-  const std::uint32_t a =
-      std::max<std::uint32_t>(static_cast<std::uint32_t>(LoadRatio::kOne - ratio.raw) >> 1, 1);
-  const auto m = static_cast<std::uint32_t>(LoadRatio::kOne + ratio.raw) >> 1;
+  constexpr std::uint32_t kOne = LoadRatio::kOne;
+  const auto bits = static_cast<std::uint32_t>(ratio.raw);
+  const std::uint32_t a = std::max<std::uint32_t>((kOne - bits) >> 1, 1);
+  const std::uint32_t m = (kOne + bits) >> 1;
   const std::uint64_t twice_m =
       (std::uint64_t{numeric::fixed(effective, 28)} * m) >> (28 - 1);  // 2 T_e m, Q30
   const std::uint64_t squares = ((std::uint64_t{a} * a) >> 6) + ((twice_m >> 3) * (twice_m >> 3));
