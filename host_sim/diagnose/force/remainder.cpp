@@ -256,7 +256,7 @@ std::vector<RemainderPicture> pictures_of(const ForceCovariate& covariate, const
   return pictures;
 }
 
-double mean_square_N2(const ForceData& data, const std::vector<std::vector<double>>& residuals_N) {
+double mean_square(const ForceData& data, const std::vector<std::vector<double>>& residuals_N) {
   double square_N2 = 0;
   for (const std::vector<double>& of_record : residuals_N) {
     square_N2 += vector_of(of_record).squaredNorm();
@@ -302,7 +302,7 @@ ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, cons
     repeats_N2 = std::max(repeats_N2, one.square_N2());
   }
   return {covariates[most].name, static_cast<double>(as_large) / (kDraws + 1),
-          repeats_N2 / std::max(mean_square_N2(data, residuals_N), 1e-300),
+          repeats_N2 / std::max(mean_square(data, residuals_N), 1e-300),
           pictures_of(covariates[most], bins[most], before, means[most])};
 }
 
