@@ -144,6 +144,7 @@ Seen seen_of(const LifePlan& plan, const LifeSpecimen& specimen) {
 /// Of each specimen. Those under a level alone stand together, in the order of the levels.
 std::vector<Seen> seen_of(const LifePlan& plan, const std::vector<LifeSpecimen>& specimens) {
   std::vector<Seen> seen;
+  seen.reserve(specimens.size());
   for (const LifeSpecimen& specimen : specimens) {
     seen.push_back(seen_of(plan, specimen));
   }
