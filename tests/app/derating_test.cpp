@@ -20,18 +20,12 @@ using protocol::detail::Advice;
 /// gamma 2 and 1024 cycles at the ultimate tension, and no memory: whatever was used, a damage of
 /// -ln 0.9 = 0.1053605 is a risk of 10 %.
 lifemodel::Parameters plain_parameters(std::uint32_t until_s, double least_N = 0) {
-  lifemodel::Parameters parameters =
-      *lifemodel::pack::parameters({.ultimate_tension_N = 177.4,
-                                    .hysteresis_N = 0.2,
-                                    .ipl_scale = 1024 * 177.4 * 177.4,
-                                    .ipl_exponent = 2,
-                                    .weibull_shape = 1,
-                                    .friction_coefficient = 0.128,
-                                    .bend_angle_rad = 4.712,
-                                    .tension_per_current_N_A = 20.592,
-                                    .current_offset_A = 0,
-                                    .sample_period_s = 1e-3,
-                                    .model_digest = 1});
+  lifemodel::pack::Constants constants = lifemodel_test::paper_constants();
+  constants.hysteresis_N = 0.2;
+  constants.ipl_scale = 1024 * 177.4 * 177.4;
+  constants.ipl_exponent = 2;
+  constants.weibull_shape = 1;
+  lifemodel::Parameters parameters = lifemodel_test::parameters_of(constants);
   parameters.watch.advice_until_s = until_s;
   parameters.watch.advice_risk =
       lifemodel::pack::from_double<lifemodel::Ratio>(until_s == 0 ? 0 : 0.1);

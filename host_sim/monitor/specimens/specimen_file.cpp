@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
+#include <string_view>
 #include <system_error>
 
 #include "hal/files/input_error.hpp"
+#include "hal/files/input_file.hpp"
 #include "hal/files/output_file.hpp"
 #include "host_sim/monitor/fleet/node_view.hpp"
 #include "host_sim/replay/results.hpp"
@@ -24,13 +24,14 @@ std::string specimen_name(protocol::Node node, const WireLife& life) {
                      time_ms % kSecond_ms);
 }
 
+constexpr std::string_view kAccepted = "a new file, or one that this option has written";
+
 std::string text_of(const std::filesystem::path& path) {
   std::error_code unknown;
   if (!std::filesystem::is_regular_file(path, unknown)) {
     return {};
   }
-  std::ifstream in(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
+  return hal::files::read_text_file(path, kAccepted, std::filesystem::file_size(path));
 }
 
 }  // namespace
@@ -46,7 +47,7 @@ SpecimenFile::SpecimenFile(const std::filesystem::path& path, const Model::Life&
   }
   if (!text_.starts_with(head)) {
     throw hal::files::InputError(path.string(), 1, 0, "other columns than those of specimens",
-                                 "a new file, or one that this option has written");
+                                 kAccepted);
   }
   if (text_.back() != '\n') {
     throw hal::files::InputError(path.string(), 0, 0, "the last line is cut",
