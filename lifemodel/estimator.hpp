@@ -7,7 +7,6 @@
 
 #include "lifemodel/block/parameter_block.hpp"
 #include "lifemodel/state/snapshot.hpp"
-#include "lifemodel/support/shared_word.hpp"
 #include "lifemodel/tendon.hpp"
 
 namespace lifemodel {
@@ -18,9 +17,9 @@ namespace lifemodel {
 /// snapshots at leisure. Nothing allocates, throws, waits or takes the time; indices are not
 /// checked.
 ///
-///   estimator.push(0, tension);        // in the interrupt
-///   while (estimator.settle()) {}      // after it, or in the idle loop
-///   auto used = estimator.reading(0);  // when somebody asks
+///   const bool due = estimator.push(0, tension);  // in the interrupt
+///   if (due) estimator.settle();                  // after it, or in the idle loop
+///   auto used = estimator.reading(0);             // when somebody asks
 template <std::size_t kTendons = 1, class LayoutT = DefaultLayout>
 class Estimator {
  public:
@@ -34,27 +33,25 @@ class Estimator {
     }
   }
 
-  /// Takes one sample of input tension. Constant time; may interrupt every other member of the same
+  /// Takes one sample of input tension. True where it leaves a turning point and so many wait by
+  /// now that settle() is worth its call: once for each such push() is enough, later is no harm as
+  /// long as the queue has room. Constant time; may interrupt every other member of the same
   /// estimator but the ones that say otherwise.
-  void push(std::size_t tendon, Tension input_tension) {
+  bool push(std::size_t tendon, Tension input_tension) {
     Channel& channel = channels_[tendon];
-    channel.state.push(input_tension, channel.parameters, [this](std::uint32_t left) {
-      if (kTendons > 1) {
-        arrived_.set_relaxed(arrived_.own() + left);
-      }
-    });
+    return channel.state.push(input_tension, channel.parameters) >= kEnough;
   }
   /// Takes one sample of motor current; without a drive in the parameters it counts as missing.
-  void push(std::size_t tendon, MotorCurrent current) {
+  bool push(std::size_t tendon, MotorCurrent current) {
     if (!channels_[tendon].parameters.has_drive()) {
       push_missing(tendon);
-      return;
+      return false;
     }
-    push(tendon, input_tension(tendon, current));
+    return push(tendon, input_tension(tendon, current));
   }
   /// Takes one sample of output tension, with the direction of the tendon and the bend angle.
-  void push(std::size_t tendon, Tension output_tension, Direction direction, Angle bend) {
-    push(tendon, input_tension(tendon, output_tension, direction, bend));
+  bool push(std::size_t tendon, Tension output_tension, Direction direction, Angle bend) {
+    return push(tendon, input_tension(tendon, output_tension, direction, bend));
   }
   /// What push() would count of such samples, for a caller that needs it besides.
   /// @pre the parameters have a drive
@@ -75,36 +72,34 @@ class Estimator {
   /// Flags of the tendon, for a caller that converts its samples itself.
   Flags& input_flags(std::size_t tendon) { return channels_[tendon].state.input_flags(); }
 
-  /// Counts what push() has left of one tendon, in bounded time, once enough of it waits to be
-  /// worth the call: a few turning points a tendon. True while there is more. A reading takes in
-  /// the rest.
+  /// Counts what push() has left of one tendon, the one of which most waits, in bounded time.
+  /// False, and nothing done, where of none so much waits that it is worth the call: a few turning
+  /// points. A reading takes in the rest.
   bool settle() { return settle(NoObservers{}); }
 
   /// The same; `observers(tendon)` hears of each cycle, see NoObserver.
   template <class Observers>
   bool settle(Observers&& observers) {
-    if constexpr (kTendons > 1) {
-      const std::uint32_t arrived = arrived_.relaxed();
-      if (arrived - taken_ < kTendons * kEnough) {
-        return false;
-      }
-      for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
-        if (settle_one(tendon, observers)) {
-          return true;
-        }
-      }
-      taken_ = arrived;
-      return false;
-    } else {
-      return settle_one(0, observers);
+    std::size_t fullest = 0;
+    std::uint32_t most = channels_[0].state.waiting();
+    for (std::size_t tendon = 1; tendon < kTendons; ++tendon) {
+      const std::uint32_t waiting = channels_[tendon].state.waiting();
+      fullest = waiting > most ? tendon : fullest;
+      most = waiting > most ? waiting : most;
     }
+    if (most < kEnough) {
+      return false;
+    }
+    Channel& channel = channels_[fullest];
+    channel.state.template settle<kCycles>(channel.parameters, observers(fullest));
+    return true;
   }
 
   /// Counts all that push() has left of a tendon; `observer` hears of each cycle.
   template <class Observer = NoObserver>
   void flush(std::size_t tendon, Observer observer = {}) {
     Channel& channel = channels_[tendon];
-    took(channel.state.template flush<kCycles>(channel.parameters, observer));
+    channel.state.template flush<kCycles>(channel.parameters, observer);
   }
 
   /// Takes many samples of one tendon at once: the same as push() and settle() for each, and faster
@@ -192,11 +187,6 @@ class Estimator {
         return SnapshotError::implausible;
       }
     }
-    std::uint32_t waiting = 0;
-    for (const Channel& channel : channels_) {
-      waiting += channel.state.waiting();
-    }
-    took(arrived_.own() - waiting - taken_);
     return SnapshotError::none;
   }
 
@@ -207,22 +197,6 @@ class Estimator {
   static constexpr std::uint32_t kEnough = 6;
   static_assert(2 * kEnough <= Layout::kQueue, "the queue has room while settle() waits");
 
-  template <class Observers>
-  bool settle_one(std::size_t tendon, Observers& observers) {
-    Channel& channel = channels_[tendon];
-    if (channel.state.waiting() < kEnough) {
-      return false;
-    }
-    took(channel.state.template settle<kCycles>(channel.parameters, observers(tendon)));
-    return true;
-  }
-
-  void took(std::uint32_t turning_points) {
-    if (kTendons > 1) {
-      taken_ += turning_points;
-    }
-  }
-
   struct NoObservers {
     constexpr NoObserver operator()(std::size_t) const { return {}; }
   };
@@ -232,10 +206,6 @@ class Estimator {
     Tendon<Layout> state;
   };
 
-  // With one tendon its queue knows how much waits. With more, these do: turning points that push()
-  // has left, and that were taken in. A hint, mended where it is off.
-  SharedWord<std::uint32_t> arrived_;
-  std::uint32_t taken_ = 0;
   std::array<Channel, kTendons> channels_;
 };
 

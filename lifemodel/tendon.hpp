@@ -72,18 +72,20 @@ class Tendon {
   using Model = typename ParametersOf<Layout>::Type;
   using Law = decltype(Model::law);
 
-  /// Producer: one sample. Constant time. `left(n)` hears how many turning points it leaves to
-  /// settle.
-  template <class Left>
-  void push(Tension tension, const Model& parameters, Left&& left) {
+  /// Producer: one sample. Constant time. Returns how many turning points wait where it has found
+  /// one, else 0.
+  std::uint32_t push(Tension tension, const Model& parameters) {
+    std::uint32_t waiting = 0;
     filter_.push(tension, parameters.hysteresis, [&](Tension turning_point) {
-      if (overrun_.leaving_out() || queue_.free() == 0) [[unlikely]] {
-        left(put_late(turning_point));
+      const std::uint32_t free = queue_.free();
+      if (overrun_.leaving_out() || free == 0) [[unlikely]] {
+        waiting = put_late(turning_point);
       } else {
         queue_.put(turning_point);
-        left(1);
+        waiting = Layout::kQueue + 1 - free;
       }
     });
+    return waiting;
   }
 
   /// Producer and consumer at once: many samples, each pushed and settled.
@@ -96,7 +98,7 @@ class Tendon {
         count = std::min<std::size_t>(samples.size(), Layout::kQueue);
         fill_queue(samples.first(count), parameters.hysteresis);
       } else {
-        push(samples.front(), parameters, [](std::uint32_t) {});
+        push(samples.front(), parameters);
       }
       samples = samples.subspan(count);
       flush<kBatchCycles>(parameters, observer);
@@ -129,12 +131,11 @@ class Tendon {
   Flags& input_flags() { return intake_.flags; }
 
   /// Consumer: counts at most kCycles cycles and takes in at most twice as many turning points.
-  /// Returns how many turning points it has taken in.
   template <std::uint32_t kCycles, class Observer>
-  LIFEMODEL_ONE_COPY std::uint32_t settle(const Model& parameters, Observer observer) {
+  LIFEMODEL_ONE_COPY void settle(const Model& parameters, Observer observer) {
     if (paid_ != overrun_.owed()) [[unlikely]] {
       pay(parameters.law, observer);
-      return 0;
+      return;
     }
     std::array<FullCycle, kCycles> closed;
     Finals<Observer> finals{ledger_, parameters.law, observer};
@@ -157,17 +158,14 @@ class Tendon {
       observer.full(from, to, damage);
     }
     ledger_.cycles.add(done.closed, ledger_.flags);
-    return done.taken;
   }
 
-  /// Consumer: all that is pending. Returns how many turning points it has taken in.
+  /// Consumer: all that is pending.
   template <std::uint32_t kCycles, class Observer>
-  std::uint32_t flush(const Model& parameters, Observer observer) {
-    std::uint32_t taken = 0;
+  void flush(const Model& parameters, Observer observer) {
     while (pending()) {
-      taken += settle<kCycles>(parameters, observer);
+      settle<kCycles>(parameters, observer);
     }
-    return taken;
   }
 
   /// Consumer: true while settle() has work. What an overrun owes comes before a turning point.
@@ -358,15 +356,11 @@ class Tendon {
         intake_.flags.raise(Flag::overload);
       }
       overrun_.leave_out(turning_point, turning_point < filter_.run().candidate());
-      return 0;
+    } else {
+      overrun_.finish([&](Tension extreme) { queue_.put(extreme); });
+      queue_.put(turning_point);
     }
-    std::uint32_t left = 1;
-    overrun_.finish([&](Tension extreme) {
-      queue_.put(extreme);
-      ++left;
-    });
-    queue_.put(turning_point);
-    return left;
+    return Layout::kQueue - queue_.free();
   }
 
   /// Counts all cycles that overruns owe.

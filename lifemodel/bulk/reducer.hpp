@@ -36,7 +36,9 @@ class Reducer {
                 std::vector<std::int32_t>(kMostSamples + kSpare)},
         stack_(kBelowStack + kMostSamples + kSpare),
         from_(kMostSamples / 2 + 2 * kSpare),
-        to_(kMostSamples / 2 + 2 * kSpare) {}
+        to_(kMostSamples / 2 + 2 * kSpare) {
+    left_.reserve(kMostSamples);
+  }
 
   /// Nothing where the samples reach the ultimate tension or lie below zero by more than the
   /// hysteresis: such turning points are counted one by one. What is left is valid until the next

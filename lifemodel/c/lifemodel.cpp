@@ -66,19 +66,19 @@ const char* lm_init(lm_estimator* estimator, const void* block, size_t block_byt
   return nullptr;
 }
 
-void lm_push_tension(lm_estimator* estimator, int32_t tension_q29) {
+bool lm_push_tension(lm_estimator* estimator, int32_t tension_q29) {
   One& one = estimator_of(estimator);
-  one.push(0, lifemodel::Tension::saturated(tension_q29, one.input_flags(0)));
+  return one.push(0, lifemodel::Tension::saturated(tension_q29, one.input_flags(0)));
 }
 
-void lm_push_tension_mN(lm_estimator* estimator, int32_t tension_mN) {
+bool lm_push_tension_mN(lm_estimator* estimator, int32_t tension_mN) {
   One& one = estimator_of(estimator);
-  one.push(0, one.parameters(0).scale.tension(tension_mN, one.input_flags(0)));
+  return one.push(0, one.parameters(0).scale.tension(tension_mN, one.input_flags(0)));
 }
 
-void lm_push_current_mA(lm_estimator* estimator, int32_t current_mA) {
+bool lm_push_current_mA(lm_estimator* estimator, int32_t current_mA) {
   One& one = estimator_of(estimator);
-  one.push(0, lifemodel::MotorCurrent::from_milli(current_mA, one.input_flags(0)));
+  return one.push(0, lifemodel::MotorCurrent::from_milli(current_mA, one.input_flags(0)));
 }
 
 void lm_push_missing(lm_estimator* estimator) {

@@ -51,17 +51,19 @@ typedef struct lm_reading {
  * extension is. Give all bytes that there are, also those beyond LM_PARAMETER_BLOCK_BYTES. */
 const char* lm_init(lm_estimator* estimator, const void* block, size_t block_bytes);
 
-/* One sample of input tension in steps of 2^-29 of the ultimate tension. May interrupt lm_settle
- * and lm_read, as the other ways to push may. */
-void lm_push_tension(lm_estimator* estimator, int32_t tension_q29);
+/* One sample of input tension in steps of 2^-29 of the ultimate tension. True where enough waits by
+ * now for lm_settle to be worth its call. May interrupt lm_settle and lm_read, as the other ways to
+ * push may. */
+bool lm_push_tension(lm_estimator* estimator, int32_t tension_q29);
 /* One sample of input tension in mN. */
-void lm_push_tension_mN(lm_estimator* estimator, int32_t tension_mN);
+bool lm_push_tension_mN(lm_estimator* estimator, int32_t tension_mN);
 /* One sample of motor current in mA. Counts as missing where the block has no drive. */
-void lm_push_current_mA(lm_estimator* estimator, int32_t current_mA);
+bool lm_push_current_mA(lm_estimator* estimator, int32_t current_mA);
 /* One sample that is missing. */
 void lm_push_missing(lm_estimator* estimator);
 
-/* Counts what was pushed, in bounded time. True while there is more. */
+/* Counts what was pushed, in bounded time: once for each push that gave true is enough. True while
+ * there is more. */
 bool lm_settle(lm_estimator* estimator);
 
 /* Life used at this instant. */

@@ -49,10 +49,14 @@ class TurningPoints {
     [[nodiscard]] constexpr Tension candidate() const {
       return Tension::from_raw((extremum ^ mirror) - mirror);
     }
+    /// A sample in the mirrored frame.
+    [[nodiscard]] constexpr std::int32_t mirrored(Tension sample) const {
+      return (sample.raw() ^ mirror) - mirror;
+    }
     /// Takes a sample; true if it confirms the candidate. The run then starts from the sample.
     /// @pre hysteresis >= one step
     constexpr bool turns(Tension sample, TensionRange hysteresis) {
-      const std::int32_t value = (sample.raw() ^ mirror) - mirror;
+      const std::int32_t value = mirrored(sample);
       const std::int32_t furthest = value > extremum ? value : extremum;
       const bool back = static_cast<std::uint32_t>(furthest) - static_cast<std::uint32_t>(value) >=
                         hysteresis.raw();
@@ -74,15 +78,17 @@ class TurningPoints {
       }
       return;
     }
-    Run now = run();
-    const Tension candidate = now.candidate();
-    if (now.turns(sample, hysteresis)) {
+    // As Run::turns(), but with a branch for each outcome: most samples change nothing.
+    const Run now = run();
+    const std::int32_t value = now.mirrored(sample);
+    if (value > now.extremum) {
+      extremum_.set_relaxed(value);
+    } else if (static_cast<std::uint32_t>(now.extremum) - static_cast<std::uint32_t>(value) >=
+               hysteresis.raw()) {
       lock_.begin();
-      set_run(now);
-      confirmed(candidate);
+      set_run({~now.mirror, -value});
+      confirmed(now.candidate());
       lock_.end();
-    } else {
-      extremum_.set_relaxed(now.extremum);
     }
   }
 

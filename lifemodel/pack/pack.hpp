@@ -16,14 +16,21 @@ namespace lifemodel::pack {
 /// The nearest value of a quantity; the closed range is not left, NaN becomes the lowest value.
 template <class Q>
 Q from_double(double value) {
-  const double scaled = std::nearbyint(std::ldexp(value, Q::kFractionBits));
+  using Rep = typename Q::Rep;
+  const double scaled = value * std::ldexp(1.0, Q::kFractionBits);
   if (!(scaled > static_cast<double>(Q::lowest().raw()))) {
     return Q::lowest();
   }
   if (scaled >= static_cast<double>(Q::highest().raw())) {
     return Q::highest();
   }
-  return Q::from_raw(static_cast<typename Q::Rep>(scaled));
+  if constexpr (sizeof(Rep) <= sizeof(std::int32_t)) {
+    // As std::nearbyint(), without the call: so large that a step is 1, the sum rounds.
+    constexpr double kWhole = 0x1.8p52;
+    return Q::from_raw(static_cast<Rep>((scaled + kWhole) - kWhole));
+  } else {
+    return Q::from_raw(static_cast<Rep>(std::nearbyint(scaled)));
+  }
 }
 
 /// The value of a quantity, exactly.
@@ -43,6 +50,21 @@ inline double to_double(const Damage& damage) {
 
 inline double to_double(CycleDamage damage) {
   return std::ldexp(static_cast<double>(damage.mantissa), damage.position - Damage::kFractionBits);
+}
+
+/// Rounded down to 2^-104 and 32 bits; saturates.
+/// @pre lives >= 0
+inline Damage damage(double lives) {
+  constexpr int kBits = 32;
+  Damage damage;
+  int exponent = 0;
+  const double mantissa = std::frexp(std::min(lives, 1e9), &exponent);
+  const int position = Damage::kFractionBits + exponent - kBits;
+  if (position > -kBits) {
+    Flags none;
+    damage.add({static_cast<std::uint32_t>(std::ldexp(mantissa, kBits)), position}, none);
+  }
+  return damage;
 }
 
 /// Tension relative to the ultimate tension.

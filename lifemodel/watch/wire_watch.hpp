@@ -103,6 +103,9 @@ class WireWatch {
             (state & kSlack) != 0,
             (state & kBroken) != 0};
   }
+  /// Two of a reading, for who asks after each sample.
+  [[nodiscard]] std::uint32_t slack_events() const { return slack_events_.relaxed(); }
+  [[nodiscard]] bool broken() const { return (state_.relaxed() & kBroken) != 0; }
 
  private:
   static constexpr std::uint32_t kSlack = 1;

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "lifemodel/bulk/parallel_replay.hpp"
 #include "lifemodel/bulk/replay.hpp"
 #include "lifemodel/extension/life.hpp"
 #include "support.hpp"
@@ -141,14 +142,22 @@ inline std::vector<std::byte> state_of(BulkEstimator& estimator) {
   return bytes;
 }
 
-/// Takes the signal by these instructions: at once, or in parts of random length, some of which are
-/// pushed one by one and some reduced however short they are.
+/// Takes the signal by these instructions: at once, by one or by several threads, or in parts of
+/// random length, some of which are pushed one by one and some reduced however short they are.
 inline void take_in_bulk(BulkEstimator& estimator, const lifemodel::bulk::Instructions& by,
                          std::span<const lifemodel::Tension> signal, Random& random) {
   using lifemodel::bulk::Reducer;
   lifemodel::bulk::Replay replay(by);
-  if (below(random, 2) == 0) {
+  const std::size_t whole = below(random, 8);
+  if (whole < 3) {
     replay.take(estimator, 0, signal);
+    return;
+  }
+  if (whole == 3) {
+    const unsigned threads = 1 + static_cast<unsigned>(below(random, 4));
+    constexpr std::array<std::size_t, 3> kMost{10, 100, 2000};
+    const std::size_t stretch = 1 + below(random, kMost[below(random, kMost.size())]);
+    lifemodel::bulk::ParallelReplay(threads, by, stretch).take(estimator, 0, signal);
     return;
   }
   Reducer reducer(by);

@@ -15,8 +15,8 @@ const char* count_in_c(const void* block, size_t block_bytes, const int32_t* ten
       refused = lm_restore(&second, snapshot, lm_snapshot(&first, snapshot));
       active = &second;
     }
-    lm_push_tension(active, tensions_q29[i]);
-    while (lm_settle(active)) {
+    if (lm_push_tension(active, tensions_q29[i])) {
+      lm_settle(active);
     }
   }
   if (refused == NULL) {

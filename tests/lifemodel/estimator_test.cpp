@@ -202,6 +202,53 @@ TEST(Estimator, TendonsDoNotDisturbEachOther) {
   }
 }
 
+TEST(Estimator, PushSaysWhetherThereIsSomethingToSettle) {
+  auto constants = paper_constants();
+  constants.hysteresis_N = 0.2;
+  for (const Signal& signal : signals()) {
+    Estimator<1> estimator({parameters_of(constants)});
+    for (const Tension sample : signal) {
+      const bool due = estimator.push(0, sample);
+      EXPECT_EQ(estimator.settle(), due);
+      while (estimator.settle()) {
+      }
+      EXPECT_FALSE(estimator.push(0, sample)) << "the same tension again turns nowhere";
+    }
+  }
+}
+
+/// Ranges about 50 N that nest `depth` deep, then one around all of them, again and again; a
+/// turning point in each sample.
+Signal nested(std::size_t depth, std::size_t times) {
+  std::vector<double> values_N;
+  for (std::size_t i = 0; i < times * (depth + 2); ++i) {
+    const std::size_t place = i % (depth + 2);
+    const double swing_N = place < depth ? 45 - 0.3 * static_cast<double>(place) : 60;
+    values_N.push_back(50 + (place % 2 == 0 ? swing_N : -swing_N));
+  }
+  return newtons(values_N);
+}
+
+TEST(Estimator, OneSettleForEachPushThatSaysSoIsInTime) {
+  const Parameters p = parameters_of(paper_constants());
+  for (const std::size_t depth : {2u, 30u, 60u, 90u, 116u, 124u}) {
+    const Signal signal = nested(depth, 20);
+    Estimator<4> estimator({p, p, p, p});
+    for (const Tension sample : signal) {
+      for (std::size_t tendon = 0; tendon < 4; ++tendon) {
+        if (estimator.push(tendon, sample)) {
+          estimator.settle();
+        }
+      }
+    }
+    for (std::size_t tendon = 0; tendon < 4; ++tendon) {
+      const Reading reading = estimator.reading(tendon);
+      EXPECT_FALSE(reading.flags.has(Flag::overrun)) << depth;
+      expect_same(reading, at_once(p, signal));
+    }
+  }
+}
+
 struct Recorder {
   std::vector<double>* ranges_N;
   void full(Tension from, Tension to, CycleDamage) const {

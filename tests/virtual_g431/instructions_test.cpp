@@ -71,15 +71,15 @@ TEST_F(Instructions, OfControlAndSettling) {
   const auto worst = [&](auto part) { return std::max((calm.*part).worst, (rough.*part).worst); };
   const std::uint64_t control = worst(&Figures::control);
   const std::uint64_t settle = worst(&Figures::settle);
-  const auto mean = [](const Core::Count& count) { return count.total / count.calls; };
+  const std::uint64_t periods = calm.control.calls;
   const double left = kPeriodCycles - cycles(control) - cycles(settle);
-  std::cout << "control " << mean(calm.control) << " .. " << control << ", settling "
-            << mean(calm.settle) << " .. " << settle << " instructions; at worst " << left
+  std::cout << "control " << calm.control.total / periods << " .. " << control << ", settling "
+            << calm.settle.total / periods << " .. " << settle << " instructions; at worst " << left
             << " of 17,000 cycles are left\n";
   EXPECT_GT(left, 0);
-  std::ofstream(G431_MEASURED) << "{\n  \"control_sine\": " << mean(calm.control)
+  std::ofstream(G431_MEASURED) << "{\n  \"control_sine\": " << calm.control.total / periods
                                << ",\n  \"control_worst\": " << control
-                               << ",\n  \"settle_sine\": " << mean(calm.settle)
+                               << ",\n  \"settle_sine\": " << calm.settle.total / periods
                                << ",\n  \"settle_worst\": " << settle
                                << ",\n  \"both_worst\": " << control + settle << "\n}\n";
 }

@@ -15,8 +15,8 @@ int main() {
   lifemodel::Estimator<1> estimator({*parameters});
   for (int tick = 0; tick < 60000; ++tick) {  // 60 s at 1 kHz, 20 pulls
     const double current_A = 1.2 - std::cos(tick * 2 * M_PI / 3000);
-    estimator.push(0, lifemodel::pack::from_double<lifemodel::MotorCurrent>(current_A));
-    while (estimator.settle()) {
+    if (estimator.push(0, lifemodel::pack::from_double<lifemodel::MotorCurrent>(current_A))) {
+      estimator.settle();
     }
   }
   std::printf("life used: %.6f\n", lifemodel::pack::to_double(estimator.reading(0).total));

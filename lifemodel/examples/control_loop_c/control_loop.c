@@ -19,9 +19,9 @@ int main(int argc, char** argv) {
     return 1;
   }
   for (int tick = 0; tick < 60000; ++tick) {
-    lm_push_tension_mN(&estimator,
-                       14000 + 68 * (tick % 1000 < 500 ? tick % 500 : 500 - tick % 500));
-    while (lm_settle(&estimator)) {
+    int32_t tension_mN = 14000 + 68 * (tick % 1000 < 500 ? tick % 500 : 500 - tick % 500);
+    if (lm_push_tension_mN(&estimator, tension_mN)) {
+      lm_settle(&estimator);
     }
   }
   lm_reading reading;

@@ -1,5 +1,5 @@
 // Any signal, in parts of any length: the state after a bulk replay is that of push() and settle()
-// of each sample, by each set of instructions that the machine has.
+// of each sample, by each set of instructions that the machine has and by 1 .. 4 threads.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-#include "lifemodel/bulk/replay.hpp"
+#include "lifemodel/bulk/parallel_replay.hpp"
 #include "tests/lifemodel/support.hpp"
 
 namespace {
@@ -71,6 +71,14 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       std::fprintf(stderr, "another state by %s\n", by->name);
       std::abort();
     }
+  }
+  const unsigned threads = 1 + data[2] / 16 % 4;
+  const std::size_t stretch = 1 + data[2] % 16;
+  Single estimator({parameters});
+  bulk::ParallelReplay(threads, *bulk::instructions().front(), stretch).take(estimator, 0, signal);
+  if (state_of(estimator) != expected) {
+    std::fprintf(stderr, "another state by %u threads\n", threads);
+    std::abort();
   }
   return 0;
 }

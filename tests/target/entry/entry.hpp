@@ -34,13 +34,13 @@ struct Advised {
 
 extern "C" {
 
-void push_one(target::One* estimator, std::int32_t tension_q29);
+bool push_one(target::One* estimator, std::int32_t tension_q29);
 bool settle_one(target::One* estimator);
 void reading_one(target::One* estimator, lifemodel::Reading* out);
 std::size_t snapshot_one(const target::One* estimator, std::byte* out);
 bool restore_one(target::One* estimator, const std::byte* bytes, std::size_t size);
 
-void push_four(target::Four* estimator, std::size_t tendon, std::int32_t tension_q29);
+bool push_four(target::Four* estimator, std::size_t tendon, std::int32_t tension_q29);
 bool settle_four(target::Four* estimator);
 void reading_four(target::Four* estimator, std::size_t tendon, lifemodel::Reading* out);
 

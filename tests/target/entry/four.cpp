@@ -2,8 +2,8 @@
 
 using target::Four;
 
-void push_four(Four* estimator, std::size_t tendon, std::int32_t tension_q29) {
-  estimator->push(tendon, lifemodel::Tension::from_raw(tension_q29));
+bool push_four(Four* estimator, std::size_t tendon, std::int32_t tension_q29) {
+  return estimator->push(tendon, lifemodel::Tension::from_raw(tension_q29));
 }
 
 bool settle_four(Four* estimator) {

@@ -5,8 +5,8 @@
 using lifemodel::Tension;
 using target::One;
 
-void push_one(One* estimator, std::int32_t tension_q29) {
-  estimator->push(0, Tension::from_raw(tension_q29));
+bool push_one(One* estimator, std::int32_t tension_q29) {
+  return estimator->push(0, Tension::from_raw(tension_q29));
 }
 
 bool settle_one(One* estimator) {

@@ -38,7 +38,11 @@ class CountedApp {
   explicit CountedApp(App& app) : app_(app) {}
 
   void start() { app_.start(); }
-  void isr_sample() { isr_sample_.add(counter_.count({app_isr_sample, &app_})); }
+  bool isr_sample() {
+    bool due = false;
+    isr_sample_.add(counter_.count({app_isr_sample, &app_, &due}));
+    return due;
+  }
   void isr_missed(std::uint32_t periods) { app_.isr_missed(periods); }
   bool settle() {
     bool more = false;

@@ -1,5 +1,5 @@
 """Instructions of the application's calls while recordings are played on the board: on average with
-the sine, and at worst over all.
+the sine, of settle() for each sample, and at worst over all.
 
 usage: measure.py OUT.json RECORD EMULATOR... IMAGE
 """
@@ -31,8 +31,10 @@ with tempfile.TemporaryDirectory() as folder:
     runs = {name: play(name, pathlib.Path(folder)) for name in names}
 measured = {}
 for call in ("isr_sample", "settle", "poll"):
-    calls, total, _ = runs["sine"][call]
-    measured[f"{call}_sine"] = round(total / calls, 1)
+    times, total, _ = runs["sine"][call]
+    if call == "settle":
+        times = runs["sine"]["isr_sample"][0]
+    measured[f"{call}_sine"] = round(total / times, 1)
     worst = {name: counts[call][2] for name, counts in runs.items()}
     measured[f"{call}_worst"] = max(worst.values())
     print(f"{call}: {measured[f'{call}_sine']} on average, at worst", worst)

@@ -2,8 +2,8 @@
 
 namespace firmware_test {
 
-extern "C" void app_isr_sample(App* app) {
-  app->isr_sample();
+extern "C" void app_isr_sample(App* app, bool* due) {
+  *due = app->isr_sample();
 }
 extern "C" void app_settle(App* app, bool* more) {
   *more = app->settle();

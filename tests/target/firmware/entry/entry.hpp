@@ -24,7 +24,7 @@ using Machine =
 using App = Machine::App;
 
 extern "C" {
-void app_isr_sample(App* app);
+void app_isr_sample(App* app, bool* due);
 void app_settle(App* app, bool* more);
 void app_poll(App* app);
 }
