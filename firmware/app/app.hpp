@@ -31,9 +31,9 @@ namespace app {
 ///   App app(devices, config, starting_models<1>(store, configured));
 ///   app.start();
 ///   // in the interrupt of the control loop:
-///   app.isr_sample();
-///   // below it:
-///   while (app.settle()) {}
+///   const bool due = app.isr_sample();
+///   // below it, where that is true, once for each tendon:
+///   app.settle();
 ///   // in the idle loop, every few milliseconds at least:
 ///   app.poll();
 ///
@@ -83,8 +83,9 @@ class App {
     safety_.start();
   }
 
-  /// One period of the control loop: reads all sensors.
-  void isr_sample() { intake_.isr_sample(devices_.sensor, estimator_); }
+  /// One period of the control loop: reads all sensors. True where settle() is due, once for each
+  /// tendon.
+  bool isr_sample() { return intake_.isr_sample(devices_.sensor, estimator_); }
   /// The control loop left out `periods` periods.
   void isr_missed(std::uint32_t periods) {
     if constexpr (ExtendingSensor<typename Devices::Sensor>) {

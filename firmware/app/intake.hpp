@@ -83,9 +83,11 @@ class Intake {
     }
   }
 
+  /// True where the estimator's push() has said so of a tendon.
   template <hal::Sensor SensorT>
-  void isr_sample(SensorT& sensor, Estimator& estimator) {
+  bool isr_sample(SensorT& sensor, Estimator& estimator) {
     isr_forget(estimator);
+    bool due = false;
     for (std::size_t tendon = 0; tendon < kTendons; ++tendon) {
       if (left_out_[tendon]) {
         continue;
@@ -96,7 +98,7 @@ class Intake {
           lifemodel::Flags& flags = estimator.input_flags(tendon);
           flags = flags | sensor.isr_flags(tendon);
         }
-        isr_push(estimator, tendon, *sample);
+        due = isr_push(estimator, tendon, *sample) || due;
         without_[tendon].set_relaxed(0);
       } else {
         isr_miss(estimator, tendon, 1);
@@ -105,6 +107,7 @@ class Intake {
       }
     }
     periods_.set_relaxed(periods_.own() + 1);
+    return due;
   }
 
   void isr_missed(std::uint32_t periods, Estimator& estimator) {
@@ -154,27 +157,27 @@ class Intake {
     watches_[tendon].miss(samples);
   }
 
-  void isr_push(Estimator& estimator, std::size_t tendon, lifemodel::Tension tension,
+  bool isr_push(Estimator& estimator, std::size_t tendon, lifemodel::Tension tension,
                 Velocity velocity = {}) {
-    estimator.push(tendon, tension);
     watches_[tendon].push(tension, velocity);
+    return estimator.push(tendon, tension);
   }
-  void isr_push(Estimator& estimator, std::size_t tendon, lifemodel::MotorCurrent current,
+  bool isr_push(Estimator& estimator, std::size_t tendon, lifemodel::MotorCurrent current,
                 Velocity velocity = {}) {
     if (!estimator.parameters(tendon).has_drive()) {
       isr_miss(estimator, tendon, 1);
-      return;
+      return false;
     }
-    isr_push(estimator, tendon, estimator.input_tension(tendon, current), velocity);
+    return isr_push(estimator, tendon, estimator.input_tension(tendon, current), velocity);
   }
-  void isr_push(Estimator& estimator, std::size_t tendon, const OutputTension& sample) {
-    isr_push(estimator, tendon,
-             estimator.input_tension(tendon, sample.tension, sample.direction, sample.bend),
-             sample.velocity);
+  bool isr_push(Estimator& estimator, std::size_t tendon, const OutputTension& sample) {
+    return isr_push(estimator, tendon,
+                    estimator.input_tension(tendon, sample.tension, sample.direction, sample.bend),
+                    sample.velocity);
   }
   template <class Sample>
-  void isr_push(Estimator& estimator, std::size_t tendon, const Moving<Sample>& moving) {
-    isr_push(estimator, tendon, moving.sample, moving.velocity);
+  bool isr_push(Estimator& estimator, std::size_t tendon, const Moving<Sample>& moving) {
+    return isr_push(estimator, tendon, moving.sample, moving.velocity);
   }
 
   static constexpr std::uint32_t kWindow = std::uint32_t{1} << 31;

@@ -197,7 +197,7 @@ class Board {
   };
   struct NoApp {
     void isr_missed(std::uint32_t) {}
-    void isr_sample() {}
+    bool isr_sample() { return false; }
   };
 
   HalDevices devices_;

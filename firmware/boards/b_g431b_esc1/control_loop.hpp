@@ -13,9 +13,10 @@ inline constexpr std::uint32_t kStopSamples = 2 * kLoop_Hz / 1000;
 inline constexpr std::uint32_t kPeriodsInTime = 10 * kLoop_Hz / 1000;
 static_assert(kPeriodsInTime > kStopSamples);
 
-/// One period of the control loop, on devices with the members of Hardware.
+/// One period of the control loop, on devices with the members of Hardware. True where settling is
+/// due.
 template <class Devices, class App>
-void isr_period(Devices& devices, App& app) {
+bool isr_period(Devices& devices, App& app) {
   const std::uint32_t now_us = devices.clock.isr_tick();
   devices.sensor.isr_latch();
   const std::uint32_t missed = devices.timing.isr_period(now_us, kLoopPeriod_us);
@@ -25,7 +26,7 @@ void isr_period(Devices& devices, App& app) {
   if (missed != 0) {
     app.isr_missed(missed);
   }
-  app.isr_sample();
+  return app.isr_sample();
 }
 
 }  // namespace boards::b_g431b_esc1

@@ -10,8 +10,8 @@
 namespace boards::b_g431b_esc1 {
 
 extern "C" void isr_settle() {
-  while (application().app().settle()) {
-  }
+  static_assert(kTendons == 1, "once for each");
+  application().app().settle();
 }
 
 Room<Hardware> hardware_room;

@@ -10,8 +10,9 @@
 namespace boards::b_g431b_esc1 {
 
 extern "C" void isr_control() {
-  isr_period(hardware(), application().app());
-  registers::system_control().icsr.write(hal::stm32g4::core::kPendSvSet);
+  if (isr_period(hardware(), application().app())) {
+    registers::system_control().icsr.write(hal::stm32g4::core::kPendSvSet);
+  }
 }
 
 extern "C" void isr_nmi() {

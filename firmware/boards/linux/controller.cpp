@@ -173,7 +173,6 @@ class Controller {
   static constexpr hal::Time kTimingPeriod = hal::milliseconds(100);
   /// So long every frame of the last state needs to leave.
   static constexpr hal::Time kReporting = hal::milliseconds(250);
-  static constexpr int kMostSettles = 64;
 
   /// Those of the tendons that there are.
   template <template <class> class Held, class Value>
@@ -207,8 +206,9 @@ class Controller {
     if (missed != 0) {
       wired_.app().isr_missed(missed);
     }
-    wired_.app().isr_sample();
-    hardware_.hold.isr_settle(kMostSettles, [this] { return wired_.app().settle(); });
+    if (wired_.app().isr_sample()) {
+      hardware_.hold.isr_settle(kTendons, [this] { return wired_.app().settle(); });
+    }
     periods_.store(periods_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
     return !at_end();
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -158,9 +159,9 @@ class SettleTurn {
   /// Of the control loop: calls `settle` while it gives true, at most `most` times, unless the
   /// application reads; then what waits is settled in a later period.
   template <class Settle>
-  void isr_settle(int most, Settle&& settle) {
+  void isr_settle(std::size_t most, Settle&& settle) {
     const std::unique_lock turn(mutex_, std::try_to_lock);
-    for (int i = 0; turn && i < most && settle(); ++i) {
+    for (std::size_t i = 0; turn && i < most && settle(); ++i) {
     }
   }
 

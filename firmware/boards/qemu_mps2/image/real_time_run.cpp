@@ -110,12 +110,13 @@ extern "C" void sys_tick() noexcept {
   constexpr std::uint32_t kSetPendSv = 1u << 28;
   running->timer.isr_tick();
   running->machine.sensor.put(running->samples.isr_next());
-  running->machine.app.isr_sample();
-  registers::kInterruptControlState.write(kSetPendSv);
+  if (running->machine.app.isr_sample()) {
+    registers::kInterruptControlState.write(kSetPendSv);
+  }
 }
 
 extern "C" void pend_sv() noexcept {
-  while (running->machine.app.settle()) {
+  for (std::size_t i = 0; i < kTendons && running->machine.app.settle(); ++i) {
   }
 }
 

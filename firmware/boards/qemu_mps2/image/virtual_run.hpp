@@ -54,7 +54,7 @@ class ScriptedLine {
 };
 
 /// Plays a recording to the machine in virtual time, so that a run is the same each time and
-/// everywhere: a sample, all that is left to settle, and each millisecond a poll.
+/// everywhere: a sample, what is due to settle, and each millisecond a poll.
 template <class MachineT, class LineT, class ProfileT, class ScriptT>
 class Player {
  public:
@@ -86,8 +86,8 @@ class Player {
  private:
   void sample(const Row& row) {
     machine_.sensor.put(row);
-    machine_.app.isr_sample();
-    while (machine_.app.settle()) {
+    const bool due = machine_.app.isr_sample();
+    for (std::size_t i = 0; due && i < kTendons && machine_.app.settle(); ++i) {
     }
   }
 
