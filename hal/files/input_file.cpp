@@ -93,7 +93,6 @@ class MemorySource final : public ByteSource {
   std::uint64_t total_;
 };
 
-constexpr std::size_t kUsualSize = std::size_t{1} << 16;
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 }  // namespace
@@ -139,10 +138,10 @@ std::string file_name(const std::filesystem::path& path) {
   return path == "-" ? "standard input" : path.string();
 }
 
-LineBuffer::LineBuffer(std::unique_ptr<ByteSource> source, std::string name)
+LineBuffer::LineBuffer(std::unique_ptr<ByteSource> source, std::string name, std::size_t window)
     : source_(std::move(source)),
       name_(std::move(name)),
-      buffer_(kUsualSize + 1),
+      buffer_(window + 1 + kSpare),
       position_(buffer_.data()),
       lines_end_(position_),
       data_end_(buffer_.data()) {
@@ -179,10 +178,10 @@ bool LineBuffer::refill() {
   data_end_ = front + kept;
   for (;;) {
     const auto used = static_cast<std::size_t>(data_end_ - buffer_.data());
-    if (used == buffer_.size() - 1) {
+    if (used == room()) {
       grow();
     }
-    const std::size_t count = source_->read({data_end_, buffer_.size() - 1 - used});
+    const std::size_t count = source_->read({data_end_, room() - used});
     if (count == 0) {
       if (used != 0) {
         *data_end_++ = '\n';
@@ -201,13 +200,27 @@ bool LineBuffer::refill() {
   }
 }
 
+std::string_view LineBuffer::hand_over(std::vector<char>& memory) {
+  const auto first = static_cast<std::size_t>(position_ - buffer_.data());
+  const auto size = static_cast<std::size_t>(lines_end_ - position_);
+  const auto kept = static_cast<std::size_t>(data_end_ - lines_end_);
+  bytes_before_buffer_ += first + size;
+  memory.resize(buffer_.size());
+  std::memcpy(memory.data(), lines_end_, kept);
+  buffer_.swap(memory);
+  position_ = buffer_.data();
+  lines_end_ = position_;
+  data_end_ = buffer_.data() + kept;
+  return {memory.data() + first, size};
+}
+
 // A line fills the buffer.
 void LineBuffer::grow() {
-  const std::size_t used = buffer_.size() - 1;
+  const std::size_t used = room();
   if (used == kLineLimit) {
     throw InputError(name_, line_number_, 0, "a line that does not end", "lines of at most 1 MiB");
   }
-  buffer_.resize(2 * used + 1);
+  buffer_.resize(2 * used + 1 + kSpare);
   position_ = buffer_.data();
   lines_end_ = position_;
   data_end_ = buffer_.data() + used;

@@ -53,9 +53,15 @@ class LineBuffer {
  public:
   /// The longest line, with its end, in bytes.
   static constexpr std::size_t kLineLimit = std::size_t{1} << 20;
+  static constexpr std::size_t kUsualWindow = std::size_t{1} << 16;
 
-  /// `name` stands for the source in errors.
-  LineBuffer(std::unique_ptr<ByteSource> source, std::string name);
+  /// Octets behind lines_end() that may be read, whatever they are.
+  static constexpr std::size_t kSpare = 8;
+
+  /// `name` stands for the source in errors, `window` is what is read at once: a power of two times
+  /// 1 KiB.
+  LineBuffer(std::unique_ptr<ByteSource> source, std::string name,
+             std::size_t window = kUsualWindow);
 
   /// Makes sure that a whole line is at position(); false at the end. Throws InputError for a line
   /// over the limit.
@@ -80,6 +86,11 @@ class LineBuffer {
     ++line_number_;
   }
 
+  /// Gives the rest of the window away, with the memory that it is in and as much spare behind it;
+  /// takes that of `memory` in exchange. Lines are not counted: see set_line_number().
+  std::string_view hand_over(std::vector<char>& memory);
+  void set_line_number(std::uint64_t number) noexcept { line_number_ = number; }
+
   /// Bytes of the source before position().
   std::uint64_t bytes_read() const noexcept;
   std::uint64_t bytes_total() const noexcept { return source_->total(); }
@@ -88,10 +99,12 @@ class LineBuffer {
   bool refill();
   void grow();
   void skip_byte_order_mark();
+  /// Of the buffer, beside an end of line that is lacking and the spare.
+  std::size_t room() const noexcept { return buffer_.size() - 1 - kSpare; }
 
   std::unique_ptr<ByteSource> source_;
   std::string name_;
-  std::vector<char> buffer_;  ///< one byte more than is read, for an end of line that is lacking
+  std::vector<char> buffer_;
   const char* position_;
   const char* lines_end_;
   char* data_end_;

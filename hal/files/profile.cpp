@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "hal/files/profile_blocks.hpp"
+#include "hal/files/profile_columns.hpp"
 #include "hal/files/profile_rows.hpp"
 
 namespace hal::files {
@@ -100,47 +102,62 @@ std::optional<InputKind> input_kind_from(std::string_view name) {
 class ProfileReader::Impl {
  public:
   Impl(std::unique_ptr<ByteSource> source, std::string_view name, const ProfileOptions& options)
-      : rows_(std::move(source), name, kAcceptedProfile, [&](const TextPlace& line) {
-          header_ = parse_profile_header(line, options);
-          return header_.columns;
-        }) {
-    choose_columns();
-  }
+      : lines_(std::move(source), std::string(name), ProfileBlocks::kWindow),
+        header_(read_header(name, options)),
+        blocks_(lines_, name, header_.columns, columns_of(header_),
+                lines_.bytes_total() == 0
+                    ? 1
+                    : std::clamp(options.threads, 1U, ProfileBlocks::kMostThreads)) {}
 
   std::size_t read(std::span<ProfileRow> rows) {
     std::size_t count = 0;
-    while (count < rows.size() && rows_.next()) {
-      const auto& values = rows_.values();
-      rows[count] = {values[kTime],
-                     values[value_column_],
-                     values[kTendonVelocity],
-                     values[bend_column_],
-                     values[kMotorAngle],
-                     values[kSheathTemperature],
-                     values[kWindingTemperature],
-                     rows_.lines().line_number() - 1};
-      ++count;
+    while (count < rows.size()) {
+      if (block_.empty() && read_block().empty()) {
+        break;
+      }
+      const std::size_t here = std::min(block_.size(), rows.size() - count);
+      std::copy_n(block_.begin(), here, rows.begin() + static_cast<std::ptrdiff_t>(count));
+      block_ = block_.subspan(here);
+      count += here;
     }
     return count;
   }
 
-  const ProfileHeader& header() const noexcept { return header_; }
-  const LineBuffer& lines() const noexcept { return rows_.lines(); }
-
- private:
-  static constexpr unsigned kAbsent = kProfileColumnCount;
-
-  void choose_columns() {
-    value_column_ = value_column(header_.kind);
-    if (header_.has_bend_angle) {
-      bend_column_ = kBendAngle;
-    }
+  std::span<const ProfileRow> take_block() {
+    const auto rows = block_.empty() ? read_block() : block_;
+    block_ = {};
+    return rows;
   }
 
-  ProfileHeader header_{};
-  ProfileRows rows_;
-  unsigned value_column_ = kAbsent;
-  unsigned bend_column_ = kAbsent;
+  const ProfileHeader& header() const noexcept { return header_; }
+  std::uint64_t bytes_read() const noexcept { return blocks_.bytes_read(); }
+  std::uint64_t bytes_total() const noexcept { return lines_.bytes_total(); }
+
+ private:
+  ProfileHeader read_header(std::string_view name, const ProfileOptions& options) {
+    ProfileHeader header{};
+    read_profile_header(lines_, name, kAcceptedProfile, [&](const TextPlace& line) {
+      header = parse_profile_header(line, options);
+      return header.columns;
+    });
+    return header;
+  }
+
+  static ProfileRowColumns columns_of(const ProfileHeader& header) {
+    ProfileRowColumns columns;
+    columns.value = value_column(header.kind);
+    if (header.has_bend_angle) {
+      columns.bend = kBendAngle;
+    }
+    return columns;
+  }
+
+  std::span<const ProfileRow> read_block() { return block_ = blocks_.next(); }
+
+  LineBuffer lines_;
+  ProfileHeader header_;
+  ProfileBlocks blocks_;
+  std::span<const ProfileRow> block_;  ///< of which no row has been read
 };
 
 ProfileReader::ProfileReader(const std::filesystem::path& path, ProfileOptions options)
@@ -175,12 +192,16 @@ std::size_t ProfileReader::read(std::span<ProfileRow> rows) {
   return impl_->read(rows);
 }
 
+std::span<const ProfileRow> ProfileReader::read_block() {
+  return impl_->take_block();
+}
+
 std::uint64_t ProfileReader::bytes_read() const noexcept {
-  return impl_->lines().bytes_read();
+  return impl_->bytes_read();
 }
 
 std::uint64_t ProfileReader::bytes_total() const noexcept {
-  return impl_->lines().bytes_total();
+  return impl_->bytes_total();
 }
 
 }  // namespace hal::files

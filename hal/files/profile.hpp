@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "hal/files/input_file.hpp"
-#include "hal/files/profile_rows.hpp"
+#include "hal/files/profile_columns.hpp"
 
 namespace hal::files {
 
@@ -29,6 +29,9 @@ std::optional<InputKind> input_kind_from(std::string_view name);
 struct ProfileOptions {
   /// The kind to read; without it the first in the order of InputKind that the file holds.
   std::optional<InputKind> input;
+  /// How many parse the rows of a file, the caller among them; the rows do not depend on it. What
+  /// is no file is not read ahead, so the caller alone parses that.
+  unsigned threads = 1;
 };
 
 /// One row of a profile. What the file does not hold is 0.
@@ -73,7 +76,11 @@ class ProfileReader {
   /// After an error the reader is of no further use.
   std::size_t read(std::span<ProfileRow> rows);
 
-  /// Bytes of the file that have been parsed.
+  /// The next rows, as many as are parsed at once; none at the end. They stay until the next call.
+  /// After an error the reader is of no further use.
+  std::span<const ProfileRow> read_block();
+
+  /// Bytes of the file whose rows have been parsed and are being read.
   std::uint64_t bytes_read() const noexcept;
 
   /// Size of the file in bytes, 0 if unknown (a pipe).
