@@ -54,24 +54,6 @@ double hazard_growth(double used, double further, double shape) {
   return std::pow(used, shape) * std::expm1(shape * std::log1p(further / used));
 }
 
-namespace {
-
-/// Rounded down to 2^-104 and 32 bits.
-lifemodel::Damage damage_of(double value) {
-  constexpr int kBits = 32;
-  lifemodel::Damage damage;
-  int exponent = 0;
-  const double mantissa = std::frexp(std::min(value, 1e9), &exponent);
-  const int position = lifemodel::Damage::kFractionBits + exponent - kBits;
-  if (position > -kBits) {
-    lifemodel::Flags none;
-    damage.add({static_cast<std::uint32_t>(std::ldexp(mantissa, kBits)), position}, none);
-  }
-  return damage;
-}
-
-}  // namespace
-
 BreakRisk::BreakRisk(const LawBelief& law, const Tendon& tendon)
     : used_(tendon.damage),
       damage_per_h_(tendon.damage_per_h),
@@ -131,9 +113,9 @@ double BreakRisk::within(double hours, double Law::*weight) const {
 }
 
 double BreakRisk::within_at_fit(double hours) const {
-  return lifemodel::pack::to_double(
-      lifemodel::break_risk(lifemodel::pack::from_double<lifemodel::WeibullShape>(fitted_shape_),
-                            damage_of(used_), damage_of(damage_per_h_ * hours)));
+  return lifemodel::pack::to_double(lifemodel::break_risk(
+      lifemodel::pack::from_double<lifemodel::WeibullShape>(fitted_shape_),
+      lifemodel::pack::damage(used_), lifemodel::pack::damage(damage_per_h_ * hours)));
 }
 
 double BreakRisk::hours_to(double risk) const {

@@ -11,7 +11,6 @@
 
 #include "hal/files/csv.hpp"
 #include "hal/files/input_error.hpp"
-#include "hal/files/text.hpp"
 #include "host_sim/campaign/csv_table.hpp"
 
 namespace host_sim::fleet {
@@ -50,7 +49,6 @@ constexpr std::array<CsvColumn, kFleetColumnCount> kFleetColumns{{
 }};
 
 constexpr NumberRange kDamageRange{0, 100};
-constexpr NumberRange kRateRange{0, 100};
 constexpr NumberRange kAgeRange{0, 1e7, true};
 constexpr NumberRange kLogSdRange{0, 3};
 constexpr NumberRange kHoursRange{0, 24};
@@ -64,7 +62,7 @@ std::optional<double> number_if_given(const CsvTable& table, FleetColumn column,
 
 /// The rate that is given, or the mean one of the age.
 double rate_in(const CsvTable& table, double damage, std::optional<double> age_h) {
-  const auto given = number_if_given(table, kDamagePerHour, kRateRange);
+  const auto given = number_if_given(table, kDamagePerHour, kDamagePerHourRange);
   if (given) {
     return *given;
   }
@@ -73,9 +71,9 @@ double rate_in(const CsvTable& table, double damage, std::optional<double> age_h
         .fail("a tendon without a rate", "damage_per_h, or age_h in hours of operation");
   }
   const double rate = damage / *age_h;
-  if (!kRateRange.contains(rate)) {
+  if (!kDamagePerHourRange.contains(rate)) {
     table.place(kAge).fail(fmt::format("damage over age_h is {:g} an hour, out of range", rate),
-                           hal::files::range_text(kRateRange));
+                           hal::files::range_text(kDamagePerHourRange));
   }
   return rate;
 }

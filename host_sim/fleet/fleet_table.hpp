@@ -9,15 +9,19 @@
 #include <vector>
 
 #include "hal/files/input_file.hpp"
+#include "hal/files/text.hpp"
 #include "host_sim/model/model.hpp"
 
 namespace host_sim::fleet {
+
+/// That a plan can be made for.
+inline constexpr hal::files::NumberRange kDamagePerHourRange{0, 100};
 
 /// A tendon in the field.
 struct Tendon {
   std::string name = {};
   double damage = 0;          ///< Miner, that its model gives for what it has done; 0 .. 100
-  double damage_per_h = 0;    ///< mean, for each hour of operation
+  double damage_per_h = 0;    ///< mean, for each hour of operation, in kDamagePerHourRange
   double rate_log_sd = 0;     ///< how far the mean rate until the horizon may be from it, in ln
   double hours_per_day = 24;  ///< of operation, 0 .. 24
   std::optional<double> effective_tension_N = {};  ///< that its damage is from, where that is known

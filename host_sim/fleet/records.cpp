@@ -248,6 +248,14 @@ std::vector<RecordedTendon> recorded_tendons(const std::function<std::optional<S
                          "a longer record");
       }
       tendons.push_back(of_tendon.recorded());
+      if (const double rate = tendons.back().damage_per_h; !kDamagePerHourRange.contains(rate)) {
+        throw InputError(
+            name, 0, 0,
+            fmt::format("the damage of {} rises by {:g} an hour",
+                        hal::files::in_quotes(tendon_name), rate),
+            fmt::format("{} an hour, and frames with the times at which they were sent",
+                        hal::files::range_text(kDamagePerHourRange)));
+      }
       tendons.back().name = tendon_name;
       tendons.back().broken = is_broken(node, tendon);
       tendons.back().past_lost = !node.status ||

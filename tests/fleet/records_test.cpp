@@ -194,6 +194,14 @@ TEST(FleetRecords, RefuseWhatCannotBePlannedWith) {
       refusal(silent.frames),
       "r1: the damage of 'r1/3/0' was heard once only, and its rate never; accepted: a longer "
       "record");
+  Recorded hasty(3);  // 0.001 in a ns
+  hasty.boot(0);
+  hasty.page(kMin, TendonDamage{0, 5'000'000, LifeState::normal});
+  hasty.page(kMin + 1, TendonDamage{0, 6'000'000, LifeState::normal});
+  EXPECT_EQ(
+      refusal(hasty.frames),
+      "r1: the damage of 'r1/3/0' rises by 3.6e+09 an hour; accepted: 0..100 an hour, and frames "
+      "with the times at which they were sent");
   // Each counts its own frames, and not from the same number.
   Recorded one(4);
   Recorded two(4);
