@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <random>
 #include <set>
 #include <vector>
 
@@ -117,6 +119,25 @@ TEST(Random, RepeatsItself) {
   Random second(1, 2, 3);
   for (int i = 0; i < 100; ++i) {
     EXPECT_EQ(first.uniform(), second.uniform());
+  }
+}
+
+// std::mt19937_64 seeded by std::seed_seq with the words of seed, stream and number, low ones
+// first.
+TEST(Random, IsTheEngineOfTheStandardSeededByItsSequence) {
+  std::mt19937_64 any(5);
+  for (unsigned i = 0; i < 200; ++i) {
+    const auto drawn = [&] { return any() >> (i % 64); };
+    const std::uint64_t seed = drawn();
+    const std::uint64_t stream = drawn();
+    const std::uint64_t number = drawn();
+    std::seed_seq sequence{seed & 0xffffffffU, seed >> 32U,          stream & 0xffffffffU,
+                           stream >> 32U,      number & 0xffffffffU, number >> 32U};
+    std::mt19937_64 engine(sequence);
+    Random random(seed, stream, number);
+    for (int k = 0; k < 400; ++k) {
+      ASSERT_EQ(random.uniform(), (static_cast<double>(engine() >> 11U) + 0.5) * 0x1p-53);
+    }
   }
 }
 
