@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <stdexcept>
 
 #include "host_sim/statistics/parallel.hpp"
@@ -97,8 +98,11 @@ void whiten(Eigen::MatrixXd& columns, double autocorrelation) {
   if (autocorrelation == 0 || columns.rows() == 0) {
     return;
   }
-  for (Index row = columns.rows() - 1; row > 0; --row) {
-    columns.row(row) -= autocorrelation * columns.row(row - 1);
+  for (Index column = 0; column < columns.cols(); ++column) {
+    double* const values = columns.col(column).data();
+    for (Index row = columns.rows() - 1; row > 0; --row) {
+      values[row] -= autocorrelation * values[row - 1];
+    }
   }
   columns.row(0) *= std::sqrt(1 - autocorrelation * autocorrelation);
 }
@@ -111,29 +115,135 @@ double mean_bend_angle(const recording::Covariates& covariates) {
   return covariates.samples() == 0 ? 0 : sum_rad / static_cast<double>(covariates.samples());
 }
 
-SessionGram session_gram(const Session& session, const GramLayout& layout,
-                         const effects::Baseline& baseline, double autocorrelation,
-                         const std::vector<double>* weights) {
-  Eigen::MatrixXd columns = columns_of(session, layout, baseline);
-  double log_weights = 0;
-  if (weights != nullptr) {
-    weigh(columns, *weights);
-    for (const double weight : *weights) {
-      log_weights += std::log(weight);
+/// Where another Gram has each column of a layout.
+class KnownColumns {
+ public:
+  KnownColumns(const GramLayout& layout, const Grams& known) {
+    for (std::size_t column = 0; column < layout.size(); ++column) {
+      const Index place = place_in(known.layout, layout, layout.columns[column]);
+      auto& own = place == kNone ? new_ : known_;
+      own.push_back(static_cast<Index>(column));
+      if (place != kNone) {
+        places_.push_back(place);
+      }
     }
   }
-  whiten(columns, autocorrelation);
-  SessionGram result{.session = session.name,
-                     .gram = Eigen::MatrixXd::Zero(columns.cols(), columns.cols()),
-                     .samples = session.covariates.samples(),
-                     .bend_angle_rad = mean_bend_angle(session.covariates),
-                     .log_weights = log_weights};
-  result.gram.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
-  result.gram.triangularView<Eigen::StrictlyUpper>() = result.gram.transpose();
-  return result;
+
+  /// The Gram matrix of columns of which `known` is that of another layout.
+  [[nodiscard]] Eigen::MatrixXd gram(const Eigen::MatrixXd& columns,
+                                     const Eigen::MatrixXd& known) const {
+    Eigen::MatrixXd gram(columns.cols(), columns.cols());
+    gram(known_, known_) = known(places_, places_);
+    const Eigen::MatrixXd products = columns.transpose() * columns(Eigen::all, new_);
+    gram(Eigen::all, new_) = products;
+    gram(new_, Eigen::all) = products.transpose();
+    return gram;
+  }
+
+ private:
+  static constexpr Index kNone = -1;
+
+  static Index place_in(const GramLayout& known, const GramLayout& layout,
+                        const GramColumn& column) {
+    switch (column.kind) {
+      case ColumnKind::intercept:
+        return Index{GramLayout::kIntercept};
+      case ColumnKind::friction:
+        return Index{GramLayout::kFriction};
+      case ColumnKind::residual:
+        return static_cast<Index>(known.residual());
+      case ColumnKind::probe:
+        return kNone;
+      case ColumnKind::signature:
+        break;
+    }
+    const GramLayout::Effect& wanted = layout.effects[column.effect];
+    for (const GramLayout::Effect& entry : known.effects) {
+      for (const GramLayout::Block& block : entry.blocks) {
+        if (entry.effect == wanted.effect && block.shape == wanted.blocks[column.shape].shape) {
+          return static_cast<Index>(block.first + column.column);
+        }
+      }
+    }
+    return kNone;
+  }
+
+  std::vector<Index> known_;   ///< columns that the other has
+  std::vector<Index> places_;  ///< where it has them
+  std::vector<Index> new_;
+};
+
+Eigen::MatrixXd gram_of_all(const Eigen::MatrixXd& columns) {
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(columns.cols(), columns.cols());
+  gram.selfadjointView<Eigen::Lower>().rankUpdate(columns.transpose());
+  gram.triangularView<Eigen::StrictlyUpper>() = gram.transpose();
+  return gram;
+}
+
+/// The columns of a session, weighed and whitened.
+Eigen::MatrixXd white_columns(const Session& session, const Grams& grams,
+                              const GramOptions& options, std::size_t place) {
+  Eigen::MatrixXd columns = columns_of(session, grams.layout, grams.baseline,
+                                       options.kept ? &options.kept->of(place) : nullptr);
+  if (!options.weights.empty()) {
+    weigh(columns, options.weights[place]);
+  }
+  whiten(columns, options.autocorrelation);
+  return columns;
+}
+
+double log_weights_of(const GramOptions& options, std::size_t place) {
+  double sum = 0;
+  if (!options.weights.empty()) {
+    for (const double weight : options.weights[place]) {
+      sum += std::log(weight);
+    }
+  }
+  return sum;
+}
+
+std::size_t bytes_of(const effects::Signature& signature) {
+  std::size_t bytes = 0;
+  for (const std::vector<double>& column : signature.columns) {
+    bytes += column.size() * sizeof(double);
+  }
+  return bytes;
 }
 
 }  // namespace
+
+const effects::Signature& KeptSignatures::OfSession::signature(const Session& session,
+                                                               const effects::TensionEffect& effect,
+                                                               const effects::Baseline& baseline,
+                                                               const std::vector<double>& shape,
+                                                               effects::Signature& room) {
+  if (baseline != baseline_) {
+    forget();
+    baseline_ = baseline;
+  }
+  for (const Kept& kept : kept_) {
+    if (kept.effect == &effect && kept.signature->shape == shape) {
+      return *kept.signature;
+    }
+  }
+  room = effect.signature(session.covariates, baseline, shape);
+  const std::size_t bytes = bytes_of(room);
+  std::size_t left = *bytes_left_;
+  while (left >= bytes && !bytes_left_->compare_exchange_weak(left, left - bytes)) {
+  }
+  if (left < bytes) {
+    return room;
+  }
+  kept_.push_back({&effect, std::make_unique<const effects::Signature>(std::move(room))});
+  return *kept_.back().signature;
+}
+
+void KeptSignatures::OfSession::forget() {
+  for (const Kept& kept : kept_) {
+    *bytes_left_ += bytes_of(*kept.signature);
+  }
+  kept_.clear();
+}
 
 std::vector<Wanted> whole_catalogue(std::span<const std::string> without) {
   std::vector<Wanted> wanted;
@@ -200,9 +310,9 @@ void weigh(Eigen::MatrixXd& columns, const std::vector<double>& weights) {
   if (static_cast<Index>(weights.size()) != columns.rows()) {
     throw std::logic_error("weights have another number of samples than their session");
   }
-  for (Index row = 0; row < columns.rows(); ++row) {
-    columns.row(row) *= std::sqrt(weights[static_cast<std::size_t>(row)]);
-  }
+  const Eigen::ArrayXd roots =
+      Eigen::Map<const Eigen::ArrayXd>(weights.data(), columns.rows()).sqrt();
+  columns.array().colwise() *= roots;
 }
 
 double Grams::samples() const {
@@ -214,14 +324,20 @@ double Grams::samples() const {
 }
 
 Eigen::MatrixXd columns_of(const Session& session, const GramLayout& layout,
-                           const effects::Baseline& baseline) {
+                           const effects::Baseline& baseline, KeptSignatures::OfSession* kept) {
   Eigen::MatrixXd columns(static_cast<Index>(session.covariates.samples()),
                           static_cast<Index>(layout.size()));
   fill_baseline(columns, session.covariates, layout, baseline.friction_coefficient);
   for (const GramLayout::Effect& entry : layout.effects) {
     for (const GramLayout::Block& block : entry.blocks) {
-      fill_block(columns, block,
-                 entry.effect->signature(session.covariates, baseline, block.shape));
+      effects::Signature room;
+      if (kept != nullptr) {
+        fill_block(columns, block,
+                   kept->signature(session, *entry.effect, baseline, block.shape, room));
+      } else {
+        fill_block(columns, block,
+                   entry.effect->signature(session.covariates, baseline, block.shape));
+      }
     }
   }
   for (const GramLayout::ProbeBlock& block : layout.probes) {
@@ -230,7 +346,7 @@ Eigen::MatrixXd columns_of(const Session& session, const GramLayout& layout,
   return columns;
 }
 
-Grams gram_of(std::span<const Session> sessions, const GramOptions& options) {
+Grams gram_of(std::span<const Session> sessions, const GramOptions& options, const Grams* known) {
   if (!options.weights.empty() && options.weights.size() != sessions.size()) {
     throw std::logic_error("weights of another number of sessions");
   }
@@ -240,12 +356,21 @@ Grams gram_of(std::span<const Session> sessions, const GramOptions& options) {
   }
   grams.layout = layout_of(sessions, grams.baseline, options.wanted, options.probes);
   grams.sessions.resize(sessions.size());
+  std::optional<KnownColumns> in_known;
+  if (known != nullptr && known->baseline == grams.baseline) {
+    in_known.emplace(grams.layout, *known);
+  }
   statistics::parallel_for(
       sessions.size(),
       [&](std::size_t i) {
-        grams.sessions[i] =
-            session_gram(sessions[i], grams.layout, grams.baseline, options.autocorrelation,
-                         options.weights.empty() ? nullptr : &options.weights[i]);
+        const Session& session = sessions[i];
+        const Eigen::MatrixXd columns = white_columns(session, grams, options, i);
+        grams.sessions[i] = {.session = session.name,
+                             .gram = in_known ? in_known->gram(columns, known->sessions[i].gram)
+                                              : gram_of_all(columns),
+                             .samples = session.covariates.samples(),
+                             .bend_angle_rad = mean_bend_angle(session.covariates),
+                             .log_weights = log_weights_of(options, i)};
       },
       options.threads);
   return grams;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <atomic>
 #include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -85,6 +87,52 @@ struct SessionGram {
   double log_weights = 0;     ///< sum of ln of the weights
 };
 
+/// Signatures of sessions under one baseline, so that each is computed once and not for every Gram.
+/// What there is no room for is computed again.
+class KeptSignatures {
+ public:
+  static constexpr std::size_t kMostBytes = std::size_t{256} << 20;
+
+  /// Those of one session. By one thread at a time.
+  class OfSession {
+   public:
+    explicit OfSession(std::atomic<std::size_t>& bytes_left) : bytes_left_(&bytes_left) {}
+
+    /// The signature, kept or new; in `room` where it is not kept. Valid until the next call.
+    /// @pre always the same session
+    const effects::Signature& signature(const Session& session,
+                                        const effects::TensionEffect& effect,
+                                        const effects::Baseline& baseline,
+                                        const std::vector<double>& shape, effects::Signature& room);
+
+   private:
+    struct Kept {
+      const effects::TensionEffect* effect;
+      std::unique_ptr<const effects::Signature> signature;
+    };
+
+    void forget();
+
+    std::atomic<std::size_t>* bytes_left_;
+    effects::Baseline baseline_;
+    std::vector<Kept> kept_;
+  };
+
+  explicit KeptSignatures(std::size_t sessions) {
+    for (std::size_t i = 0; i < sessions; ++i) {
+      sessions_.emplace_back(bytes_left_);
+    }
+  }
+  KeptSignatures(const KeptSignatures&) = delete;
+  KeptSignatures& operator=(const KeptSignatures&) = delete;
+
+  OfSession& of(std::size_t session) { return sessions_[session]; }
+
+ private:
+  std::atomic<std::size_t> bytes_left_ = kMostBytes;
+  std::vector<OfSession> sessions_;
+};
+
 struct GramOptions {
   std::vector<Wanted> wanted = whole_catalogue();
   std::vector<Probe> probes;
@@ -96,6 +144,8 @@ struct GramOptions {
   /// samples; none means 1.
   std::span<const std::vector<double>> weights = {};
   unsigned threads = 0;  ///< 0: all cores
+  /// Of these sessions; none: nothing is kept.
+  std::shared_ptr<KeptSignatures> kept = nullptr;
 };
 
 struct Grams {
@@ -115,9 +165,11 @@ GramLayout layout_of(std::span<const Session> sessions, const effects::Baseline&
                      const std::vector<Probe>& probes = {});
 
 /// The columns of one session, samples() x layout.size(), in order of the layout.
+/// @param kept where signatures are taken from and left, of this session
 /// @throws std::logic_error where an effect gives other columns than its layout says
 Eigen::MatrixXd columns_of(const Session& session, const GramLayout& layout,
-                           const effects::Baseline& baseline);
+                           const effects::Baseline& baseline,
+                           KeptSignatures::OfSession* kept = nullptr);
 
 /// Weighs the rows of columns_of(): each times the root of its weight.
 /// @throws std::logic_error where there is not one weight for each row
@@ -125,6 +177,9 @@ void weigh(Eigen::MatrixXd& columns, const std::vector<double>& weights);
 
 /// Layout and Gram matrices of all sessions, in one pass over the samples of each: never a matrix
 /// of all sessions. The same for any number of threads.
-Grams gram_of(std::span<const Session> sessions, const GramOptions& options);
+/// @param known of the same sessions, weights and autocorrelation: where it is for the same
+/// baseline, products of columns that it has are taken from it
+Grams gram_of(std::span<const Session> sessions, const GramOptions& options,
+              const Grams* known = nullptr);
 
 }  // namespace host_sim::diagnose

@@ -16,6 +16,8 @@ struct Baseline {
   double sheath_reference_C = 20;   ///< where the temperature term is zero
   double winding_reference_C = 20;
   std::vector<double> poses_rad;  ///< bend angles of the campaign, rising; none: one pose
+
+  friend bool operator==(const Baseline&, const Baseline&) = default;
 };
 
 struct Parameter {

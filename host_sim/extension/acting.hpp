@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "hal/files/profile.hpp"
-#include "hal/files/profile_rows.hpp"
+#include "hal/files/profile_columns.hpp"
 #include "host_sim/model/model.hpp"
 
 namespace host_sim {

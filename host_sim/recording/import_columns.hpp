@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hal/files/input_file.hpp"
-#include "hal/files/profile_rows.hpp"
+#include "hal/files/profile_columns.hpp"
 #include "host_sim/recording/import.hpp"
 
 namespace host_sim::recording {

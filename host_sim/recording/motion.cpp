@@ -32,6 +32,10 @@ class Follower {
         ++reversals_;
         travel_m = i > stretch.first ? since_turn_m(i) : 0;
         turned = turned || i > first_motion;
+        turning_[i] = true;
+        if (i > stretch.first) {
+          motion_.known[i - 1] = false;
+        }
       } else if (i > first_motion) {
         travel_m += step_m(i) * direction;
       }
@@ -99,7 +103,8 @@ class Follower {
     }
   }
 
-  /// A turn that the end of the stretch cuts off before the dead band is left.
+  /// A turn that the end of the stretch cuts off before the dead band is left, and the sample
+  /// before it.
   void mark_end(const Stretch& stretch, double direction) {
     std::size_t i = stretch.end();
     while (i > stretch.first && std::abs(velocity_m_s_[i - 1]) <= band_m_s_) {
@@ -107,6 +112,9 @@ class Follower {
     }
     while (i < stretch.end() && velocity_m_s_[i] * direction >= 0) {
       ++i;
+    }
+    if (i > stretch.first && i < stretch.end()) {
+      --i;
     }
     std::fill(turning_.begin() + static_cast<std::ptrdiff_t>(i),
               turning_.begin() + static_cast<std::ptrdiff_t>(stretch.end()), true);

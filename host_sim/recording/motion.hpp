@@ -25,7 +25,8 @@ struct Motion {
   std::vector<double> reversals;  ///< since the start of the recording
   /// Whether direction and travel are known: after the first reversal of a stretch, or after
   /// kSettledTravel_m; not within the dead band around a reversal, where noise hides the sign, nor
-  /// where the other sign is last seen within the dead band.
+  /// where the other sign is last seen within the dead band; nor next to a reversal, where a
+  /// channel that is read a little earlier or later than the others shows the other direction.
   std::vector<bool> known;
 };
 

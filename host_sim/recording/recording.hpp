@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hal/files/profile_rows.hpp"
+#include "hal/files/profile_columns.hpp"
 #include "host_sim/campaign/campaign.hpp"
 
 namespace host_sim::recording {

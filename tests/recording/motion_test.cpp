@@ -45,9 +45,9 @@ TEST(Motion, TravelsByTrapezoidsFromWhereTheVelocityIsZero) {
 TEST(Motion, IsKnownAfterAReversalOrFiveMillimetres) {
   const double v = 0.002;  // in a second 2 mm
   EXPECT_THAT(motion_in({0, v, v, v, v, v, -v, -v}, 0).known,
-              ElementsAre(false, false, false, false, true, true, true, true));
+              ElementsAre(false, false, false, false, true, false, false, true));
   EXPECT_THAT(motion_in({v, v, -v, -v, 0, 0}, 0).known,
-              ElementsAre(false, false, true, true, true, true));
+              ElementsAre(false, false, false, true, true, true));
   EXPECT_THAT(motion_in({0, 0, 0}, 0).known, ElementsAre(false, false, false));
 }
 
@@ -63,29 +63,36 @@ TEST(Motion, DoesNotTurnWithinTheDeadBand) {
 }
 
 TEST(Motion, IsNotKnownWithinTheDeadBandAroundAReversal) {
-  const Motion motion = motion_in({5, 1, -1, -2, -5, -1, -5, 1, 0, 5}, 3);
+  const Motion motion = motion_in({5, 1, -1, -2, -5, -1, -5, 1, 0, 5, 5}, 3);
   EXPECT_THAT(motion.known,
-              ElementsAre(false, false, false, false, true, true, true, false, false, true));
+              ElementsAre(false, false, false, false, true, true, true, false, false, false, true));
 }
 
 TEST(Motion, IsNotKnownWhereTheEndCutsATurnOff) {
   EXPECT_THAT(motion_in({5, -5, -2, 0, -1, 1, -1}, 3).known,
-              ElementsAre(false, true, true, true, true, false, false));
-  EXPECT_THAT(motion_in({5, -5, -2, 0, 0}, 3).known, ElementsAre(false, true, true, true, true));
+              ElementsAre(false, false, true, true, false, false, false));
+  EXPECT_THAT(motion_in({5, -5, -2, 0, 0}, 3).known, ElementsAre(false, false, true, true, true));
+}
+
+TEST(Motion, IsNotKnownNextToAReversal) {
+  EXPECT_THAT(motion_in({1, 1, 1, 1, -1, -1, -1, 1, 1}, 0).known,
+              ElementsAre(false, true, true, false, false, true, false, false, true));
 }
 
 TEST(Motion, SlipsFromFiveMillimetresBehindAReversalToTheNext) {
   const double v = 0.002;
   const Motion motion = motion_in({v, v, v, v, v, -v, -v, -v, -v, -v, 0, v}, v / 2);
-  EXPECT_THAT(slips_of(motion), ElementsAre(Stretch{3, 2}, Stretch{8, 2}));
+  EXPECT_THAT(slips_of(motion), ElementsAre(Stretch{3, 1}, Stretch{8, 2}));
 }
 
 TEST(Motion, BeginsAnewBehindAGap) {
-  const Motion motion = motion_in({1, 1, -1, 1, -1, -1, 1, -1}, 0, {{0, 4}, {4, 3}, {7, 1}});
-  // The tendon turned in the gap before sample 4, and in the one before sample 7.
-  EXPECT_THAT(motion.reversals, ElementsAre(0, 0, 1, 2, 3, 3, 4, 5));
-  EXPECT_THAT(motion.travel_m, ElementsAre(0, 1, 0.25, 0.25, 0, 1, 0.25, 0));
-  EXPECT_THAT(motion.known, ElementsAre(false, true, true, true, false, true, true, false));
+  const Motion motion =
+      motion_in({1, 1, 1, -1, -1, 1, 1, -1, -1, -1, 1}, 0, {{0, 5}, {5, 5}, {10, 1}});
+  // The tendon turned in the gap before sample 5, and in the one before sample 10.
+  EXPECT_THAT(motion.reversals, ElementsAre(0, 0, 0, 1, 1, 2, 2, 3, 3, 3, 4));
+  EXPECT_THAT(motion.travel_m, ElementsAre(0, 1, 2, 0.25, 1.25, 0, 1, 0.25, 1.25, 2.25, 0));
+  EXPECT_THAT(motion.known,
+              ElementsAre(false, true, false, false, true, false, false, false, true, true, false));
 }
 
 TEST(Motion, OutsideOfTheStretchesIsNotKnownAndTheCountStands) {

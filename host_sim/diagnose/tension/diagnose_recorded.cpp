@@ -58,14 +58,15 @@ class Diagnoser {
     evidence_.sessions = recorded.sessions;
     evidence_.options.wanted.clear();
     evidence_.options.threads = options.threads;
+    evidence_.options.kept = std::make_shared<KeptSignatures>(recorded.sessions.size());
     evidence_.options.baseline.friction_coefficient =
         settled_friction(recorded.sessions, campaign.nominal.sheath->friction_coefficient);
     evidence_.options.baseline.poses_rad = poses_of(recorded.sessions);
   }
 
   TensionDiagnosis run() {
-    noise_ =
-        sample_noise(evidence_.sessions, evidence_.options.baseline, wanted_, options_.threads);
+    noise_ = sample_noise(evidence_.sessions, evidence_.options.baseline, wanted_, options_.threads,
+                          evidence_.options.kept.get());
     evidence_.options.autocorrelation = noise_.autocorrelation;
     evidence_.options.weights = noise_.weights;
     evidence_.sample_sd = noise_.sample_sd;

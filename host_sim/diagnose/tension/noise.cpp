@@ -1,12 +1,17 @@
 #include "host_sim/diagnose/tension/noise.hpp"
 
 #include <Eigen/Cholesky>
+#include <Eigen/LU>
 #include <algorithm>
+#include <array>
+#include <boost/math/distributions/normal.hpp>
 #include <cmath>
+#include <cstdint>
 #include <numeric>
 #include <vector>
 
 #include "host_sim/statistics/parallel.hpp"
+#include "host_sim/statistics/random.hpp"
 
 namespace host_sim::diagnose {
 namespace {
@@ -87,22 +92,46 @@ double most_likely_c(const std::vector<Spread>& spreads, double samples) {
 using Eigen::Index;
 
 constexpr double kRidge = 1e-9;  ///< columns of a session are often alike
-constexpr double kMostCorrelation = 0.995;
-constexpr double kLeastCorrelation = -0.5;
 constexpr double kLeast_sd = 1e-6;
-constexpr Index kLags = 40;  ///< of what is left after whitening
+constexpr Index kLags = 40;
 
-Eigen::VectorXd residual_of(const Eigen::MatrixXd& columns) {
-  const Index last = columns.cols() - 1;
-  const auto terms = columns.leftCols(last);
-  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(last, last);
+/// First-order autocorrelations of noise that goes through the same fits as what was measured, and
+/// shows what of noise they take away. That is more of slow noise than of white.
+constexpr std::array kTrials{0.0,  0.3,  0.5,  0.6,   0.68, 0.75, 0.8,
+                             0.85, 0.88, 0.91, 0.935, 0.95, 0.97, 0.98};
+constexpr std::uint64_t kTrialStream = 0x747269616c;
+
+/// A column for each of kTrials, with innovations of unit variance.
+Eigen::MatrixXd trials_of(Index samples, std::size_t session) {
+  Eigen::MatrixXd trials(samples, std::ssize(kTrials));
+  statistics::Random random(0, kTrialStream, session);
+  Eigen::VectorXd innovations(samples);
+  for (Index i = 0; i < samples; ++i) {
+    innovations(i) = boost::math::quantile(boost::math::normal(), random.uniform());
+  }
+  for (Index k = 0; k < trials.cols(); ++k) {
+    const double correlation = kTrials[static_cast<std::size_t>(k)];
+    double value = boost::math::quantile(boost::math::normal(), random.uniform()) /
+                   std::sqrt(1 - correlation * correlation);
+    for (Index i = 0; i < samples; ++i) {
+      value = correlation * value + innovations(i);
+      trials(i, k) = value;
+    }
+  }
+  return trials;
+}
+
+/// What terms leave of responses, a column each.
+Eigen::MatrixXd residuals_of(const Eigen::Ref<const Eigen::MatrixXd>& terms,
+                             const Eigen::MatrixXd& responses) {
+  Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(terms.cols(), terms.cols());
   gram.selfadjointView<Eigen::Lower>().rankUpdate(terms.transpose());
   const Eigen::VectorXd unit = gram.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
   gram = unit.asDiagonal() * gram * unit.asDiagonal();
   gram.diagonal().array() += kRidge;
-  const Eigen::VectorXd product = unit.asDiagonal() * (terms.transpose() * columns.col(last));
-  const Eigen::VectorXd solved = gram.selfadjointView<Eigen::Lower>().ldlt().solve(product);
-  return columns.col(last) - terms * (unit.asDiagonal() * solved);
+  const Eigen::MatrixXd products = unit.asDiagonal() * (terms.transpose() * responses);
+  const Eigen::MatrixXd solved = gram.selfadjointView<Eigen::Lower>().ldlt().solve(products);
+  return responses - terms * (unit.asDiagonal() * solved);
 }
 
 double lag_product(const Eigen::VectorXd& values, Index lag) {
@@ -110,44 +139,90 @@ double lag_product(const Eigen::VectorXd& values, Index lag) {
   return rest <= 0 ? 0 : values.tail(rest).dot(values.head(rest));
 }
 
-/// By session, each with everything to itself; weighed where there are weights.
-std::vector<Eigen::VectorXd> residuals_of(std::span<const Session> sessions,
+/// By session, each with everything to itself; weighed where there are weights. The first column is
+/// what was measured, the others are kTrials.
+std::vector<Eigen::MatrixXd> residuals_of(std::span<const Session> sessions,
                                           const GramLayout& layout,
                                           const effects::Baseline& baseline,
-                                          const SampleWeights& weights, unsigned threads) {
-  std::vector<Eigen::VectorXd> residuals(sessions.size());
+                                          const SampleWeights& weights, unsigned threads,
+                                          KeptSignatures* kept) {
+  std::vector<Eigen::MatrixXd> residuals(sessions.size());
   statistics::parallel_for(
       sessions.size(),
       [&](std::size_t i) {
-        Eigen::MatrixXd columns = columns_of(sessions[i], layout, baseline);
+        Eigen::MatrixXd columns =
+            columns_of(sessions[i], layout, baseline, kept == nullptr ? nullptr : &kept->of(i));
         if (!weights.empty()) {
           weigh(columns, weights[i]);
         }
-        residuals[i] = residual_of(columns);
+        const Index last = columns.cols() - 1;
+        Eigen::MatrixXd responses(columns.rows(), 1 + std::ssize(kTrials));
+        responses << columns.col(last), trials_of(columns.rows(), i);
+        residuals[i] = residuals_of(columns.leftCols(last), responses);
       },
       threads);
   return residuals;
 }
 
-/// Variance of sums over that of samples, of values that should be white; at least 1.
-double long_run_ratio(const std::vector<Eigen::VectorXd>& residuals, double autocorrelation) {
-  std::vector<double> products(kLags + 1, 0.0);
-  for (const Eigen::VectorXd& residual : residuals) {
-    const Index rest = residual.size() - 1;
-    const Eigen::VectorXd white = residual.tail(rest) - autocorrelation * residual.head(rest);
+/// Of one column of residuals, by lag up to kLags.
+Eigen::VectorXd autocovariance(const std::vector<Eigen::MatrixXd>& residuals, Index column) {
+  Eigen::VectorXd products = Eigen::VectorXd::Zero(kLags + 1);
+  double samples = 0;
+  for (const Eigen::MatrixXd& residual : residuals) {
+    samples += static_cast<double>(residual.rows());
     for (Index lag = 0; lag <= kLags; ++lag) {
-      products[static_cast<std::size_t>(lag)] += lag_product(white, lag);
+      products(lag) += lag_product(residual.col(column), lag);
     }
   }
-  double ratio = 1;
-  if (products.front() <= 0) {
-    return ratio;
+  return products / samples;
+}
+
+/// White noise and noise of first order together.
+struct NoiseMixture {
+  double white = 0;       ///< variance
+  double innovation = 0;  ///< variance of the other's innovations
+  double correlation = 0;
+
+  [[nodiscard]] double autocorrelation() const {
+    const double slow = innovation / (1 - correlation * correlation);
+    return correlation * slow / std::max(white + slow, kLeast_sd * kLeast_sd);
   }
-  for (Index lag = 1; lag <= kLags; ++lag) {
-    const double taper = 1 - static_cast<double>(lag) / (kLags + 1.0);
-    ratio += 2 * taper * products[static_cast<std::size_t>(lag)] / products.front();
+  /// Of sums, for each sample.
+  [[nodiscard]] double long_run_variance() const {
+    return white + innovation / ((1 - correlation) * (1 - correlation));
   }
-  return std::max(ratio, 1.0);
+};
+
+/// The one whose autocovariance after the fits is nearest to that of what was measured: white
+/// noise alone, unless chance hardly ever gives it as much of the other.
+NoiseMixture mixture_of(const std::vector<Eigen::MatrixXd>& residuals) {
+  constexpr double kBeyondChance = 9;  // three standard deviations of an autocovariance
+  const Eigen::VectorXd shown = autocovariance(residuals, 0);
+  const Eigen::VectorXd white = autocovariance(residuals, 1);
+  double samples = 0;
+  for (const Eigen::MatrixXd& residual : residuals) {
+    samples += static_cast<double>(residual.rows());
+  }
+  NoiseMixture best{.white = shown.dot(white) / std::max(white.squaredNorm(), 1e-300)};
+  double least = (shown - best.white * white).squaredNorm() -
+                 kBeyondChance * shown(0) * shown(0) / std::max(samples, 1.0);
+  for (std::size_t k = 1; k < kTrials.size(); ++k) {
+    const Eigen::VectorXd slow = autocovariance(residuals, static_cast<Index>(k) + 1);
+    const double across = white.dot(slow);
+    Eigen::Matrix2d square;
+    square << white.squaredNorm(), across, across, slow.squaredNorm();
+    const Eigen::Vector2d both =
+        square.inverse() * Eigen::Vector2d(white.dot(shown), slow.dot(shown));
+    const Eigen::Vector2d alone(0, slow.dot(shown) / std::max(slow.squaredNorm(), 1e-300));
+    for (const Eigen::Vector2d& sizes : {both, alone}) {
+      const double left = (shown - sizes(0) * white - sizes(1) * slow).squaredNorm();
+      if (sizes.minCoeff() >= 0 && left < least) {
+        least = left;
+        best = {sizes(0), sizes(1), kTrials[k]};
+      }
+    }
+  }
+  return best;
 }
 
 }  // namespace
@@ -194,32 +269,25 @@ SampleWeights sample_weights(std::span<const Session> sessions,
 }
 
 SampleNoise sample_noise(std::span<const Session> sessions, const effects::Baseline& baseline,
-                         const std::vector<Wanted>& wanted, unsigned threads) {
+                         const std::vector<Wanted>& wanted, unsigned threads,
+                         KeptSignatures* kept) {
   const GramLayout layout = layout_of(sessions, baseline, wanted);
   SampleNoise noise;
-  std::vector<Eigen::VectorXd> residuals = residuals_of(sessions, layout, baseline, {}, threads);
-  noise.weights = sample_weights(sessions, residuals);
+  std::vector<Eigen::MatrixXd> residuals =
+      residuals_of(sessions, layout, baseline, {}, threads, kept);
+  std::vector<Eigen::VectorXd> measured;
+  measured.reserve(residuals.size());
+  for (const Eigen::MatrixXd& residual : residuals) {
+    measured.emplace_back(residual.col(0));
+  }
+  noise.weights = sample_weights(sessions, measured);
   if (!noise.weights.empty()) {
-    residuals = residuals_of(sessions, layout, baseline, noise.weights, threads);
+    residuals = residuals_of(sessions, layout, baseline, noise.weights, threads, kept);
   }
-  std::vector<double> correlations;
-  for (const Eigen::VectorXd& residual : residuals) {
-    const double energy = residual.squaredNorm();
-    correlations.push_back(energy > 0 ? lag_product(residual, 1) / energy : 0);
-  }
-  std::ranges::nth_element(correlations, correlations.begin() + std::ssize(correlations) / 2);
-  noise.autocorrelation =
-      std::clamp(correlations[correlations.size() / 2], kLeastCorrelation, kMostCorrelation);
-  double energy = 0;
-  double freedom = 0;
-  for (const Eigen::VectorXd& residual : residuals) {
-    const Index rest = residual.size() - 1;
-    energy += (residual.tail(rest) - noise.autocorrelation * residual.head(rest)).squaredNorm();
-    freedom += std::max(static_cast<double>(residual.size()) - static_cast<double>(layout.size()),
-                        static_cast<double>(residual.size()) / 10);
-  }
-  const double variance = energy / freedom * long_run_ratio(residuals, noise.autocorrelation);
-  noise.sample_sd = std::max(std::sqrt(variance), kLeast_sd);
+  const NoiseMixture mixture = mixture_of(residuals);
+  noise.autocorrelation = mixture.autocorrelation();
+  noise.sample_sd =
+      std::max(std::sqrt(mixture.long_run_variance()) * (1 - noise.autocorrelation), kLeast_sd);
   return noise;
 }
 

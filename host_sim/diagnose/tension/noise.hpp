@@ -24,13 +24,16 @@ SampleWeights sample_weights(std::span<const Session> sessions,
 /// to itself: more than any model explains.
 struct SampleNoise {
   SampleWeights weights;       ///< one over the variance of a sample, of mean 1
-  double autocorrelation = 0;  ///< of first order, once weighed; median of the sessions
+  double autocorrelation = 0;  ///< of first order, once weighed, before the fits
   double sample_sd = 0;        ///< of the innovations, of ln T_out - ln T_in
 };
 
-/// Noise of slower decay than first order counts by its variance at low frequency.
+/// Taken as white noise and noise of first order together, of which the fits take away what they
+/// take away of simulated noise. The two count by their variance at low frequency.
 /// @param wanted the effects and shapes that each session is fitted with
+/// @param kept of these sessions
 SampleNoise sample_noise(std::span<const Session> sessions, const effects::Baseline& baseline,
-                         const std::vector<Wanted>& wanted, unsigned threads);
+                         const std::vector<Wanted>& wanted, unsigned threads,
+                         KeptSignatures* kept = nullptr);
 
 }  // namespace host_sim::diagnose

@@ -89,7 +89,7 @@ Grams with_leaders(const Evidence& evidence, const Grams& all, std::span<const S
     }
     options.wanted.push_back(std::move(wanted));
   }
-  return gram_of(evidence.sessions, options);
+  return gram_of(evidence.sessions, options, &all);
 }
 
 bool among(std::span<const Single> leaders, std::string_view id) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <set>
 #include <stdexcept>
 
@@ -148,6 +149,51 @@ TEST(Gram, IsTheSameForAnyNumberOfThreads) {
       gram_of(sessions, {.probes = {}, .baseline = testing::baseline(), .threads = 3});
   for (std::size_t s = 0; s < sessions.size(); ++s) {
     EXPECT_TRUE(one.sessions[s].gram == three.sessions[s].gram) << s;
+  }
+}
+
+TEST(Gram, OfSignaturesThatWereKeptIsTheSameToTheBit) {
+  const auto sessions = few_sessions();
+  GramOptions options{.probes = {}, .baseline = testing::baseline()};
+  effects::Baseline other = options.baseline;
+  other.friction_coefficient *= 1.1;
+  const Grams anew = gram_of(sessions, options);
+  GramOptions of_other = options;
+  of_other.baseline = other;
+  const Grams other_anew = gram_of(sessions, of_other);
+  options.kept = of_other.kept = std::make_shared<KeptSignatures>(sessions.size());
+  for (int round = 0; round < 2; ++round) {
+    for (int again = 0; again < 2; ++again) {
+      const Grams kept = gram_of(sessions, options);
+      for (std::size_t i = 0; i < sessions.size(); ++i) {
+        EXPECT_EQ(kept.sessions[i].gram, anew.sessions[i].gram);
+      }
+    }
+    const Grams kept = gram_of(sessions, of_other);
+    for (std::size_t i = 0; i < sessions.size(); ++i) {
+      EXPECT_EQ(kept.sessions[i].gram, other_anew.sessions[i].gram);
+    }
+  }
+}
+
+TEST(Gram, TakesProductsThatAreKnownFromAnotherLayout) {
+  const auto sessions = few_sessions();
+  GramOptions options{.probes = {}, .baseline = testing::baseline()};
+  const Grams whole = gram_of(sessions, options);
+  const GramLayout::Effect& load = whole.layout.of("friction_load");
+  const GramLayout::Effect& position = whole.layout.of("friction_position");
+  options.wanted = {{.effect = load.effect, .shapes = {{0.3}, load.blocks[2].shape}},
+                    {.effect = position.effect, .shapes = {position.blocks[1].shape}},
+                    {.effect = load.effect, .shapes = {load.blocks[2].shape}}};
+  const Grams grams = gram_of(sessions, options, &whole);
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    expect_products(grams.sessions[i].gram, columns_of(sessions[i], grams.layout, grams.baseline));
+  }
+  options.baseline.friction_coefficient *= 1.1;
+  const Grams of_another = gram_of(sessions, options, &whole);
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    expect_products(of_another.sessions[i].gram,
+                    columns_of(sessions[i], of_another.layout, of_another.baseline));
   }
 }
 
