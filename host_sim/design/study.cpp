@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "hal/files/input_error.hpp"
+#include "host_sim/statistics/reach.hpp"
 
 namespace host_sim::design {
 namespace {
@@ -104,20 +105,7 @@ Safety safety_of(const Model& model, const Design& design, const Stress& stress)
           margin_of(model, design, 0.5, strength)};
 }
 
-/// How far below and above ln of a life lie what one of the numbers of the law leaves possible.
-struct Reach {
-  double below;
-  double above;
-};
-
-/// Of the ends that the life has with a number at the ends of its interval.
-Reach reach_of(double log_life, double at_low, double at_high) {
-  const auto [least, most] = std::minmax(at_low, at_high);
-  return {std::max(0.0, log_life - least), std::max(0.0, most - log_life)};
-}
-
-/// Life at the pivot, exponent and shape err on their own, so that their reaches add up in squares,
-/// each side for itself.
+/// Life at the pivot, exponent and shape err on their own.
 std::optional<LifeInterval> interval_of(const Model& model, const Design& design,
                                         const Stress& stress, double life_cycles) {
   if (!model.life.interval || !std::isfinite(life_cycles) || life_cycles <= 0) {
@@ -136,17 +124,12 @@ std::optional<LifeInterval> interval_of(const Model& model, const Design& design
   const auto at_shape = [&](double shape) {
     return own + log_hazard * (1 / shape - 1 / model.life.weibull_shape);
   };
-  double below = 0;
-  double above = 0;
-  for (const Reach& reach :
-       {reach_of(own, own + std::log(known.life_at_pivot.low / pivot_life_cycles),
-                 own + std::log(known.life_at_pivot.high / pivot_life_cycles)),
-        reach_of(own, at_exponent(known.ipl_exponent.low), at_exponent(known.ipl_exponent.high)),
-        reach_of(own, at_shape(known.weibull_shape.low), at_shape(known.weibull_shape.high))}) {
-    below = std::hypot(below, reach.below);
-    above = std::hypot(above, reach.above);
-  }
-  return LifeInterval{known.level, std::exp(own - below), std::exp(own + above)};
+  statistics::Reach reach;
+  reach.add(own, own + std::log(known.life_at_pivot.low / pivot_life_cycles),
+            own + std::log(known.life_at_pivot.high / pivot_life_cycles));
+  reach.add(own, at_exponent(known.ipl_exponent.low), at_exponent(known.ipl_exponent.high));
+  reach.add(own, at_shape(known.weibull_shape.low), at_shape(known.weibull_shape.high));
+  return LifeInterval{known.level, std::exp(own - reach.below), std::exp(own + reach.above)};
 }
 
 std::optional<AcceleratedTest> accelerated(const Model& model, const Design& design,

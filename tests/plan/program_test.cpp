@@ -19,6 +19,14 @@ TEST_F(PlanProgram, FindsAPlan) {
   EXPECT_EQ(err_, "");
 }
 
+TEST_F(PlanProgram, DrawsAPlan) {
+  ASSERT_EQ(run(kLaw + kLevels + "--specimens 4,4,4 --report plan.html"), 0) << err_;
+  const std::string page = host_sim_test::contents(folder_ / "plan.html");
+  EXPECT_NE(page.find("<title>Tendon life: plan of a life test</title>"), std::string::npos);
+  EXPECT_EQ(run("plan --for-diagnosis plan.toml --report plan.html"), 2);
+  EXPECT_NE(err_.find("--report"), std::string::npos) << err_;
+}
+
 TEST_F(PlanProgram, TakesTheLawOfAModel) {
   ASSERT_EQ(run("plan --model model.toml --simulations 100 --specimens 4,4,4 --json - " + kLevels),
             0)

@@ -54,9 +54,9 @@ TEST(SynthCampaign, HasTheFilesOfACampaign) {
                                       "recordings/s003.csv", "recordings/s004.csv", "sessions.csv",
                                       "specimens.csv"}));
   EXPECT_EQ(files.at("sessions.csv"),
-            "session,specimen,file,start_cycle\ns001,tendon,recordings/s001.csv,1234.5\n"
-            "s002,tendon,recordings/s002.csv,1234.5\ns003,tendon,recordings/s003.csv,1234.5\n"
-            "s004,tendon,recordings/s004.csv,1234.5\n");
+            "session,specimen,file,start_cycle\ns001,w0001,recordings/s001.csv,1234.5\n"
+            "s002,w0001,recordings/s002.csv,1234.5\ns003,w0001,recordings/s003.csv,1234.5\n"
+            "s004,w0001,recordings/s004.csv,1234.5\n");
 }
 
 TEST(SynthCampaign, RecordingsAreProfiles) {

@@ -66,5 +66,36 @@ TEST_F(SynthProgram, TheExamplesAreOfTheSizeTheySay) {
   EXPECT_EQ(nlohmann::json::parse(out_)["specimens"], 96);
 }
 
+TEST_F(SynthProgram, TheRecordedExampleIsWhatItsPlanMakes) {
+  const fs::path examples(EXAMPLES);
+  ASSERT_EQ(run("synth --plan '" + (examples / "synth/recorded.toml").string() +
+                "' --out recorded --seed 1"),
+            0)
+      << err_;
+  std::size_t bytes = 0;
+  for (const auto& entry : fs::recursive_directory_iterator(folder_ / "recorded")) {
+    if (entry.is_regular_file()) {
+      const std::string made = contents(entry.path());
+      EXPECT_EQ(made, contents(examples / fs::relative(entry.path(), folder_))) << entry.path();
+      bytes += made.size();
+    }
+  }
+  EXPECT_GT(bytes, 150'000U);
+  EXPECT_LT(bytes, 300'000U);
+}
+
+// Of the recordings too, where there are lives: a campaign that holds both is one that is read.
+TEST_F(SynthProgram, RecordingsAreOfASpecimenWhereThereAreSome) {
+  write("both.toml", contents(folder_ / "plan.toml") +
+                         "\n[lives]\n[[lives.level]]\nbend_angle_deg = 270\n"
+                         "output_tension_mean_N = 24.5\noutput_tension_amplitude_N = 24.5\n"
+                         "specimens = 4\n");
+  ASSERT_EQ(run("synth --plan both.toml --out c"), 0) << err_;
+  EXPECT_EQ(run("diagnose c --json -"), 0) << err_;
+  const auto diagnosis = nlohmann::json::parse(out_);
+  EXPECT_FALSE(diagnosis["tension"].is_null());
+  EXPECT_FALSE(diagnosis["lives"].is_null());
+}
+
 }  // namespace
 }  // namespace host_sim_test

@@ -23,8 +23,7 @@ using fleet::SparesUntil;
 using fleet::Tendon;
 using fleet::TendonPlan;
 
-/// More are in the table that --table writes.
-constexpr std::size_t kMostRows = 200;
+constexpr std::size_t kMostRows = 50;
 constexpr std::size_t kMostPoints = 2000;
 
 std::string date_or_none(const fleet::Due& due) {
@@ -74,9 +73,11 @@ std::string broken_words(const Fleet& fleet) {
 }
 
 std::string rest_words(std::size_t rows, std::size_t all) {
-  return rows < all
-             ? fmt::format("<p class=\"caption\">And {} less urgent.</p>\n", count_text(all - rows))
-             : "";
+  return rows < all ? fmt::format(
+                          "<p class=\"caption\">And {} less urgent, all in the table that --table "
+                          "writes.</p>\n",
+                          count_text(all - rows))
+                    : "";
 }
 
 std::string due_table(const Fleet& fleet, const FleetPlan& plan,

@@ -91,6 +91,10 @@ class Runner {
 
 }  // namespace
 
+std::string specimen_name(std::size_t number) {
+  return fmt::format("w{:04}", number + 1);
+}
+
 std::vector<LifeSpecimen> run_lives(const SynthPlan& plan, std::uint64_t seed) {
   const LifePlan& lives = *plan.lives;
   Runner runner(plan, seed);
@@ -178,18 +182,14 @@ std::string load_text(const LifeLoad& load) {
   return fmt::format("{},{},{}", load.bend_angle_deg, load.output_mean_N, load.output_amplitude_N);
 }
 
-std::string name_of(const LifeSpecimen& specimen) {
-  return fmt::format("w{:04}", specimen.place.number + 1);
-}
-
 void append_row(const LifePlan& plan, const LifeSpecimen& specimen, const Seen& seen,
                 const Columns& columns, std::string& text) {
   const LifeLoad& load = plan.levels[specimen.levels.front()].load;
   const bool constant = specimen.levels.size() == 1;
   const auto out = std::back_inserter(text);
-  fmt::format_to(out, "{},lot{},{},{},{},{}", name_of(specimen), specimen.place.lot + 1,
-                 constant ? load_text(load) : ",,", seen.cycles, seen.status,
-                 specimen.validation ? "validation" : "fit");
+  fmt::format_to(out, "{},lot{},{},{},{},{}", specimen_name(specimen.place.number),
+                 specimen.place.lot + 1, constant ? load_text(load) : ",,", seen.cycles,
+                 seen.status, specimen.validation ? "validation" : "fit");
   if (columns.days) {
     fmt::format_to(out, ",{:.6f}", specimen.result.days);
   }
@@ -210,7 +210,8 @@ void append_row(const LifePlan& plan, const LifeSpecimen& specimen, const Seen& 
 void append_blocks(const LifePlan& plan, const LifeSpecimen& specimen, std::string& text) {
   const auto& cycles = specimen.result.cycles;
   for (std::size_t i = 0; i < cycles.size(); ++i) {
-    fmt::format_to(std::back_inserter(text), "{},{},{},{:.0f}\n", name_of(specimen), i + 1,
+    fmt::format_to(std::back_inserter(text), "{},{},{},{:.0f}\n",
+                   specimen_name(specimen.place.number), i + 1,
                    load_text(plan.levels[specimen.levels[i]].load), cycles[i]);
   }
 }

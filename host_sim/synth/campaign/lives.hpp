@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 
@@ -20,6 +21,9 @@ struct LifeSpecimen {
 /// Runs all specimens of a plan: those of the levels in order, then those of the programs.
 /// @pre plan.lives
 std::vector<LifeSpecimen> run_lives(const SynthPlan& plan, std::uint64_t seed);
+
+/// Of the specimen of this number, from 0.
+std::string specimen_name(std::size_t number);
 
 /// Contents of the files; `blocks` is empty where no specimen has a program.
 struct LifeTexts {

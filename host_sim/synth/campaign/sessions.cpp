@@ -11,6 +11,7 @@
 #include "hal/files/input_error.hpp"
 #include "hal/files/output_file.hpp"
 #include "host_sim/statistics/parallel.hpp"
+#include "host_sim/synth/campaign/lives.hpp"
 #include "host_sim/synth/draws.hpp"
 #include "host_sim/synth/plan/plan.hpp"
 #include "host_sim/synth/tension/departures.hpp"
@@ -73,12 +74,13 @@ std::string session_name(std::size_t number, std::size_t count) {
                      std::max<std::size_t>(3, fmt::formatted_size("{}", count)));
 }
 
-std::string sessions_text(const std::vector<Setting>& settings) {
+/// @param specimen that all were recorded of
+std::string sessions_text(const std::vector<Setting>& settings, const std::string& specimen) {
   std::string text = "session,specimen,file,start_cycle\n";
   for (const Setting& setting : settings) {
     const std::string name = session_name(setting.number, settings.size());
-    fmt::format_to(std::back_inserter(text), "{0},tendon,recordings/{0}.csv,{1:.17g}\n", name,
-                   setting.start_cycle);
+    fmt::format_to(std::back_inserter(text), "{0},{2},recordings/{0}.csv,{1:.17g}\n", name,
+                   setting.start_cycle, specimen);
   }
   return text;
 }
@@ -173,7 +175,8 @@ Truth write_sessions(const SynthPlan& plan, const MakeOptions& options, const fs
   if (!fs::create_directory(folder / "recordings", error) || error) {
     throw OutputError((folder / "recordings").string(), error.message());
   }
-  write_file(folder / "sessions.csv", sessions_text(truth.settings));
+  write_file(folder / "sessions.csv",
+             sessions_text(truth.settings, plan.lives ? specimen_name(0) : "tendon"));
   std::atomic<std::size_t> done = 0;
   statistics::parallel_for(
       count,

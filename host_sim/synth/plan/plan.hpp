@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hal/files/profile_rows.hpp"
+#include "hal/files/profile_columns.hpp"
 #include "host_sim/model/model.hpp"
 #include "host_sim/synth/life_departures.hpp"
 #include "host_sim/synth/tension/motion.hpp"

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "hal/files/profile_rows.hpp"
+#include "hal/files/profile_columns.hpp"
 
 namespace host_sim::synth {
 
