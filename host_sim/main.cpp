@@ -2,11 +2,14 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
 #include <iostream>
 #include <streambuf>
+#include <string>
+#include <vector>
 
 #include "hal/files/input_error.hpp"
 #include "hal/files/interruption.hpp"
@@ -64,6 +67,10 @@ int run(int argc, char** argv) {
       "in " TENDONLIFE_DOCUMENTS
       ".\n"
       "Example: host_sim replay --help");
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  app.failure_message([&words](const CLI::App* program, const CLI::Error& error) {
+    return host_sim::usage_failure(*program, words, error);
+  });
   int status = 0;
   take_standard_descriptors();
   hal::files::watch_for_interruption();
@@ -75,12 +82,15 @@ int run(int argc, char** argv) {
   host_sim::add_fleet(app, status);
   host_sim::add_fmeca(app, status);
   host_sim::add_import(app, status);
+  host_sim::add_init(app, status);
   host_sim::add_monitor(app, status);
   host_sim::add_pack(app, status);
   host_sim::add_plan(app, status);
+  host_sim::add_schema(app, status);
   host_sim::add_synth(app, status);
   host_sim::add_completion(app, status);
   host_sim::add_manual(app, status);
+  host_sim::add_help(app, status);
   try {
     try {
       app.parse(argc, argv);

@@ -1,13 +1,13 @@
 #include "host_sim/replay/given_survival.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
-#include <system_error>
 #include <vector>
 
+#include "hal/files/text.hpp"
 #include "host_sim/reference/equations.hpp"
+#include "host_sim/statistics/reach.hpp"
 
 namespace host_sim {
 namespace {
@@ -28,15 +28,11 @@ Estimate estimate(const std::vector<std::array<Variant, 2>>& variants, const Var
   if (variants.empty() || !std::isfinite(centre)) {
     return result;
   }
-  double below = 0;
-  double above = 0;
+  statistics::Reach reach;
   for (const auto& ends : variants) {
-    const double a = scale(value_of(ends[0])) - centre;
-    const double b = scale(value_of(ends[1])) - centre;
-    below = std::hypot(below, std::min({a, b, 0.0}));
-    above = std::hypot(above, std::max({a, b, 0.0}));
+    reach.add(centre, scale(value_of(ends[0])), scale(value_of(ends[1])));
   }
-  result.interval = {unscale(centre - below), unscale(centre + above)};
+  result.interval = {unscale(centre - reach.below), unscale(centre + reach.above)};
   return result;
 }
 
@@ -100,10 +96,11 @@ class RiskLaw {
 
 std::optional<Horizon> horizon_from(const std::string& text) {
   const bool in_hours = !text.empty() && text.back() == 'h';
-  const char* const end = text.data() + text.size() - (in_hours ? 1 : 0);
+  const char* at = text.data();
+  const char* const end = at + text.size() - (in_hours ? 1 : 0);
   double value = 0;
-  const auto [rest, error] = std::from_chars(text.data(), end, value);
-  if (error != std::errc{} || rest != end || !std::isfinite(value) || !(value > 0)) {
+  if (!hal::files::parse_number(at, end, value) || at != end || !std::isfinite(value) ||
+      !(value > 0)) {
     return std::nullopt;
   }
   return Horizon{value, in_hours, text};

@@ -83,6 +83,9 @@ void ProfileInput::take(const ProfileRow& row, lifemodel::Flags& flags) {
 }
 
 void ProfileInput::take_motion(const ProfileRow& row) {
+  if (!has_motion()) {
+    return;
+  }
   double velocity_m_s = row.tendon_velocity_m_s;
   if (!has_velocity_ && radius_m_ > 0) {
     velocity_m_s = angle_rad_ ? (row.motor_angle_rad - *angle_rad_) * rate_Hz_ * radius_m_ : 0;

@@ -3,25 +3,25 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <ostream>
 #include <span>
 #include <stdexcept>
+#include <vector>
 
 #include "hal/files/input_error.hpp"
 #include "host_sim/extension/fixed.hpp"
 #include "host_sim/extension/life.hpp"
 #include "host_sim/model/model.hpp"
 #include "host_sim/replay/constants.hpp"
+#include "host_sim/replay/plots.hpp"
 #include "host_sim/replay/profile_input.hpp"
 #include "host_sim/replay/until_date.hpp"
 #include "host_sim/report/replay/flags.hpp"
-#include "host_sim/report/replay/plot_builders.hpp"
 #include "host_sim/report/replay/report_data.hpp"
 #include "lifemodel/block/parameter_block.hpp"
-#include "lifemodel/counting/turning_points.hpp"
+#include "lifemodel/bulk/replay.hpp"
 #include "lifemodel/estimator.hpp"
 #include "lifemodel/extension/life.hpp"
 #include "lifemodel/pack/pack.hpp"
@@ -36,76 +36,9 @@ using hal::files::ProfileRow;
 
 namespace {
 
-using lifemodel::CycleDamage;
 using lifemodel::Reading;
 using lifemodel::Tension;
 using lifemodel::pack::to_double;
-
-/// Gathers the plots of the report while the samples go by, in bounded memory.
-class Plots {
- public:
-  Plots(const Model& model, const lifemodel::Parameters& parameters);
-
-  void sample(double time_s, lifemodel::Tension tension);
-  /// A counted cycle; `count` is 1 or 0.5.
-  void cycle(lifemodel::Tension from, lifemodel::Tension to, double count,
-             lifemodel::CycleDamage damage);
-  void damage(double time_s, double total) { trajectory_.push(time_s, total); }
-
-  /// Puts the plots into the report.
-  void finish(ReplayReport& report);
-
- private:
-  [[nodiscard]] double newtons(lifemodel::Tension tension) const;
-
-  double ultimate_tension_N_;
-  lifemodel::TensionRange hysteresis_;
-  lifemodel::TurningPoints filter_;  ///< the estimator's filter once more, for the times
-  lifemodel::Tension candidate_;
-  double candidate_s_ = 0;
-  bool first_ = true;
-  EnvelopeBuilder envelope_;
-  TurningPointBuilder turning_points_;
-  RangeMeanBuilder range_mean_;
-  TrajectoryBuilder trajectory_;
-};
-
-Plots::Plots(const Model& model, const lifemodel::Parameters& parameters)
-    : ultimate_tension_N_(model.cable.ultimate_tension_N),
-      hysteresis_(parameters.hysteresis),
-      range_mean_(model.cable.ultimate_tension_N / 1024) {}
-
-double Plots::newtons(Tension tension) const {
-  return lifemodel::pack::to_double(tension) * ultimate_tension_N_;
-}
-
-void Plots::sample(double time_s, Tension tension) {
-  envelope_.push(time_s, newtons(tension));
-  if (first_) {
-    first_ = false;
-    candidate_s_ = time_s;
-  }
-  filter_.push(tension, hysteresis_,
-               [&](Tension confirmed) { turning_points_.push(candidate_s_, newtons(confirmed)); });
-  if (filter_.directed() && filter_.run().candidate() != candidate_) {
-    candidate_ = filter_.run().candidate();
-    candidate_s_ = time_s;
-  }
-}
-
-void Plots::cycle(Tension from, Tension to, double count, lifemodel::CycleDamage damage) {
-  range_mean_.push(newtons(from), newtons(to), count, lifemodel::pack::to_double(damage));
-}
-
-void Plots::finish(ReplayReport& report) {
-  if (filter_.directed()) {
-    turning_points_.push(candidate_s_, newtons(candidate_));
-  }
-  report.tension = envelope_.finish();
-  report.turning_points = turning_points_.finish();
-  report.range_mean = range_mean_.finish();
-  report.trajectory = trajectory_.finish();
-}
 
 /// A CSV file of readings over time: the life used, as the firmware would report it.
 class TrajectoryFile {
@@ -133,18 +66,6 @@ void TrajectoryFile::write(double time_s, lifemodel::Tension tension,
              to_double(reading.closed), to_double(reading.open), to_double(reading.total),
              reading.closed_cycles.raw(), reading.open_half_cycles.raw());
 }
-
-/// Hands counted cycles to the plots, where there are any.
-struct CyclesToPlots {
-  Plots* plots;
-  void full(Tension from, Tension to, CycleDamage damage) const { hand(from, to, 1, damage); }
-  void half(Tension from, Tension to, CycleDamage damage) const { hand(from, to, 0.5, damage); }
-  void hand(Tension from, Tension to, double count, CycleDamage damage) const {
-    if (plots != nullptr) {
-      plots->cycle(from, to, count, damage);
-    }
-  }
-};
 
 Model with(Model model, const std::vector<Extension>& extensions) {
   model.extensions = extensions;
@@ -185,35 +106,19 @@ class Pass {
   Pass(const Pass&) = delete;
   Pass& operator=(const Pass&) = delete;
 
-  void take(const ProfileRow& row) {
-    const std::uint32_t missing = clock_.missing_before(row.time_s);
-    if (missing != 0) {
-      estimator_.push_missing(0, missing);
-      input_.gap();
-      wire_.miss(missing);
+  void take(std::span<const ProfileRow> rows) {
+    tensions_N_.clear();
+    for (const ProfileRow& row : rows) {
+      take_row(row);
     }
-    input_.take(row, estimator_.input_flags(0));
-    estimator_.push(0, input_.tension());
-    while (estimator_.settle([this](std::size_t) { return cycles_to_plots(); })) {
+    for (const double tension_N : tensions_N_) {
+      exact_.push(tension_N);
     }
-    wire_.take(row.time_s, row.line, input_.tension(), input_.velocity());
-    if (wire_.just_broken()) {
-      seen_life_ = seen_life(estimator_.reading(0, cycles_to_plots()), true);
-    }
-    exact_.push(input_.tension_N());
-    if (board_) {
-      board_->take(since_start(clock_.duration_s()), missing, input_.sample(),
-                   input_.sample_flags());
-    }
-    if (plots_) {
-      plots_->sample(row.time_s, input_.tension());
-    }
-    time_s_ = row.time_s;
-    report(row.time_s >= next_report_s_);
   }
 
   ReplayResult finish(InputKind kind) {
     report(true);
+    count_waiting();
     const Reading reading = estimator_.reading(0, cycles_to_plots());
     const reference::Reading exact = exact_.reading();
 
@@ -282,6 +187,46 @@ class Pass {
  private:
   using Layout = lifemodel::extension::ExtendedLife<lifemodel::DefaultLayout>;
 
+  void take_row(const ProfileRow& row) {
+    const std::uint32_t missing = clock_.missing_before(row.time_s);
+    if (missing != 0) {
+      estimator_.push_missing(0, missing);
+      input_.gap();
+      wire_.miss(missing);
+    }
+    input_.take(row, estimator_.input_flags(0));
+    waiting_.push_back(input_.tension());
+    if (waiting_.size() == lifemodel::bulk::Reducer::kMostSamples) {
+      count_waiting();
+    }
+    wire_.take(row.time_s, row.line, input_.tension(), input_.velocity());
+    if (wire_.just_broken()) {
+      count_waiting();
+      seen_life_ =
+          seen_life(estimator_.reading(0, cycles_to_plots(), lifemodel::NoObserver{}), true);
+    }
+    tensions_N_.push_back(input_.tension_N());
+    if (board_) {
+      board_->take(since_start(clock_.duration_s()), missing, input_.sample(),
+                   input_.sample_flags());
+    }
+    if (plots_) {
+      plots_->sample(row.time_s, input_.tension());
+    }
+    time_s_ = row.time_s;
+    report(row.time_s >= next_report_s_);
+  }
+
+  /// In bulk, unless somebody hears of the cycles: one by one, in their order.
+  void count_waiting() {
+    if (plots_) {
+      estimator_.replay(0, waiting_, cycles_to_plots());
+    } else {
+      bulk_.take(estimator_, 0, waiting_);
+    }
+    waiting_.clear();
+  }
+
   /// By the damage of the estimator; overloads, which are whole lives, have no tension of their
   /// own.
   [[nodiscard]] std::optional<SeenLife> seen_life(const Reading& reading, bool failed) const {
@@ -340,7 +285,7 @@ class Pass {
     if (!wanted || time_s_ == reported_s_ || (!trajectory_ && !plots_)) {
       return;
     }
-    estimator_.flush(0, cycles_to_plots());
+    count_waiting();
     const Reading now = estimator_.reading(0);
     if (trajectory_) {
       trajectory_->write(time_s_, input_.tension(), now);
@@ -358,7 +303,10 @@ class Pass {
   Model acting_model_;
   lifemodel::ExtendedParameters parameters_;
   lifemodel::Estimator<1, Layout> estimator_;
+  lifemodel::bulk::Replay bulk_;
+  std::vector<Tension> waiting_;  ///< that the estimator has not counted yet
   reference::Reference exact_;
+  std::vector<double> tensions_N_;  ///< of a batch of rows, exactly
   ProfileInput input_;
   WireFollower wire_;
   SampleClock clock_;
@@ -381,11 +329,8 @@ ReplayResult replay(ProfileReader& profile, const Model& model, const std::strin
                      "a [drive] table, or a profile with input_tension_N or output_tension_N");
   }
   Pass pass(profile, model, model_name, options);
-  std::array<ProfileRow, 4096> rows;
-  while (const std::size_t count = profile.read(rows)) {
-    for (const ProfileRow& row : std::span(rows).first(count)) {
-      pass.take(row);
-    }
+  for (auto rows = profile.read_block(); !rows.empty(); rows = profile.read_block()) {
+    pass.take(rows);
     if (options.progress) {
       options.progress(profile.bytes_read());
     }

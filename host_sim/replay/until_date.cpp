@@ -27,10 +27,6 @@ Normal normal_of(double value) {
       static_cast<std::uint32_t>(std::min(mantissa, std::ldexp(1, 32) - 1)), exponent - 32);
 }
 
-Damage damage_of(double value) {
-  return value > 0 ? lifemodel::denormalise(normal_of(value)) : Damage{};
-}
-
 /// The cycle that stands for all of a profile; half cycles count as such.
 RepresentativeCycle cycle_of(const lifemodel::Reading& reading, lifemodel::Tension peak,
                              const lifemodel::CycleLaw& law) {
@@ -65,7 +61,7 @@ UntilDate until_date(const AskedUntil& asked, double used, const lifemodel::Read
     return result;
   }
   const lifemodel::WeibullShape shape = parameters.life.shape;
-  const Damage before = damage_of(used);
+  const Damage before = lifemodel::pack::damage(used);
   const Damage needed = lifemodel::denormalise(
       lifemodel::numeric::product(lifemodel::normalise(reading.total), normal_of(result.repeats)));
   const Damage allowed = lifemodel::further_damage(

@@ -56,29 +56,37 @@ WireFollower::WireFollower(const Model& model, const lifemodel::Parameters& para
 void WireFollower::take(double time_s, std::uint64_t line, lifemodel::Tension tension,
                         lifemodel::Velocity velocity) {
   watch_.push(tension, velocity);
+  just_broken_ = false;
+  if (watch_.slack_events() != before_.slack_events || watch_.broken() != before_.broken) {
+    note(time_s, line);
+  }
+}
+
+void WireFollower::note(double time_s, std::uint64_t line) {
   const lifemodel::WatchReading now = watch_.reading();
-  const auto note = [&](WireEvent event) {
+  const auto add = [&](WireEvent event) {
     if (watched_.found.size() < Watched::kMostFound) {
       watched_.found.push_back({event, time_s, line});
     }
   };
   if (now.slack_events != before_.slack_events) {
-    note(WireEvent::slack);
+    add(WireEvent::slack);
   }
   just_broken_ = now.broken && !before_.broken;
   if (just_broken_) {
-    note(WireEvent::broken);
+    add(WireEvent::broken);
   }
   before_ = now;
 }
 
 Watched WireFollower::result() const {
   Watched result = watched_;
-  result.peak_ratio = std::ldexp(before_.peak, -lifemodel::Tension::kFractionBits);
-  result.above = before_.above;
-  result.below_minimum_s = before_.below_minimum * period_s_;
-  result.slack_events = before_.slack_events;
-  result.broken = before_.broken;
+  const lifemodel::WatchReading now = watch_.reading();
+  result.peak_ratio = std::ldexp(now.peak, -lifemodel::Tension::kFractionBits);
+  result.above = now.above;
+  result.below_minimum_s = now.below_minimum * period_s_;
+  result.slack_events = now.slack_events;
+  result.broken = now.broken;
   return result;
 }
 

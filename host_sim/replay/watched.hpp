@@ -67,10 +67,12 @@ class WireFollower {
   [[nodiscard]] Watched result() const;
 
  private:
+  void note(double time_s, std::uint64_t line);
+
   Watched watched_;
   lifemodel::WireWatch watch_;
   double period_s_;
-  lifemodel::WatchReading before_;
+  lifemodel::WatchReading before_;  ///< when something was found last
   bool just_broken_ = false;
 };
 

@@ -125,7 +125,13 @@ int calibrate_one(const CalibrateArguments& arguments) {
     write_calibrate_report(page->stream(), result, kProgramVersion);
   }
   commit_all({&out, &json, &page});
-  calibrate::write_summary(summary_stream(arguments.outputs()), result);
+  std::ostream& summary = summary_stream(arguments.outputs());
+  calibrate::write_summary(summary, result);
+  write_next(summary, arguments.out.empty()
+                          ? "--out model.toml writes the fitted model"
+                          : fmt::format("host_sim diagnose {} finds what the law leaves out; "
+                                        "host_sim replay PROFILE --model {}",
+                                        shell_word(arguments.folder), shell_word(arguments.out)));
   return fails_on(arguments.fail_on, calibrate::found_in(result)) ? kFoundInData : 0;
 }
 
@@ -167,8 +173,10 @@ int report(const CalibrateArguments& arguments, BatchOutputs& outputs,
            const std::vector<batch::Answer>& answers) {
   outputs.write(calibrate::table_head(), "campaigns", answers);
   const std::size_t errors = report_errors(answers);
-  fmt::print(summary_stream(arguments.outputs()), "{}: {} campaigns calibrated, {} refused\n",
-             printable(arguments.folder), answers.size() - errors, errors);
+  std::ostream& summary = summary_stream(arguments.outputs());
+  fmt::print(summary, "{}: {} campaigns calibrated, {} refused\n", printable(arguments.folder),
+             answers.size() - errors, errors);
+  write_next(summary, "host_sim calibrate CAMPAIGN --report fit.html draws one of them");
   return status_of(answers, arguments.fail_on);
 }
 

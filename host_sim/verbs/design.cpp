@@ -146,7 +146,11 @@ int run_design(const DesignArguments& arguments) {
     write_design_report(report->stream(), model, study, telling, kProgramVersion);
   }
   commit_all({&json, &table, &report});
-  design::write_design(summary_stream(arguments.outputs()), study, telling);
+  std::ostream& summary = summary_stream(arguments.outputs());
+  design::write_design(summary, study, telling);
+  write_next(summary, arguments.report.empty()
+                          ? "--report design.html draws this"
+                          : "host_sim plan --help: how many specimens prove it");
   return 0;
 }
 

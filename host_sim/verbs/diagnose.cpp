@@ -112,6 +112,23 @@ class ModelOutput {
   std::exception_ptr failure_;
 };
 
+std::string next_step(const Arguments& arguments, diagnose::Verdict verdict) {
+  switch (verdict) {
+    case diagnose::Verdict::none:
+      return "take the model; host_sim plan --for-diagnosis PLAN says what another campaign would "
+             "show";
+    case diagnose::Verdict::named:
+      return arguments.out.empty()
+                 ? "--out extended.toml writes the model with what was named"
+                 : "host_sim pack " + shell_word(arguments.out) + " --out block.bin";
+    case diagnose::Verdict::ambiguous:
+      return "make the experiment that separates them, as above, and diagnose again";
+    case diagnose::Verdict::unknown:
+      break;
+  }
+  return "--report diagnosis.html shows what the residuals follow";
+}
+
 int run(const Arguments& arguments) {
   const Campaign campaign = read_campaign(arguments.folder);
   auto json = open_if_asked(arguments.json);
@@ -130,7 +147,9 @@ int run(const Arguments& arguments) {
     write_diagnose_report(page->stream(), campaign.name, diagnosis, kProgramVersion);
   }
   commit_all({&json, &page});
-  diagnose::write_summary(summary_stream(arguments.outputs()), campaign.name, diagnosis);
+  std::ostream& summary = summary_stream(arguments.outputs());
+  diagnose::write_summary(summary, campaign.name, diagnosis);
+  write_next(summary, next_step(arguments, diagnosis.verdict()));
   model.rethrow();
   const bool found = diagnosis.verdict() != diagnose::Verdict::none;
   return arguments.fail_on_discrepancy && found ? kFoundInData : 0;

@@ -130,8 +130,11 @@ int run_fleet(FleetArguments& arguments) {
                        fleet::course_of(tendons, arguments.request, plan), kProgramVersion);
   }
   commit_all({&as_read, &table, &json, &calendar, &report});
-  fleet::write_plan(summary_stream(arguments.outputs()), arguments.tendons, tendons,
-                    arguments.request, plan);
+  std::ostream& summary = summary_stream(arguments.outputs());
+  fleet::write_plan(summary, arguments.tendons, tendons, arguments.request, plan);
+  write_next(summary, arguments.calendar.empty()
+                          ? "--calendar fleet.ics puts the dates into a calendar"
+                          : "--report fleet.html draws this");
   return 0;
 }
 

@@ -46,7 +46,11 @@ int run_fmeca(const FmecaArguments& arguments) {
     write_fmeca_report(report->stream(), assessment, kProgramVersion);
   }
   commit_all({&json, &table, &report});
-  fmeca::write_fmeca(summary_stream(arguments.outputs()), assessment);
+  std::ostream& summary = summary_stream(arguments.outputs());
+  fmeca::write_fmeca(summary, assessment);
+  write_next(summary, arguments.field.empty()
+                          ? "--field FILE rates the occurrence by records of the field"
+                          : "--report fmeca.html draws this");
   return 0;
 }
 

@@ -56,6 +56,7 @@ std::string source_name(const std::string& file) {
 void write(const recording::RecordedCampaign& campaign, const std::string& folder) {
   recording::write_campaign(campaign, folder);
   std::cerr << folder << ": " << campaign.recordings.size() << " sessions\n";
+  write_next(std::cerr, "host_sim diagnose " + shell_word(folder));
 }
 
 void import_davinci(const ImportArguments& arguments) {

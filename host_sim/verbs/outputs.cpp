@@ -1,6 +1,6 @@
 #include "host_sim/verbs/outputs.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ostream.h>
 #include <sys/stat.h>
 #include <sys/sysmacros.h>
 #include <unistd.h>
@@ -12,6 +12,7 @@
 
 #include "hal/files/input_error.hpp"
 #include "hal/files/text.hpp"
+#include "host_sim/command_line/quote.hpp"
 
 namespace host_sim {
 
@@ -204,6 +205,17 @@ void commit_all(std::initializer_list<std::optional<OutputFile>*> files) {
 
 std::ostream& summary_stream(std::span<const std::string> paths) {
   return std::find(paths.begin(), paths.end(), "-") != paths.end() ? std::cerr : std::cout;
+}
+
+std::string shell_word(const std::string& path) {
+  constexpr const char* kPlain =
+      "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-./+,:@%";
+  const bool plain = !path.empty() && path.find_first_not_of(kPlain) == std::string::npos;
+  return plain ? path : command_line::shell_quoted(printable(path));
+}
+
+void write_next(std::ostream& out, const std::string& step) {
+  fmt::print(out, "  next          {}\n", step);
 }
 
 }  // namespace host_sim

@@ -48,4 +48,10 @@ void commit_all(std::initializer_list<std::optional<hal::files::OutputFile>*> fi
 /// takes standard output.
 std::ostream& summary_stream(std::span<const std::string> paths);
 
+/// A path as a shell takes it and a terminal can show it.
+std::string shell_word(const std::string& path);
+
+/// The last line of a summary: what to do with what was found.
+void write_next(std::ostream& out, const std::string& step);
+
 }  // namespace host_sim

@@ -118,6 +118,7 @@ void run(const PackArguments& arguments) {
   out.commit();
   std::cerr << arguments.out << ": " << block.size() << " bytes, model " << digest << '\n';
   tell_extensions(model);
+  write_next(std::cerr, "host_sim init controller, whose [[tendon]] names this block");
 }
 
 }  // namespace

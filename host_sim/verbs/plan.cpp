@@ -1,5 +1,3 @@
-#include "host_sim/plan/plan.hpp"
-
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -9,11 +7,14 @@
 #include <memory>
 #include <mutex>
 #include <utility>
+#include <vector>
 
 #include "host_sim/command_line/options.hpp"
 #include "host_sim/diagnose/plan/foresee.hpp"
 #include "host_sim/io/progress.hpp"
 #include "host_sim/model/model.hpp"
+#include "host_sim/plan/course.hpp"
+#include "host_sim/report/plan/html.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
@@ -27,7 +28,10 @@ struct PlanArguments {
   std::string for_diagnosis;
   std::string model;
   std::string json;
+  std::string report;
   PlanRequest request;
+
+  [[nodiscard]] std::array<std::string, 2> outputs() const { return {json, report}; }
 };
 
 constexpr int kMostSpecimens = 100'000;
@@ -123,7 +127,10 @@ int plan_for_diagnosis(const PlanDiagnosisArguments& arguments) {
     json->write(diagnose::foresight_json(foresight));
   }
   commit_all({&json});
-  diagnose::write_foresight(summary_stream({&arguments.json, 1}), foresight);
+  std::ostream& summary = summary_stream({&arguments.json, 1});
+  diagnose::write_foresight(summary, foresight);
+  write_next(summary, fmt::format("host_sim synth --plan {} --out FOLDER simulates it, to diagnose",
+                                  shell_word(arguments.plan)));
   return 0;
 }
 
@@ -131,7 +138,7 @@ int run(PlanArguments& arguments) {
   PlanRequest& request = arguments.request;
   check_files("plan", {.reads = {{"--for-diagnosis", arguments.for_diagnosis},
                                  {"--model", arguments.model}},
-                       .writes = {{"--json", arguments.json}},
+                       .writes = {{"--json", arguments.json}, {"--report", arguments.report}},
                        .fills = {}});
   if (!arguments.for_diagnosis.empty()) {
     return plan_for_diagnosis({arguments.for_diagnosis, arguments.json, request.simulation.seed,
@@ -153,15 +160,23 @@ int run(PlanArguments& arguments) {
     take_law_of_model(arguments.model, request);
   }
   auto json = open_if_asked(arguments.json);
+  auto report = open_if_asked(arguments.report);
   Progress progress("plan");
   request.progress = [&](double share) { progress.update_share(share); };
   const plan::PlanResult result = plan::make_plan(request);
+  const auto courses = report ? plan::courses_of(request, result) : std::vector<plan::Course>();
   progress.finish();
   if (json) {
     json->write(plan::plan_json(request, result));
   }
-  commit_all({&json});
-  plan::write_plan(summary_stream({&arguments.json, 1}), request, result);
+  if (report) {
+    write_plan_report(report->stream(), request, result, courses, kProgramVersion);
+  }
+  commit_all({&json, &report});
+  std::ostream& summary = summary_stream(arguments.outputs());
+  plan::write_plan(summary, request, result);
+  write_next(summary,
+             "host_sim init campaign, for the specimens; then host_sim calibrate CAMPAIGN");
   return 0;
 }
 
@@ -244,6 +259,7 @@ void add_plan(CLI::App& app, int& status) {
   add_design_options(*verb, arguments->request);
   add_goal_options(*verb, arguments->request);
   add_simulation_options(*verb, arguments->request);
+  verb->add_option("--report", arguments->report, "Write a page with plots as HTML");
   const std::array<std::string, 4> for_both{"--help", "--for-diagnosis", "--seed", "--threads"};
   for (CLI::Option* option : verb->get_options()) {
     if (std::ranges::find(for_both, option->get_name()) == for_both.end()) {

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <memory>
 #include <system_error>
+#include <thread>
 
 #include "hal/files/candump.hpp"
 #include "hal/files/input_error.hpp"
@@ -81,9 +82,9 @@ void add_table(CLI::App& verb, ReplayArguments& arguments) {
   verb.add_option("--table", arguments.table,
                   "Write one row for each profile as CSV; - is standard output");
   verb.add_option("--threads", arguments.threads,
-                  "How many profiles at once; all cores without it. The table does not depend on "
-                  "it. Under mpirun its ranks share the profiles, where the program was built with "
-                  "MPI")
+                  "How many profiles at once, or how many threads read the one; all cores without "
+                  "it. The results do not depend on it. Under mpirun its ranks share the profiles, "
+                  "where the program was built with MPI")
       ->check(command_line::in_range(1U, kMostThreads));
 }
 
@@ -132,8 +133,8 @@ std::string conflict_in_table(const CLI::App& verb, const ReplayArguments& argum
 
 /// What has no effect without another option; empty where all has one.
 std::string conflict_of_one(const CLI::App& verb, const ReplayArguments& arguments) {
-  if (verb.count("--threads") > 0) {
-    return "--threads is for a table of profiles, not for one";
+  if (verb.count("--threads") > 0 && arguments.profiles.front() == "-") {
+    return "--threads is for files, standard input is parsed as it comes";
   }
   if (verb.count("--trajectory-step") > 0 && arguments.trajectory.empty()) {
     return "--trajectory-step requires --trajectory";
@@ -173,6 +174,13 @@ void require_reachable(const UntilDate& until, const std::string& path) {
   }
 }
 
+std::string next_step(const ReplayArguments& arguments) {
+  return arguments.report.empty()
+             ? "--report replay.html draws this"
+             : fmt::format("host_sim pack {} --out block.bin puts the model on a board",
+                           shell_word(arguments.model));
+}
+
 /// The only profile. @return the exit status @throws InputError, OutputError, Interruption
 int replay_one(const ReplayArguments& arguments) {
   const std::string& path = arguments.profiles.front();
@@ -185,6 +193,9 @@ int replay_one(const ReplayArguments& arguments) {
   }
   ProfileOptions profile_options;
   profile_options.input = input_kind_from(arguments.input);
+  profile_options.threads = arguments.threads != 0
+                                ? arguments.threads
+                                : std::max(1U, std::thread::hardware_concurrency());
   ProfileReader profile(path, profile_options);
   auto json = open_if_asked(arguments.json);
   auto trajectory = open_if_asked(arguments.trajectory);
@@ -240,7 +251,9 @@ int replay_one(const ReplayArguments& arguments) {
                      specimen_row(std::filesystem::path(path).stem().string(), *result.seen_life));
   }
   commit_all({&json, &trajectory, &page, &can, &specimens});
-  write_summary(summary_stream(arguments.outputs()), result, path, arguments.model);
+  std::ostream& summary = summary_stream(arguments.outputs());
+  write_summary(summary, result, path, arguments.model);
+  write_next(summary, next_step(arguments));
   return fails_on(arguments.fail_on, found_in(result)) ? kFoundInData : 0;
 }
 

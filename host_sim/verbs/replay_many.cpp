@@ -151,7 +151,7 @@ ordered_json named(const ListedProfile& profile) {
 
 ReplayResult result_of(const ListedProfile& listed, const ReplayArguments& arguments,
                        const batch::Means& means) {
-  ProfileReader profile(listed.path, {input_kind_from(arguments.input)});
+  ProfileReader profile(listed.path, {input_kind_from(arguments.input), means.threads});
   if (listed.model.empty()) {
     throw InputError(listed.path.string(), 0, 0, "no model goes with it",
                      "--model FILE, or a model.toml in its folder or above it");
@@ -256,7 +256,9 @@ int replay_many(const ReplayArguments& arguments) {
     }
     outputs.write(replay_table_head(), "profiles", answers);
     report_errors(answers);
-    write_totals(summary_stream(arguments.outputs()), answers);
+    std::ostream& summary = summary_stream(arguments.outputs());
+    write_totals(summary, answers);
+    write_next(summary, "--report draws one of them, replayed alone");
     return status_of(answers, arguments.fail_on);
   };
   return run_batch(ranks, batch);

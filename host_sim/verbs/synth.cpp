@@ -73,9 +73,11 @@ int run(const SynthArguments& arguments) {
   }
   folder.commit();
   commit_all({&truth_file, &json});
-  summary_stream(arguments.outputs())
-      << fmt::format("{}: {} recordings, {} specimens\nSHA-256 of the truth: {}\n", arguments.out,
-                     truth.settings.size(), plan.lives ? plan.lives->specimens() : 0, digest);
+  std::ostream& summary = summary_stream(arguments.outputs());
+  summary << fmt::format("{}: {} recordings, {} specimens\nSHA-256 of the truth: {}\n",
+                         arguments.out, truth.settings.size(),
+                         plan.lives ? plan.lives->specimens() : 0, digest);
+  write_next(summary, "host_sim diagnose " + shell_word(arguments.out));
   return 0;
 }
 

@@ -37,6 +37,9 @@ CASES = [
     ("import --out\t", ["import", "--out"]),
     ("monitor --interface c\t", ["monitor", "--interface", "can0"]),
     ("completion f\t", ["completion", "fish"]),
+    ("init cont\t", ["init", "controller"]),
+    ("schema fle\t", ["schema", "fleet"]),
+    ("help mon\t", ["help", "monitor"]),
     ("plan --for-diagnosis upp\t", ["plan", "--for-diagnosis", "upper.toml"]),
 ]
 

@@ -39,6 +39,29 @@ TEST_F(Program, ReplaysTheExampleOfThePapersUpperArm) {
   EXPECT_NE(contents(folder_ / "page.html").find("</html>"), std::string::npos);
 }
 
+/// A profile long enough to be parsed in many parts.
+TEST_F(Program, TheNumberOfThreadsChangesNoByte) {
+  std::string profile = "time_s,input_tension_N\n";
+  for (int i = 0; i < 60'000; ++i) {
+    profile +=
+        std::to_string(i * 0.005) + ',' + std::to_string(60 + 50 * std::sin(0.1 * i * i)) + '\n';
+  }
+  write("long.csv", profile);
+  const auto outputs_of = [&](const std::string& options) {
+    EXPECT_EQ(run("replay long.csv --model model.toml --json - --trajectory damage.csv "
+                  "--report page.html" +
+                  options),
+              0)
+        << err_;
+    return std::vector<std::string>{out_, contents(folder_ / "damage.csv"),
+                                    contents(folder_ / "page.html")};
+  };
+  const auto expected = outputs_of(" --threads 1");
+  for (const char* options : {"", " --threads 2", " --threads 3", " --threads 100"}) {
+    EXPECT_EQ(outputs_of(options), expected) << options;
+  }
+}
+
 TEST_F(Program, BadInputIsOneLineWithFileAndLineAndLeavesNothingBehind) {
   struct Bad {
     const char* profile;

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "host_sim/recording/import.hpp"
 #include "host_sim/replay/replay.hpp"
 #include "host_sim/replay/results.hpp"
+#include "host_sim/report/replay/report_data.hpp"
 #include "tests/io/support.hpp"
 
 namespace host_sim {
@@ -186,6 +188,23 @@ TEST(SeenLife, EndsWithTheBreak) {
   EXPECT_DOUBLE_EQ(later.seen_life->cycles, 4);
   EXPECT_DOUBLE_EQ(later.seen_life->cycles, broken.seen_life->cycles);
   EXPECT_DOUBLE_EQ(later.seen_life->effective_tension_N, broken.seen_life->effective_tension_N);
+}
+
+/// Eight ranges, from 10 N up to 60 N and at last down to 1 N, are four cycles.
+TEST(SeenLife, LeavesItsOpenHalfCyclesToTheEndOfTheReport) {
+  std::vector<Stretch> stretches;
+  for (int i = 0; i < 4; ++i) {
+    stretches.push_back({1, 10, 0.1});
+    stretches.push_back({1, 60, 0.1});
+  }
+  stretches.push_back({25, 1, 0.1});
+  ReplayReport report;
+  ReplayOptions options;
+  options.report = &report;
+  ProfileReader profile(memory_source(profile_of(stretches)), "profile.csv");
+  EXPECT_TRUE(replay(profile, watched_model(), "model.toml", options).watched.broken);
+  const auto& count = report.range_mean.count;
+  EXPECT_DOUBLE_EQ(std::accumulate(count.begin(), count.end(), 0.0), 4);
 }
 
 TEST(SeenLife, IsARowThatCalibrateReads) {

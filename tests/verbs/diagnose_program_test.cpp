@@ -91,6 +91,22 @@ TEST_F(DiagnoseProgram, RecordingsGiveAllOutputs) {
   EXPECT_NE(std::find(invisible.begin(), invisible.end(), "current_offset"), invisible.end());
 }
 
+// Its plan: friction grows by 0.3 (n / 5000)^0.5, so by 0.3 / sqrt(5) = 0.134 after 1000 cycles.
+TEST_F(DiagnoseProgram, NamesWhatIsHiddenInTheRecordedExample) {
+  ASSERT_EQ(run("diagnose '" + (fs::path(EXAMPLES) / "recorded").string() + "' --json -"), 0)
+      << err_;
+  const json result = json::parse(out_);
+  EXPECT_EQ(result["verdict"], "named");
+  ASSERT_EQ(result["effects"].size(), 1U);
+  EXPECT_EQ(result["effects"][0]["id"], "friction_wear");
+  const auto holds = [&](const char* name, double truth) {
+    const json& interval = result["effects"][0]["parameters"][name]["ci95"];
+    return interval[0] < truth && interval[1] > truth;
+  };
+  EXPECT_TRUE(holds("wear_coefficient", 0.134)) << result["effects"][0];
+  EXPECT_TRUE(holds("wear_exponent", 0.5)) << result["effects"][0];
+}
+
 TEST_F(DiagnoseProgram, TheModelIsReadByReplayAndPack) {
   ASSERT_EQ(run("diagnose r --out m.toml"), 0) << err_;
   EXPECT_EQ(run("replay good.csv --model m.toml"), 0) << err_;

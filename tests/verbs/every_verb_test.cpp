@@ -78,7 +78,7 @@ const std::vector<Verb>& verbs() {
       {"plan",
        "--model model.toml --levels 42.5,55 --use-tension 38 --specimens 3,3 --simulations 100",
        {"model.toml"},
-       {"--json"},
+       {"--json", "--report"},
        {},
        {"--model"}},
       {"plan", "--for-diagnosis plan.toml", {"plan.toml"}, {"--json"}, {}, {"--for-diagnosis"}},
@@ -94,6 +94,7 @@ const std::vector<Verb>& verbs() {
        {"--out new --truth", "--out new --json"},
        {"--force --out"},
        {"--plan"}},
+      {"init", "plan", {}, {"--out"}, {}, {}},
       {"pack", "model.toml", {"model.toml"}, {"--out"}, {}, {"MODEL"}},
       {"fmeca",
        "fmeca.toml --field field.csv",
@@ -247,8 +248,8 @@ TEST_F(EveryVerb, IsKnownHereWithAllOfItsFiles) {
   const std::string help = out_.substr(out_.find("Subcommands:"));
   for (std::sregex_iterator at(help.begin(), help.end(), verb_line), end; at != end; ++at) {
     const std::string name = (*at)[1];
-    EXPECT_TRUE(name == "manual" || name == "completion" || name == "import" ||
-                named.contains(name))
+    EXPECT_TRUE(name == "manual" || name == "completion" || name == "import" || name == "help" ||
+                name == "schema" || named.contains(name))
         << name;
   }
 }
@@ -489,7 +490,7 @@ TEST_F(EveryVerb, AnOptionWithoutEffectIsAnError) {
   const std::string plan = "plan --for-diagnosis plan.toml ";
   const std::vector<std::pair<std::string, std::string>> cases{
       {"replay good.csv --model model.toml --trajectory-step 1", "--trajectory"},
-      {"replay good.csv --model model.toml --threads 2", "--threads"},
+      {"replay - --model model.toml --threads 2", "--threads"},
       {"replay good.csv --model model.toml --node 2", "--can"},
       {plan + "--assurance 0.9", "--assurance"},
       {plan + "--simulations 200", "--simulations"},

@@ -1,0 +1,46 @@
+#include "host_sim/replay/plots.hpp"
+
+#include "lifemodel/pack/pack.hpp"
+
+namespace host_sim {
+
+using lifemodel::Tension;
+
+Plots::Plots(const Model& model, const lifemodel::Parameters& parameters)
+    : ultimate_tension_N_(model.cable.ultimate_tension_N),
+      hysteresis_(parameters.hysteresis),
+      range_mean_(model.cable.ultimate_tension_N / 1024) {}
+
+double Plots::newtons(Tension tension) const {
+  return lifemodel::pack::to_double(tension) * ultimate_tension_N_;
+}
+
+void Plots::sample(double time_s, Tension tension) {
+  envelope_.push(time_s, newtons(tension));
+  if (first_) {
+    first_ = false;
+    candidate_s_ = time_s;
+  }
+  filter_.push(tension, hysteresis_,
+               [&](Tension confirmed) { turning_points_.push(candidate_s_, newtons(confirmed)); });
+  if (filter_.directed() && filter_.run().candidate() != candidate_) {
+    candidate_ = filter_.run().candidate();
+    candidate_s_ = time_s;
+  }
+}
+
+void Plots::cycle(Tension from, Tension to, double count, lifemodel::CycleDamage damage) {
+  range_mean_.push(newtons(from), newtons(to), count, lifemodel::pack::to_double(damage));
+}
+
+void Plots::finish(ReplayReport& report) {
+  if (filter_.directed()) {
+    turning_points_.push(candidate_s_, newtons(candidate_));
+  }
+  report.tension = envelope_.finish();
+  report.turning_points = turning_points_.finish();
+  report.range_mean = range_mean_.finish();
+  report.trajectory = trajectory_.finish();
+}
+
+}  // namespace host_sim
