@@ -14,7 +14,7 @@ run_packages=(
   ca-certificates openssl
 )
 test_packages=(
-  git python3 python3-icalendar ccache clang-format
+  git python3 python3-icalendar python3-jsonschema ccache clang-format
   libgtest-dev libgmock-dev libbenchmark-dev librapidcheck-dev
 )
 all_packages=(
