@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
+#include <random>
+#include <vector>
+
 #include "tests/monitor/fleet/sender.hpp"
 
 namespace host_sim::monitor {
@@ -61,6 +65,99 @@ TEST(BitsOnBus, ARemoteFrameHasNoData) {
   remote.remote_request = true;
   EXPECT_GE(bits_on_bus(remote), 47u);
   EXPECT_LE(bits_on_bus(remote), 47u + 8);
+}
+
+using Bits = std::vector<bool>;
+
+void append(Bits& bits, std::uint32_t value, int size) {
+  for (int bit = size - 1; bit >= 0; --bit) {
+    bits.push_back(((value >> bit) & 1u) != 0);
+  }
+}
+
+/// Start of frame to data (ISO 11898-1, 10.4.2 and 10.4.3).
+Bits bits_before_crc(const SeenFrame& seen) {
+  Bits bits{false};
+  if (seen.frame.extended) {
+    append(bits, seen.frame.id >> 18, 11);
+    append(bits, 0b11, 2);
+    append(bits, seen.frame.id, 18);
+  } else {
+    append(bits, seen.frame.id, 11);
+  }
+  append(bits, seen.remote_request ? 0b100 : 0b000, 3);
+  append(bits, seen.frame.length, 4);
+  for (std::size_t i = 0; i < seen.frame.length && !seen.remote_request; ++i) {
+    append(bits, std::to_integer<std::uint32_t>(seen.frame.data[i]), 8);
+  }
+  return bits;
+}
+
+/// The remainder of the bits with 15 zeros behind them, by the polynomial x^15 + x^14 + x^10 + x^8
+/// + x^7 + x^4 + x^3 + 1 (10.4.2.6).
+std::uint32_t remainder_of(Bits bits) {
+  const std::size_t size = bits.size();
+  append(bits, 0, 15);
+  for (std::size_t i = 0; i < size; ++i) {
+    if (bits[i]) {
+      for (const std::size_t power : {15u, 14u, 10u, 8u, 7u, 4u, 3u, 0u}) {
+        bits[i + 15 - power] = !bits[i + 15 - power];
+      }
+    }
+  }
+  std::uint32_t remainder = 0;
+  for (std::size_t i = size; i < bits.size(); ++i) {
+    remainder = 2 * remainder + (bits[i] ? 1 : 0);
+  }
+  return remainder;
+}
+
+/// With a bit of the other kind behind each five alike, of which it may be the first of the next
+/// five (10.5).
+Bits stuffed(const Bits& bits) {
+  Bits result;
+  std::size_t alike = 0;
+  const auto put = [&](bool bit) {
+    alike = !result.empty() && result.back() == bit ? alike + 1 : 1;
+    result.push_back(bit);
+  };
+  for (const bool bit : bits) {
+    put(bit);
+    if (alike == 5) {
+      put(!bit);
+    }
+  }
+  return result;
+}
+
+/// A frame of any kind, half of them with long runs of bits.
+SeenFrame random_frame(std::mt19937& random) {
+  SeenFrame seen;
+  const bool runs = random() % 2 == 0;
+  const auto bits_of = [&] {
+    return runs ? (random() % 2 == 0 ? 0u : ~0u) << random() % 32 : random();
+  };
+  seen.frame.extended = random() % 2 == 0;
+  seen.frame.id =
+      static_cast<std::uint32_t>(bits_of()) & (seen.frame.extended ? 0x1fff'ffffu : 0x7ffu);
+  seen.frame.length = static_cast<std::uint8_t>(random() % 9);
+  seen.remote_request = random() % 8 == 0;
+  for (std::size_t i = 0; i < seen.frame.length && !seen.remote_request; ++i) {
+    seen.frame.data[i] = static_cast<std::byte>(bits_of() & 0xff);
+  }
+  return seen;
+}
+
+TEST(BitsOnBus, AreThoseOfTheStandardBitByBit) {
+  std::mt19937 random(1);
+  for (int i = 0; i < 50'000; ++i) {
+    const SeenFrame seen = random_frame(random);
+    Bits bits = bits_before_crc(seen);
+    append(bits, remainder_of(bits), 15);
+    // Delimiter, acknowledgement and its delimiter, 7 of the end of frame, 3 between frames.
+    EXPECT_EQ(bits_on_bus(seen), stuffed(bits).size() + 1 + 1 + 1 + 7 + 3)
+        << std::hex << seen.frame.id << ' ' << seen.frame.extended;
+  }
 }
 
 TEST(BusLoad, IsThatOfTheLastSecond) {

@@ -13,6 +13,8 @@ import tempfile
 import time
 import unittest
 
+import jsonschema
+
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "program"))
 
 from logs import Log, LoggedNode  # noqa: E402
@@ -65,6 +67,12 @@ class BrokerTest(unittest.TestCase):
                 self.fail(f"not within {seconds} s: {what}: {retained}")
         return retained
 
+    def assert_as_the_schema_says(self, *statuses):
+        schema = json.loads(subprocess.run([HOST_SIM, "schema", "monitor"], capture_output=True, check=True).stdout)
+        schema = {"$defs": schema["$defs"], "$ref": "#/$defs/mqtt_status"}
+        for status in statuses:
+            jsonschema.validate(status, schema, cls=jsonschema.Draft202012Validator)
+
     def test_each_node_is_retained_until_the_end_and_then_stale(self):
         self.broker()
         monitor = self.monitor(60)
@@ -73,6 +81,7 @@ class BrokerTest(unittest.TestCase):
         self.assertEqual(retained["tendonlife/monitor"], {"online": True})
         five = retained["tendonlife/5/status"]
         self.assertEqual((five["state"], five["damage_percent"]), ("inspect", 61.2345678))
+        self.assert_as_the_schema_says(*(retained[topic] for topic in sorted(both)))
         retained = self.eventually(lambda retained: retained["tendonlife/5/status"]["vanished"], "node 5 has vanished")
         self.assertTrue(retained["tendonlife/5/status"]["stale"])
         self.assertFalse(retained["tendonlife/9/status"]["stale"])
