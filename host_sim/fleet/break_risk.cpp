@@ -90,18 +90,18 @@ BreakRisk::BreakRisk(const LawBelief& law, const Tendon& tendon)
 }
 
 double BreakRisk::within(double hours) const {
-  return within(hours, &Law::weight);
+  return of_further(damage_per_h_ * hours, &Law::weight);
 }
 
 double BreakRisk::within_of_all_laws(double hours) const {
-  return within(hours, &Law::share);
+  return of_further(damage_per_h_ * hours, &Law::share);
 }
 
-double BreakRisk::within(double hours, double Law::*weight) const {
+double BreakRisk::of_further(double damage, double Law::*weight) const {
   double risk = 0;
   for (const Shape& shape : shapes_) {
     for (const NormalPoint& rate : rates_) {
-      const double growth = hazard_growth(used_, damage_per_h_ * rate.z * hours, shape.shape);
+      const double growth = hazard_growth(used_, damage * rate.z, shape.shape);
       double given_rate = 0;
       for (const Law& law : shape.laws) {
         given_rate -= law.*weight * std::expm1(-growth * law.rate_of_hazard);
@@ -122,13 +122,16 @@ double BreakRisk::hours_to(double risk) const {
   if (damage_per_h_ == 0) {
     return std::numeric_limits<double>::infinity();
   }
-  // In ln hours, from where the fitted law has this risk.
+  // In ln of the further damage, from where the fitted law has this risk: hours at a rate that is
+  // next to none are more than a number holds.
   const double hazard = std::pow(used_, fitted_shape_) - std::log1p(-risk);
   const double further = std::pow(hazard, 1 / fitted_shape_) - used_;
   const double least = 1e-12 * std::max(used_, 1e-6);
-  double low = std::log(std::max(further, least) / damage_per_h_);
+  double low = std::log(std::max(further, least));
   double high = low;
-  const auto excess = [&](double log_hours) { return within(std::exp(log_hours)) - risk; };
+  const auto excess = [&](double log_further) {
+    return of_further(std::exp(log_further), &Law::weight) - risk;
+  };
   constexpr double kStep = 0.25;
   double at_low = excess(low);
   double at_high = at_low;
@@ -141,13 +144,13 @@ double BreakRisk::hours_to(double risk) const {
     at_high = excess(high);
   }
   if (at_low == 0 || at_high == 0) {
-    return std::exp(at_low == 0 ? low : high);
+    return std::exp(at_low == 0 ? low : high) / damage_per_h_;
   }
   constexpr int kBits = 32;
   std::uintmax_t most = 100;
   const auto [below, above] = boost::math::tools::toms748_solve(
       excess, low, high, at_low, at_high, boost::math::tools::eps_tolerance<double>(kBits), most);
-  return std::exp(0.5 * (below + above));
+  return std::exp(0.5 * (below + above)) / damage_per_h_;
 }
 
 }  // namespace host_sim::fleet

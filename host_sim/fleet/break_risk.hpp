@@ -55,7 +55,7 @@ class BreakRisk {
   [[nodiscard]] double within_of_all_laws(double hours) const;
 
   /// Hours of operation until that probability is `risk`; infinity for a tendon that does no
-  /// damage.
+  /// damage, or so little that no number holds them.
   /// @pre 0 < risk < 1
   [[nodiscard]] double hours_to(double risk) const;
 
@@ -66,7 +66,8 @@ class BreakRisk {
  private:
   struct Shape;
   struct Law;
-  [[nodiscard]] double within(double hours, double Law::*weight) const;
+  /// The probability that it breaks by so much further damage, with the laws so weighed.
+  [[nodiscard]] double of_further(double damage, double Law::*weight) const;
 
   /// A law that may be the true one.
   struct Law {

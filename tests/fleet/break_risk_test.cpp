@@ -55,6 +55,13 @@ TEST(FleetBreakRisk, OfWhatDoesNoDamageIsNone) {
   EXPECT_EQ(risk.hours_to(0.5), std::numeric_limits<double>::infinity());
 }
 
+TEST(FleetBreakRisk, OfARateNextToNoneComesAfterMoreHoursThanANumberHolds) {
+  // B10 of an exponential life is at 0.10536 of it: 0.10536 / 1e-300 h, and 0.10536 / 1e-310 h.
+  EXPECT_NEAR(BreakRisk({.shape = 1}, tendon(0.3, 1e-300)).hours_to(0.1) / 1e300, 0.1053605, 1e-6);
+  EXPECT_EQ(BreakRisk({.shape = 1}, tendon(0.3, 1e-310)).hours_to(0.1),
+            std::numeric_limits<double>::infinity());
+}
+
 TEST(FleetBreakRisk, StaysANumberWhereAPowerIsBelowEveryNumber) {
   const BreakRisk risk({.shape = kShape}, tendon(1e-300, 1e-3));
   EXPECT_NEAR(risk.within(1000), 1 - std::exp(-1), 1e-12);
