@@ -11,7 +11,6 @@
 #include "host_sim/diagnose/force/correction.hpp"
 #include "host_sim/diagnose/force/force_search.hpp"
 #include "host_sim/diagnose/force/remainder.hpp"
-#include "host_sim/diagnose/force/written_term.hpp"
 #include "host_sim/diagnose/sessions.hpp"
 #include "host_sim/extension/model_file.hpp"
 
@@ -169,7 +168,7 @@ class Report {
   /// @param half 95 % half-widths of the parameters of the model
   [[nodiscard]] FoundEffect effect_of(ForceTerm term, const ForceFit& model,
                                       std::span<const double> half) const {
-    const ForceTermDefinition& of = definition_of(term);
+    const ForceEffect& of = definition_of(term);
     FoundEffect found{.id = std::string(of.id),
                       .term = std::string(of.term),
                       .equation = std::string(of.equation),
@@ -315,11 +314,8 @@ class Report {
     if (model.terms[place] == ForceTerm::position && !rotor_known()) {
       return std::nullopt;
     }
-    std::size_t first = 2;
-    for (std::size_t i = 0; i < place; ++i) {
-      first += parameters_of(model.terms[i], data_.scales()).size();
-    }
-    return written_term(model.terms[place], std::span(model.parameters).subspan(first),
+    return written_term(model.terms[place],
+                        parameters_at(place, model.terms, model.parameters, data_.scales()),
                         data_.scales());
   }
 

@@ -120,6 +120,10 @@ ForceData::Normal ForceData::normal_of(const ForceTerms& terms, std::span<const 
     Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(at.size()), count);
     for (Eigen::Index k = 0; k < count; ++k) {
       const ForceParameter& parameter = all[static_cast<std::size_t>(k)];
+      if (parameter.chosen) {
+        jacobian.col(k).setZero();
+        continue;
+      }
       std::vector<double> moved(parameters.begin(), parameters.end());
       double& value = moved[static_cast<std::size_t>(k)];
       double step = (parameter.stepped ? kWide : kFine) *
@@ -310,7 +314,8 @@ bool ForceData::at_bound(const ForceFit& fit, std::size_t term) const {
     const double value = fit.parameters[next++];
     const double margin = 1e-3 * (parameter.maximum - parameter.minimum);
     const bool lowest = parameter.minimum != 0;
-    if (value > parameter.maximum - margin || (lowest && value < parameter.minimum + margin)) {
+    if (!parameter.chosen &&
+        (value > parameter.maximum - margin || (lowest && value < parameter.minimum + margin))) {
       return true;
     }
   }

@@ -3,43 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace host_sim::diagnose {
 namespace {
 
-constexpr std::size_t kHarmonics = 2;
 constexpr double kUsualTurnOver = 0.05;  ///< of the scale of speed
 constexpr double kMostLogRatio = 5;
 /// Of the scale of force: where friction that depends on load stops to grow.
 constexpr double kLeastLoad = 0.01;
-
-constexpr std::array<ForceTermDefinition, kForceTermCount> kDefinitions{{
-    {"friction_preload", "load-independent friction", "+ F s",
-     "friction that does not fall with the load loads the tendon in every cycle, small ones most"},
-    {"friction_velocity", "viscous friction", "+ (c + kappa phi |T|) |v| s",
-     "fast strokes load the tendon more than slow ones of the same load"},
-    {"presliding", "presliding", "s becomes z, dz/dx = (sgn(dx) - z)/l",
-     "short strokes see less friction than long ones"},
-    {"friction_load", "load-dependent friction", "mu (|T|/T_0)^-k",
-     "friction relative to load falls as load rises, so that mu from light tests overstates the "
-     "damage of heavy use"},
-    {"friction_position", "position-dependent friction", "mu (1 + g(x)), F (1 + g(x))",
-     "damage gathers where the stroke meets more friction"},
-    {"slack", "backlash", "no friction within b of a reversal",
-     "the tendon runs free at reversals, and shocks follow"},
-    {"compliance", "sheath and tendon elasticity", "dT_in = k dx within what friction holds",
-     "reversals of the friction come late, which changes small cycles"},
-    {"filter_lag", "first-order lag of a sensor", "T_out + tau dT_out/dt",
-     "peaks of fast cycles are read too low"},
-    {"load_cell_zero", "zero of the output sensor", "T_out - b",
-     "every tension is read too high or too low by the same force"},
-    {"friction_temperature", "temperature-dependent friction", "all friction (1 + k (T - 20 C))",
-     "a sheath that is warmer has another friction, and damage goes with it"},
-    {"current_offset", "zero error of the current sensor", "I - b",
-     "all input tensions are wrong by the same force: the mean moves and the amplitude stays"},
-    {"gear_asymmetry", "direction-dependent gear efficiency", "eta_g (1 + c s)",
-     "the amplitude of input tension is wrong by c times its mean, at every bend angle"},
-}};
+constexpr double kReference_C = 20;
+constexpr double kReference_cycles = 1000;
 
 double quantile(std::vector<double>& values, double share) {
   const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
@@ -47,220 +21,93 @@ double quantile(std::vector<double>& values, double share) {
   return values[static_cast<std::size_t>(at)];
 }
 
-/// The parameters by their meaning; what no term sets has no effect.
-struct Values {
-  double gain = 1;
-  double friction = 0;
-  double preload_N = 0;
-  double viscous_N_s_m = 0;
-  double viscous_friction_s_m = 0;
-  double presliding_m = 0;
-  double load_exponent = 0;
-  std::array<double, 2 * kHarmonics> harmonics{};
-  double slack_m = 0;
-  double stiffness_N_m = 0;
-  double lag_s = 0;
-  double zero_N = 0;
-  double temperature_1_K = 0;
-  double current_offset_A = 0;
-  double gear_asymmetry = 0;
+double mean_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
 
-  Values(const ForceTerms& terms, std::span<const double> parameters) {
-    auto next = parameters.begin();
-    gain = *next++;
-    friction = *next++;
-    for (const ForceTerm term : terms) {
-      switch (term) {
-        case ForceTerm::preload:
-          preload_N = *next++;
-          break;
-        case ForceTerm::velocity:
-          viscous_N_s_m = *next++;
-          viscous_friction_s_m = *next++;
-          break;
-        case ForceTerm::presliding:
-          presliding_m = *next++;
-          break;
-        case ForceTerm::load:
-          load_exponent = *next++;
-          break;
-        case ForceTerm::position:
-          for (double& harmonic : harmonics) {
-            harmonic = *next++;
-          }
-          break;
-        case ForceTerm::slack:
-          slack_m = *next++;
-          break;
-        case ForceTerm::compliance:
-          stiffness_N_m = *next++;
-          break;
-        case ForceTerm::lag:
-          lag_s = *next++;
-          break;
-        case ForceTerm::zero:
-          zero_N = *next++;
-          break;
-        case ForceTerm::temperature:
-          temperature_1_K = *next++;
-          break;
-        case ForceTerm::current_offset:
-          current_offset_A = *next++;
-          break;
-        case ForceTerm::gear_asymmetry:
-          gear_asymmetry = *next++;
-          break;
-      }
+std::vector<double> poses_of(std::span<const ForceRecord> records) {
+  constexpr double kSame_rad = std::numbers::pi / 180;
+  std::vector<double> means_rad;
+  for (const ForceRecord& record : records) {
+    if (record.samples() > 0) {
+      means_rad.push_back(mean_of(record.bend_angle_rad));
     }
   }
-
-  [[nodiscard]] double position_factor(double turns) const {
-    double factor = 1;
-    if (harmonics == decltype(harmonics){}) {
-      return factor;
+  std::ranges::sort(means_rad);
+  std::vector<double> poses_rad;
+  double last_rad = 0;
+  for (const double mean_rad : means_rad) {
+    if (poses_rad.empty() || mean_rad - last_rad > kSame_rad) {
+      poses_rad.push_back(mean_rad);
     }
-    for (std::size_t harmonic = 1; harmonic <= kHarmonics; ++harmonic) {
-      const double phase = 2 * std::numbers::pi * static_cast<double>(harmonic) * turns;
-      factor += harmonics[2 * harmonic - 2] * std::sin(phase) +
-                harmonics[2 * harmonic - 1] * std::cos(phase);
-    }
-    return factor;
+    last_rad = mean_rad;
   }
-};
+  return poses_rad;
+}
+
+std::size_t nearest(const std::vector<double>& poses_rad, double bend_angle_rad) {
+  const auto off = [&](double pose_rad) { return std::abs(pose_rad - bend_angle_rad); };
+  return static_cast<std::size_t>(std::ranges::min_element(poses_rad, {}, off) - poses_rad.begin());
+}
 
 /// How far friction is turned over, -1 .. 1, with its memory of the motion.
 class Slip {
  public:
-  Slip(const Values& values, const ForceScales& scales, double position_m)
+  Slip(const ForceValues& values, const ForceScales& scales, double position_m)
       : values_(values), edge_m_s_(scales.turn_over_m_s), before_m_(position_m) {}
 
-  double at(const ForceRecord& record, std::size_t i) {
+  /// @param i the next sample
+  void go_to(const ForceRecord& record, std::size_t i) {
     const double moved_m = record.position_m[i] - before_m_;
     before_m_ = record.position_m[i];
-    double slip = std::tanh(record.velocity_m_s[i] / edge_m_s_);
+    slip_ = std::tanh(record.velocity_m_s[i] / edge_m_s_);
     if (values_.slack_m > 0) {
       taken_up_ = std::clamp(taken_up_ + 2 * moved_m / values_.slack_m, -1.0, 1.0);
-      slip = std::abs(taken_up_) == 1 && taken_up_ * slip > 0 ? slip : 0;
+      slip_ = std::abs(taken_up_) == 1 && taken_up_ * slip_ > 0 ? slip_ : 0;
     }
     if (values_.presliding_m > 0) {
       const double side = moved_m > 0 ? 1 : moved_m < 0 ? -1 : presliding_;
       presliding_ =
           side + (presliding_ - side) * std::exp(-std::abs(moved_m) / values_.presliding_m);
-      slip = presliding_;
+      slip_ = presliding_;
     }
-    return slip;
   }
 
+  [[nodiscard]] double slip() const { return slip_; }
+
  private:
-  const Values& values_;
+  const ForceValues& values_;
   double edge_m_s_;
   double before_m_;
+  double slip_ = 0;
   double taken_up_ = 0;
   double presliding_ = 0;
 };
 
-}  // namespace
+/// A sensor that follows by a first-order lag, exact where the force goes on a line.
+class Lag {
+ public:
+  explicit Lag(double lag_s) : lag_s_(lag_s) {}
 
-ForceScales scales_of(std::span<const ForceRecord> records) {
-  std::vector<double> speeds;
-  std::vector<double> positions;
-  double square_N2 = 0;
-  for (const ForceRecord& record : records) {
-    for (std::size_t i = 0; i < record.samples(); ++i) {
-      speeds.push_back(std::abs(record.velocity_m_s[i]));
-      positions.push_back(record.position_m[i]);
-      square_N2 += record.output_N[i] * record.output_N[i];
+  double read(double force_N, double time_s) {
+    const double step_s = time_s - before_s_;
+    if (begun_ && step_s > 0) {
+      const double settled_N = lag_s_ * (force_N - last_N_) / step_s;
+      behind_N_ = settled_N + (behind_N_ - settled_N) * std::exp(-step_s / lag_s_);
     }
+    begun_ = true;
+    before_s_ = time_s;
+    last_N_ = force_N;
+    return force_N - behind_N_;
   }
-  constexpr double kLeast = 1e-9;
-  if (speeds.empty()) {
-    return {kLeast, kLeast, 0, kLeast, kLeast};
-  }
-  const double low_m = quantile(positions, 0.01);
-  const double high_m = quantile(positions, 0.99);
-  const double speed_m_s = std::max(quantile(speeds, 0.9), kLeast);
-  return {.speed_m_s = speed_m_s,
-          .stroke_m = std::max(high_m - low_m, kLeast),
-          .position_m = (high_m + low_m) / 2,
-          .force_N = std::max(std::sqrt(square_N2 / static_cast<double>(speeds.size())), kLeast),
-          .turn_over_m_s = kUsualTurnOver * speed_m_s};
-}
 
-const ForceTermDefinition& definition_of(ForceTerm term) {
-  return kDefinitions[static_cast<std::size_t>(term)];
-}
-
-bool is_shown(ForceTerm term, std::span<const ForceRecord> records) {
-  const bool of_temperature = term == ForceTerm::temperature;
-  const bool of_current = term == ForceTerm::current_offset || term == ForceTerm::gear_asymmetry;
-  return std::ranges::all_of(records, [&](const ForceRecord& one) {
-    return (!of_temperature || !one.sheath_temperature_C.empty()) &&
-           (!of_current || one.input_N_per_A > 0);
-  });
-}
-
-std::vector<ForceParameter> parameters_of(ForceTerm term, const ForceScales& scales) {
-  const double force_N = scales.force_N;
-  const double speed_m_s = scales.speed_m_s;
-  const double stroke_m = scales.stroke_m;
-  switch (term) {
-    case ForceTerm::preload:
-      return {{"preload_N", "N", 0, 10 * force_N, {0.2 * force_N}}};
-    case ForceTerm::velocity:
-      return {{"viscous_N_s_m", "N s/m", 0, 10 * force_N / speed_m_s, {0.05 * force_N / speed_m_s}},
-              {"viscous_friction_s_m", "s/m", -1 / speed_m_s, 1 / speed_m_s, {0.01 / speed_m_s}}};
-    case ForceTerm::presliding:
-      return {{"presliding_length_m",
-               "m",
-               1e-4 * stroke_m,
-               0.5 * stroke_m,
-               {0.01 * stroke_m, 0.05 * stroke_m, 0.15 * stroke_m}}};
-    case ForceTerm::load:
-      return {{"load_exponent", "1", -1, 1, {0.1}}};
-    case ForceTerm::position:
-      return {{"position_sine_1", "1", -1, 1, {0.01}},
-              {"position_cosine_1", "1", -1, 1, {0.01}},
-              {"position_sine_2", "1", -1, 1, {0.01}},
-              {"position_cosine_2", "1", -1, 1, {0.01}}};
-    case ForceTerm::slack:
-      return {{"slack_m",
-               "m",
-               0,
-               0.3 * stroke_m,
-               {0.01 * stroke_m, 0.03 * stroke_m, 0.1 * stroke_m},
-               true}};
-    case ForceTerm::compliance:
-      return {{"stiffness_N_m",
-               "N/m",
-               0.1 * force_N / stroke_m,
-               1e4 * force_N / stroke_m,
-               {3 * force_N / stroke_m, 30 * force_N / stroke_m, 300 * force_N / stroke_m}}};
-    case ForceTerm::lag:
-      return {{"lag_s", "s", -0.1, 0.1, {0.005, -0.005}}};
-    case ForceTerm::zero:
-      return {{"load_cell_zero_N", "N", -force_N, force_N, {0.01 * force_N}}};
-    case ForceTerm::temperature:
-      return {{"temperature_coefficient_1_K", "1/K", -0.05, 0.05, {0.001}}};
-    case ForceTerm::current_offset:
-      return {{"current_offset_A", "A", -0.5, 0.5, {0.01}}};
-    case ForceTerm::gear_asymmetry:
-      return {{"gear_asymmetry", "1", -0.3, 0.3, {0.01}}};
-  }
-  return {};
-}
-
-std::vector<ForceParameter> parameters_of(const ForceTerms& terms, const ForceScales& scales) {
-  std::vector<ForceParameter> all{{"gain", "1", 0.05, 20, {1}},
-                                  {"friction_coefficient", "1", 0, 2, {0.1}}};
-  for (const ForceTerm term : terms) {
-    for (ForceParameter& parameter : parameters_of(term, scales)) {
-      all.push_back(std::move(parameter));
-    }
-  }
-  return all;
-}
-
-namespace {
+ private:
+  double lag_s_;
+  bool begun_ = false;
+  double before_s_ = 0;
+  double last_N_ = 0;
+  double behind_N_ = 0;
+};
 
 /// ln(T_in/T_out) of dT/dphi = mu (T/T_0)^-k T, for that of the output's friction all along.
 double along_sheath(double log_ratio, double load_exponent) {
@@ -270,62 +117,178 @@ double along_sheath(double log_ratio, double load_exponent) {
              : std::log1p(std::max(load_exponent * log_ratio, kLeast - 1)) / load_exponent;
 }
 
-/// Input force before the gain at one sample, for a friction that is turned over by `slip`.
-double input_at(const ForceRecord& record, std::size_t i, const Values& values,
-                const ForceScales& scales, double slip) {
-  constexpr double kReference_C = 20;
-  const double output_N =
-      record.output_N[i] - values.zero_N + values.lag_s * record.output_rate_N_s[i];
-  const double size_N = std::abs(output_N);
-  const double speed_m_s = std::abs(record.velocity_m_s[i]);
-  double factor =
-      values.position_factor((record.position_m[i] - scales.position_m) / scales.stroke_m);
-  if (values.temperature_1_K != 0) {
-    factor *= 1 + values.temperature_1_K * (record.sheath_temperature_C[i] - kReference_C);
+/// What each sample has beside how far its friction is turned over.
+class Forward {
+ public:
+  Forward(const ForceRecord& record, const ForceValues& values, const ForceScales& scales)
+      : record_(record),
+        values_(values),
+        scales_(scales),
+        by_position_(values.harmonics != decltype(values.harmonics){}) {}
+
+  /// Input force before the gain, for a friction that is turned over by `slip`.
+  [[nodiscard]] double input_N(std::size_t i, double slip) const {
+    double output_N = record_.output_N[i] - values_.zero_N;
+    if (values_.lag_s > 0) {
+      output_N += values_.lag_s * record_.output_rate_N_s[i];
+    }
+    const double size_N = std::abs(output_N);
+    const double speed_m_s = std::abs(record_.velocity_m_s[i]);
+    const double place = by_position_ ? position_factor(i) : 1;
+    double coefficient = values_.friction * place * age_factor(i);
+    coefficient += values_.viscous_friction_s_m * speed_m_s;
+    double warm = 1;
+    if (values_.temperature_1_K != 0) {
+      warm += values_.temperature_1_K * (record_.sheath_temperature_C[i] - kReference_C);
+    }
+    double log_ratio = coefficient * warm * angle_rad(i) * slip;
+    if (values_.load_exponent != 0) {
+      log_ratio *= std::pow(std::max(size_N / scales_.force_N, kLeastLoad), -values_.load_exponent);
+    }
+    // A force the other way round is that of the other tendon, whose motion is the other way too.
+    const double side = output_N < 0 ? -1 : 1;
+    const double sheath_N =
+        side * size_N *
+        std::expm1(std::clamp(along_sheath(side * log_ratio, values_.load_exponent), -kMostLogRatio,
+                              kMostLogRatio));
+    const double other_N = values_.preload_N * place * warm + values_.viscous_N_s_m * speed_m_s;
+    return output_N + sheath_N + other_N * slip;
   }
-  double log_ratio = (values.friction + values.viscous_friction_s_m * speed_m_s) * factor *
-                     record.bend_angle_rad[i] * slip;
-  if (values.load_exponent != 0) {
-    log_ratio *= std::pow(std::max(size_N / scales.force_N, kLeastLoad), -values.load_exponent);
+
+  /// What the drive has for a force: as a current shows it, with what is wrong with the motor.
+  [[nodiscard]] double shown_N(std::size_t i, double force_N) const {
+    double efficiency = 1;
+    if (values_.gear_asymmetry != 0) {
+      efficiency +=
+          values_.gear_asymmetry * std::tanh(record_.velocity_m_s[i] / scales_.turn_over_m_s);
+    }
+    if (values_.droop_1_K != 0) {
+      constexpr double kLeastGain = 0.05;
+      efficiency *= std::max(
+          kLeastGain, 1 - values_.droop_1_K * (record_.winding_temperature_C[i] - kReference_C));
+    }
+    double off_A = values_.current_offset_A;
+    if (values_.ripple_harmonic > 0) {
+      const double phase = values_.ripple_harmonic * record_.rotor_rad[i];
+      off_A -= values_.ripple_sine_A * std::sin(phase) + values_.ripple_cosine_A * std::cos(phase);
+    }
+    return values_.gain * force_N / efficiency + record_.input_N_per_A * off_A;
   }
-  // A force the other way round is that of the other tendon, whose motion is the other way too.
-  const double side = output_N < 0 ? -1 : 1;
-  const double sheath_N =
-      side * size_N *
-      std::expm1(std::clamp(along_sheath(side * log_ratio, values.load_exponent), -kMostLogRatio,
-                            kMostLogRatio));
-  const double other_N = values.preload_N * factor + values.viscous_N_s_m * speed_m_s;
-  return output_N + sheath_N + other_N * slip;
+
+ private:
+  [[nodiscard]] double position_factor(std::size_t i) const {
+    const double turn =
+        2 * std::numbers::pi * (record_.position_m[i] - scales_.position_m) / scales_.stroke_m;
+    double factor = 1;
+    for (std::size_t harmonic = 1; harmonic <= ForceValues::kHarmonics; ++harmonic) {
+      const double phase = static_cast<double>(harmonic) * turn;
+      factor += values_.harmonics[2 * harmonic - 2] * std::sin(phase) +
+                values_.harmonics[2 * harmonic - 1] * std::cos(phase);
+    }
+    return factor;
+  }
+
+  [[nodiscard]] double age_factor(std::size_t i) const {
+    double factor = 1;
+    if (values_.wear != 0) {
+      factor +=
+          values_.wear * std::pow(record_.cycle[i] / kReference_cycles, values_.wear_exponent);
+    }
+    if (values_.run_in != 0) {
+      factor += values_.run_in * std::exp(-record_.cycle[i] / values_.run_in_cycles);
+    }
+    return std::max(factor, 0.0);
+  }
+
+  [[nodiscard]] double angle_rad(std::size_t i) const {
+    const double nominal_rad = record_.bend_angle_rad[i];
+    if (values_.pose_errors_rad.empty()) {
+      return nominal_rad;
+    }
+    const std::size_t pose = nearest(scales_.poses_rad, nominal_rad);
+    return std::max(
+        0.0,
+        nominal_rad + (pose < values_.pose_errors_rad.size() ? values_.pose_errors_rad[pose] : 0));
+  }
+
+  const ForceRecord& record_;
+  const ForceValues& values_;
+  const ForceScales& scales_;
+  bool by_position_;
+};
+
+ForceValues values_of(const ForceTerms& terms, const ForceScales& scales,
+                      std::span<const double> parameters) {
+  ForceValues values;
+  values.gain = parameters[0];
+  values.friction = parameters[1];
+  std::size_t next = 2;
+  for (const ForceTerm term : terms) {
+    const std::size_t count = parameters_of(term, scales).size();
+    definition_of(term).set(parameters.subspan(next, count), values);
+    next += count;
+  }
+  return values;
 }
 
 }  // namespace
 
+ForceScales scales_of(std::span<const ForceRecord> records) {
+  std::vector<double> speeds;
+  std::vector<double> positions;
+  double square_N2 = 0;
+  double cycles = 1;
+  for (const ForceRecord& record : records) {
+    for (std::size_t i = 0; i < record.samples(); ++i) {
+      speeds.push_back(std::abs(record.velocity_m_s[i]));
+      positions.push_back(record.position_m[i]);
+      square_N2 += record.output_N[i] * record.output_N[i];
+    }
+    if (!record.cycle.empty()) {
+      cycles = std::max(cycles, record.cycle.back());
+    }
+  }
+  constexpr double kLeast = 1e-9;
+  if (speeds.empty()) {
+    return {kLeast, kLeast, 0, kLeast, kLeast, cycles, {}};
+  }
+  const double low_m = quantile(positions, 0.01);
+  const double high_m = quantile(positions, 0.99);
+  const double speed_m_s = std::max(quantile(speeds, 0.9), kLeast);
+  return {.speed_m_s = speed_m_s,
+          .stroke_m = std::max(high_m - low_m, kLeast),
+          .position_m = (high_m + low_m) / 2,
+          .force_N = std::max(std::sqrt(square_N2 / static_cast<double>(speeds.size())), kLeast),
+          .turn_over_m_s = kUsualTurnOver * speed_m_s,
+          .cycles = cycles,
+          .poses_rad = poses_of(records)};
+}
+
 void predict_input(const ForceRecord& record, const ForceTerms& terms, const ForceScales& scales,
                    std::span<const double> parameters, std::vector<double>& input_N) {
-  const Values values(terms, parameters);
+  const ForceValues values = values_of(terms, scales, parameters);
   input_N.resize(record.samples());
   if (input_N.empty()) {
     return;
   }
-  Slip slips(values, scales, record.position_m.front());
+  const Forward forward(record, values, scales);
+  Slip slip(values, scales, record.position_m.front());
+  Lag lag(-values.lag_s);
   double held_N = 0;
   for (std::size_t i = 0; i < record.samples(); ++i) {
-    const double slip = slips.at(record, i);
+    slip.go_to(record, i);
     if (values.stiffness_N_m > 0 && i > 0) {
       // Between slips the input follows the spring; it never leaves what friction holds.
-      const auto [low_N, high_N] = std::minmax(
-          {input_at(record, i, values, scales, -1), input_at(record, i, values, scales, 1)});
+      const auto [low_N, high_N] = std::minmax({forward.input_N(i, -1), forward.input_N(i, 1)});
       held_N += values.stiffness_N_m * (record.position_m[i] - record.position_m[i - 1]);
       held_N = std::clamp(held_N, low_N, high_N);
     } else {
-      held_N = input_at(record, i, values, scales, slip);
+      held_N = forward.input_N(i, slip.slip());
     }
-    double efficiency = 1;
-    if (values.gear_asymmetry != 0) {
-      efficiency +=
-          values.gear_asymmetry * std::tanh(record.velocity_m_s[i] / scales.turn_over_m_s);
+    input_N[i] = forward.shown_N(i, held_N);
+    if (values.lag_s < 0) {
+      input_N[i] = lag.read(input_N[i], record.time_s[i]);
     }
-    input_N[i] = values.gain * held_N / efficiency + record.input_N_per_A * values.current_offset_A;
   }
 }
 

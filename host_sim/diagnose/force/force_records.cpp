@@ -4,6 +4,7 @@
 
 #include "hal/files/input_error.hpp"
 #include "host_sim/diagnose/force/diagnose_forces.hpp"
+#include "host_sim/recording/motion.hpp"
 #include "host_sim/recording/signal.hpp"
 #include "host_sim/reference/equations.hpp"
 
@@ -21,6 +22,10 @@ bool constant(const Recording& recording, const std::vector<Fault>& faults,
     return fault.session == recording.session && fault.channel == channel &&
            fault.kind == Fault::Kind::constant;
   });
+}
+
+ProfileColumnId input_column(const Recording& recording) {
+  return recording.has(kInputTensionColumn) ? kInputTensionColumn : kMotorCurrentColumn;
 }
 
 std::vector<double> input_of(const Recording& recording, const NominalModel& nominal) {
@@ -79,6 +84,19 @@ std::vector<double> rate_of(const std::vector<double>& time_s, const std::vector
   return rates;
 }
 
+/// Cycles before the recording, and the reversals since over two.
+std::vector<double> cycles_of(const Recording& recording) {
+  const std::vector<double>& velocity_m_s = recording[kTendonVelocity];
+  const recording::Stretch whole{0, recording.samples()};
+  const recording::Motion motion = recording::motion_of(
+      recording[kTime], velocity_m_s, std::span(&whole, 1), recording::dead_band_m_s(velocity_m_s));
+  std::vector<double> cycles;
+  for (const double reversals : motion.reversals) {
+    cycles.push_back(recording.start_cycle + reversals / 2);
+  }
+  return cycles;
+}
+
 template <class T>
 void thin(std::vector<T>& values, std::size_t step) {
   std::size_t kept = 0;
@@ -102,19 +120,32 @@ void leave_out(const Recording& recording, const std::vector<Fault>& faults, For
 }
 
 /// What hardly varies shows nothing.
-void leave_out_even_temperature(std::vector<ForceRecord>& records) {
+void leave_out_even(std::vector<ForceRecord>& records,
+                    std::vector<double> ForceRecord::*temperature_C) {
   constexpr double kLeast_K = 3;
   double least_C = HUGE_VAL;
   double most_C = -HUGE_VAL;
   for (const ForceRecord& record : records) {
-    for (const double value_C : record.sheath_temperature_C) {
+    for (const double value_C : record.*temperature_C) {
       least_C = std::min(least_C, value_C);
       most_C = std::max(most_C, value_C);
     }
   }
   if (most_C - least_C < kLeast_K) {
     for (ForceRecord& record : records) {
-      record.sheath_temperature_C.clear();
+      (record.*temperature_C).clear();
+    }
+  }
+}
+
+/// Sessions that all begin at the same cycle do not know where in the life of the tendon they are.
+void leave_out_uncounted_cycles(std::vector<ForceRecord>& records) {
+  const bool counted = std::ranges::any_of(records, [&](const ForceRecord& record) {
+    return record.cycle.front() != records.front().cycle.front();
+  });
+  if (!counted) {
+    for (ForceRecord& record : records) {
+      record.cycle.clear();
     }
   }
 }
@@ -126,9 +157,8 @@ std::vector<ForceRecord> force_records(const std::vector<Recording>& recordings,
                                        const NominalModel& nominal) {
   std::vector<ForceRecord> records;
   for (const Recording& recording : recordings) {
-    const ProfileColumnId input =
-        recording.has(kInputTensionColumn) ? kInputTensionColumn : kMotorCurrentColumn;
-    if (constant(recording, faults, input) || constant(recording, faults, kOutputTensionColumn) ||
+    if (constant(recording, faults, input_column(recording)) ||
+        constant(recording, faults, kOutputTensionColumn) ||
         constant(recording, faults, kTendonVelocity)) {
       continue;
     }
@@ -136,7 +166,7 @@ std::vector<ForceRecord> force_records(const std::vector<Recording>& recordings,
     record.session = recording.session;
     record.time_s = recording[kTime];
     record.input_N = input_of(recording, nominal);
-    if (input == kMotorCurrentColumn) {
+    if (input_column(recording) == kMotorCurrentColumn) {
       const reference::Drive drive = nominal.drive->reference();
       record.input_N_per_A =
           reference::input_tension_from_current(drive.current_offset_A + 1, drive);
@@ -144,19 +174,27 @@ std::vector<ForceRecord> force_records(const std::vector<Recording>& recordings,
     record.output_N = recording[kOutputTensionColumn];
     record.output_rate_N_s = rate_of(record.time_s, record.output_N);
     record.velocity_m_s = recording[kTendonVelocity];
-    record.rotor_known =
-        nominal.drive && recording.has(kMotorAngle) && !constant(recording, faults, kMotorAngle);
+    const bool rotor = recording.has(kMotorAngle) && !constant(recording, faults, kMotorAngle);
+    record.rotor_known = nominal.drive && rotor;
     record.position_m = position_of(recording, record.rotor_known, nominal);
+    if (rotor) {
+      record.rotor_rad = recording[kMotorAngle];
+    }
     record.bend_angle_rad = angle_of(recording, nominal);
     if (recording.has(kSheathTemperature)) {
       record.sheath_temperature_C = recording[kSheathTemperature];
     }
+    if (recording.has(kWindingTemperature)) {
+      record.winding_temperature_C = recording[kWindingTemperature];
+    }
+    record.cycle = cycles_of(recording);
     record.used.assign(record.samples(), true);
     leave_out(recording, faults, record);
     const std::size_t step = std::max<std::size_t>(1, record.samples() / kMostForceSamples);
     for (auto* values : {&record.time_s, &record.input_N, &record.output_N, &record.output_rate_N_s,
                          &record.velocity_m_s, &record.position_m, &record.bend_angle_rad,
-                         &record.sheath_temperature_C}) {
+                         &record.sheath_temperature_C, &record.winding_temperature_C,
+                         &record.rotor_rad, &record.cycle}) {
       thin(*values, step);
     }
     thin(record.used, step);
@@ -164,7 +202,9 @@ std::vector<ForceRecord> force_records(const std::vector<Recording>& recordings,
       records.push_back(std::move(record));
     }
   }
-  leave_out_even_temperature(records);
+  leave_out_uncounted_cycles(records);
+  leave_out_even(records, &ForceRecord::sheath_temperature_C);
+  leave_out_even(records, &ForceRecord::winding_temperature_C);
   return records;
 }
 

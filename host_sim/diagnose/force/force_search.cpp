@@ -75,13 +75,17 @@ std::vector<ForceSearch::Candidate> ForceSearch::stairs() const {
   return stairs;
 }
 
-std::vector<ForceTerm> ForceSearch::outside() const {
+/// Laws of effects of which none is taken.
+std::vector<ForceTerm> ForceSearch::outside(const ForceTerms& taken) const {
   std::vector<ForceTerm> terms;
   for (unsigned i = 0; i < kForceTermCount; ++i) {
     const auto term = static_cast<ForceTerm>(i);
+    const auto same = [&](ForceTerm one) {
+      return definition_of(one).id == definition_of(term).id;
+    };
     const bool wanted = std::ranges::find(without_, definition_of(term).id) == without_.end();
-    if (wanted && is_shown(term, data_.records()) &&
-        std::ranges::find(model_.fit.terms, term) == model_.fit.terms.end()) {
+    if (wanted && is_shown(term, data_.records()) && std::ranges::none_of(taken, same) &&
+        !parameters_of(term, data_.scales()).empty()) {
       terms.push_back(term);
     }
   }
@@ -112,7 +116,7 @@ void ForceSearch::hold_out(std::vector<Candidate>& all) const {
 /// Adds the term of the least error on sessions that the fit never saw, if it is worth it.
 bool ForceSearch::grow() {
   constexpr std::size_t kTried = 3;
-  std::vector<Candidate> all = with_each(model_.fit, outside());
+  std::vector<Candidate> all = with_each(model_.fit, outside(model_.fit.terms));
   all.resize(std::min(all.size(), kTried));
   hold_out(all);
   const auto best = std::ranges::min_element(
@@ -163,7 +167,9 @@ bool ForceSearch::exchange(bool allowed) {
         model_ = std::move(one);
         return true;
       }
-      if (lost.mean < kStandsIn || lost.z < kSeen) {
+      const bool other_effect =
+          definition_of(one.fit.terms.back()).id != definition_of(judged_[place].term).id;
+      if (other_effect && (lost.mean < kStandsIn || lost.z < kSeen)) {
         judged_[place].others.push_back(one.fit.terms.back());
       }
     }
@@ -173,7 +179,9 @@ bool ForceSearch::exchange(bool allowed) {
 
 /// The model with another term in the place of one, where it fits nearly as well or better.
 std::vector<ForceSearch::Candidate> ForceSearch::in_place_of(std::size_t place) const {
-  std::vector<Candidate> all = with_each(judged_[place].without, outside());
+  std::vector<ForceTerm> others = outside(judged_[place].without.terms);
+  std::erase(others, judged_[place].term);
+  std::vector<Candidate> all = with_each(judged_[place].without, others);
   std::erase_if(all, [&](const Candidate& one) {
     return std::log(one.fit.square_N2 / model_.fit.square_N2) / 2 > 2 * kStandsIn;
   });

@@ -60,7 +60,7 @@ class ForceSearch {
   };
 
   void learn_covariance();
-  [[nodiscard]] std::vector<ForceTerm> outside() const;
+  [[nodiscard]] std::vector<ForceTerm> outside(const ForceTerms& taken) const;
   [[nodiscard]] std::vector<Candidate> with_each(const ForceFit& from,
                                                  const std::vector<ForceTerm>& terms) const;
   void hold_out(std::vector<Candidate>& all) const;

@@ -11,8 +11,13 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr ForceScales kScales{
-    .speed_m_s = 0.1, .stroke_m = 0.2, .position_m = 0, .force_N = 10, .turn_over_m_s = 0.005};
+const ForceScales kScales{.speed_m_s = 0.1,
+                          .stroke_m = 0.2,
+                          .position_m = 0,
+                          .force_N = 10,
+                          .turn_over_m_s = 0.005,
+                          .cycles = 10000,
+                          .poses_rad = {pi / 2, pi}};
 
 /// Moves steadily: far over the speed below which friction turns over.
 ForceRecord record(const std::vector<double>& positions_m, double velocity_m_s, double output_N) {
@@ -132,6 +137,38 @@ TEST(ForceModel, SensorsShiftAndDelayTheOutput) {
   EXPECT_NEAR(predicted(rising, {ForceTerm::lag}, {1, 0, 0.01}), 10.2, 1e-9);
 }
 
+/// One step of 0.1 s on a line from 10 to 20 N, read with a lag of 0.05 s: 100 N/s times the lag
+/// behind, less what is not yet behind, exp(-2) of it.
+TEST(ForceModel, AnInputSensorFollowsWithItsLag) {
+  ForceRecord rising = record({0, 0.1}, 1, 10);
+  rising.output_N[1] = 20;
+  EXPECT_NEAR(predicted(rising, {ForceTerm::lag}, {1, 0, -0.05}), 20 - 5 * (1 - std::exp(-2)),
+              1e-9);
+}
+
+TEST(ForceModel, FrictionChangesWithTheCyclesOfTheTendon) {
+  ForceRecord old = record({0, 0.1}, 1, 10);
+  old.cycle.assign(2, 4000);
+  // 4^0.5 = 2 times 0.3.
+  EXPECT_NEAR(predicted(old, {ForceTerm::wear}, {1, 0.1, 0.3, 0.5}), 10 * std::exp(0.16 * pi),
+              1e-9);
+  EXPECT_NEAR(predicted(old, {ForceTerm::run_in}, {1, 0.1, 0.5, 4000}),
+              10 * std::exp(0.1 * (1 + 0.5 * std::exp(-1)) * pi), 1e-9);
+  EXPECT_TRUE(is_shown(ForceTerm::wear, std::vector{old}));
+  EXPECT_FALSE(is_shown(ForceTerm::run_in, std::vector{record({0, 0.1}, 1, 10)}));
+}
+
+/// Of the poses of 90 and 180 deg the larger is taken to be right.
+TEST(ForceModel, APoseBendsMoreThanItWasSaidTo) {
+  ForceRecord bent = record({0, 0.1}, 1, 10);
+  const ForceTerms terms{ForceTerm::bend_angle};
+  EXPECT_NEAR(predicted(bent, terms, {1, 0.1, 0.2}), 10 * std::exp(0.1 * pi), 1e-9);
+  bent.bend_angle_rad.assign(2, 1.5);
+  EXPECT_NEAR(predicted(bent, terms, {1, 0.1, 0.2}), 10 * std::exp(0.17), 1e-9);
+  EXPECT_EQ(parameters_of(ForceTerm::bend_angle, kScales).at(0).name,
+            "bend_angle_error_rad_at_90_deg");
+}
+
 /// T_out 10 N, friction 2 N: 12 N sliding one way, 8 N the other. From 12 N a spring of 30 N/m
 /// gives 3 N for 0.1 m back, and stays where friction holds no more.
 TEST(ForceModel, ASpringFollowsTheMotionWithinWhatFrictionHolds) {
@@ -166,6 +203,28 @@ TEST(ForceModel, AGearIsBetterOneWayThanTheOther) {
               1e-9);
   EXPECT_NEAR(predicted(record({0.1, 0}, -1, 10), {ForceTerm::gear_asymmetry}, {1, 0, 0.25}),
               10 / 0.75, 1e-9);
+}
+
+/// At 70 C a motor has 0.9 of its torque for each ampere, and needs 1/0.9 of the current.
+TEST(ForceModel, AWarmMotorNeedsMoreCurrent) {
+  ForceRecord warm = record({0, 0.1}, 1, 9);
+  warm.input_N_per_A = 2;
+  EXPECT_FALSE(is_shown(ForceTerm::torque_gain, std::vector{warm}));
+  warm.winding_temperature_C.assign(2, 70);
+  EXPECT_TRUE(is_shown(ForceTerm::torque_gain, std::vector{warm}));
+  EXPECT_NEAR(predicted(warm, {ForceTerm::torque_gain}, {1, 0, 0.002}), 10, 1e-9);
+}
+
+/// T_in is 2 N/A times I + a sin(k theta) + b cos(k theta): where ripple adds 0.25 A, 10 N show as
+/// 9.5 N.
+TEST(ForceModel, RippleGoesWithTheAngleOfTheRotor) {
+  ForceRecord turned = record({0, 0.1}, 1, 10);
+  turned.input_N_per_A = 2;
+  EXPECT_FALSE(is_shown(ForceTerm::torque_ripple, std::vector{turned}));
+  turned.rotor_rad.assign(2, pi / 6);
+  EXPECT_TRUE(is_shown(ForceTerm::torque_ripple, std::vector{turned}));
+  EXPECT_NEAR(predicted(turned, {ForceTerm::torque_ripple}, {1, 0, 0.25, 0, 3}), 9.5, 1e-9);
+  EXPECT_NEAR(predicted(turned, {ForceTerm::torque_ripple}, {1, 0, 0, -0.25, 6}), 9.5, 1e-9);
 }
 
 TEST(ForceModel, WhatACurrentShowsALoadCellDoesNot) {

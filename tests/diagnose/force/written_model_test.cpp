@@ -14,7 +14,7 @@
 #include "hal/files/profile.hpp"
 #include "host_sim/campaign/campaign.hpp"
 #include "host_sim/diagnose/diagnosis.hpp"
-#include "host_sim/diagnose/force/written_term.hpp"
+#include "host_sim/diagnose/force/force_model.hpp"
 #include "host_sim/diagnose/output/extended_model.hpp"
 #include "host_sim/extension/acting.hpp"
 #include "host_sim/extension/model_file.hpp"

@@ -1,0 +1,82 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "host_sim/diagnose/force/diagnose_forces.hpp"
+
+namespace host_sim::diagnose {
+namespace {
+
+using enum hal::files::ProfileColumnId;
+using recording::Recording;
+
+constexpr double kStep_s = 0.01;
+constexpr double kNoise_N = 0.5;
+
+NominalModel plain_sheath() {
+  NominalModel model;
+  model.sheath = {.friction_coefficient = 0.1, .bend_angle_deg = 180};
+  return model;
+}
+
+/// Six seconds of a stroke of 40 mm at 0.5 Hz.
+Recording recorded(double (*output_N)(double time_s), double start_cycle = 0) {
+  std::mt19937 engine(5);
+  std::normal_distribution<double> noise(0, kNoise_N);
+  Recording recording;
+  recording.session = "s";
+  recording.start_cycle = start_cycle;
+  for (int i = 0; i < 600; ++i) {
+    const double time_s = kStep_s * i;
+    recording.channels[kTime].push_back(time_s);
+    recording.channels[kTendonVelocity].push_back(0.02 * std::numbers::pi *
+                                                  std::cos(std::numbers::pi * time_s));
+    recording.channels[kOutputTensionColumn].push_back(output_N(time_s) + noise(engine));
+    recording.channels[kInputTensionColumn].push_back(20);
+  }
+  return recording;
+}
+
+double sine_N(double time_s) {
+  return 30 + 10 * std::sin(2 * time_s);
+}
+
+ForceRecord record_of(const Recording& recording) {
+  return force_records({recording}, {}, plain_sheath()).at(0);
+}
+
+TEST(ForceRecords, CyclesGoOnFromTheStartOfTheSession) {
+  const std::vector<Recording> recordings{recorded(sine_N, 1000), recorded(sine_N, 3000)};
+  const std::vector<ForceRecord> records = force_records(recordings, {}, plain_sheath());
+  EXPECT_EQ(records[1].cycle.front(), 3000);
+  // Six reversals in six seconds.
+  EXPECT_EQ(records[1].cycle.back(), 3003);
+  // One start alone does not say where in the life of the tendon it was.
+  EXPECT_TRUE(record_of(recordings[0]).cycle.empty());
+}
+
+/// Two recordings at 20 and 22 C: what hardly varies shows nothing; 40 K do.
+TEST(ForceRecords, ATemperatureCountsWhereItVaries) {
+  std::vector<Recording> recordings{recorded(sine_N), recorded(sine_N)};
+  for (const double warm_C : {22.0, 60.0}) {
+    recordings[0].channels[kWindingTemperature].assign(600, 20);
+    recordings[1].channels[kWindingTemperature].assign(600, warm_C);
+    const std::vector<ForceRecord> records = force_records(recordings, {}, plain_sheath());
+    EXPECT_EQ(records[1].winding_temperature_C.empty(), warm_C == 22);
+    EXPECT_TRUE(records[1].sheath_temperature_C.empty());
+  }
+}
+
+TEST(ForceRecords, TheRotorIsKnownWithoutADriveToo) {
+  Recording recording = recorded(sine_N);
+  EXPECT_TRUE(record_of(recording).rotor_rad.empty());
+  recording.channels[kMotorAngle].assign(600, 1.5);
+  EXPECT_EQ(record_of(recording).rotor_rad.at(7), 1.5);
+  EXPECT_FALSE(record_of(recording).rotor_known);
+}
+
+}  // namespace
+}  // namespace host_sim::diagnose
