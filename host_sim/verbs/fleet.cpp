@@ -13,7 +13,7 @@
 #include "host_sim/fleet/fleet_plan.hpp"
 #include "host_sim/fleet/fleet_table.hpp"
 #include "host_sim/fleet/horizon.hpp"
-#include "host_sim/fleet/records.hpp"
+#include "host_sim/monitor/tendons/recorded_tendons.hpp"
 #include "host_sim/report/fleet/html.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/today.hpp"
@@ -71,23 +71,23 @@ void read_request(FleetArguments& arguments) {
 }
 
 /// @throws CLI::ValidationError, InputError
-fleet::RecordedFleet read_folder(const FleetArguments& arguments) {
+monitor::RecordedFleet read_folder(const FleetArguments& arguments) {
   if (!arguments.hours_per_day) {
     throw CLI::ValidationError(
         "fleet", "records do not say how long tendons run each day: give --hours-per-day");
   }
-  const auto records = fleet::records_in(arguments.tendons);
+  const auto records = monitor::records_in(arguments.tendons);
   std::vector<std::filesystem::path> logs;
-  for (const fleet::Record& record : records) {
+  for (const monitor::Record& record : records) {
     logs.insert(logs.end(), record.logs.begin(), record.logs.end());
   }
   arguments.check(logs);
-  return fleet::read_records(arguments.tendons, records, *arguments.hours_per_day,
-                             arguments.request.today);
+  return monitor::read_records(arguments.tendons, records, *arguments.hours_per_day,
+                               arguments.request.today);
 }
 
 /// @throws CLI::ValidationError, InputError
-fleet::RecordedFleet read_table(const FleetArguments& arguments) {
+monitor::RecordedFleet read_table(const FleetArguments& arguments) {
   arguments.check({});
   auto rows = fleet::parse_fleet_table(
       hal::files::open_source(arguments.tendons, "a CSV file of tendons, or a folder of records"),
@@ -102,7 +102,7 @@ fleet::RecordedFleet read_table(const FleetArguments& arguments) {
 int run_fleet(FleetArguments& arguments) {
   read_request(arguments);
   const bool of_records = std::filesystem::is_directory(arguments.tendons);
-  fleet::RecordedFleet read = of_records ? read_folder(arguments) : read_table(arguments);
+  monitor::RecordedFleet read = of_records ? read_folder(arguments) : read_table(arguments);
   fleet::Fleet tendons = fleet::fleet_of(read.rows, arguments.tendons, arguments.model);
   tendons.broken = read.broken;
   tendons.doubts = read.doubts;

@@ -11,6 +11,7 @@
 namespace {
 
 using hal::files::InputError;
+using host_sim::fleet::fleet_table_text;
 using host_sim::fleet::parse_fleet_table;
 using host_sim::fleet::TendonRow;
 
@@ -88,6 +89,24 @@ TEST(FleetTable, RefusesWithThePlaceWhatCannotBeTrusted) {
 TEST(FleetTable, AnAgeThatIsTooShortIsRefused) {
   EXPECT_THROW(parse("tendon,damage,age_h,hours_per_day\na,50,0.1,8\n"), InputError);
   EXPECT_THROW(parse("tendon,damage,age_h,hours_per_day\na,50,0,8\n"), InputError);
+}
+
+TEST(FleetTable, OfWhatWasReadIsReadAgain) {
+  TendonRow row;
+  row.tendon.name = "r,1/3/0";
+  row.tendon.damage = 0.123456789;
+  row.tendon.damage_per_h = 1e-7;
+  row.tendon.rate_log_sd = 0.25;
+  row.tendon.hours_per_day = 7.5;
+  const std::string text = fleet_table_text({row}, {"r1/3/1"});
+  EXPECT_EQ(text,
+            "# broken: r1/3/1\n"
+            "tendon,damage,damage_per_h,age_h,rate_log_sd,hours_per_day\n"
+            "\"r,1/3/0\",0.123456789,1e-07,,0.25,7.5\n");
+  const auto again = parse(text);
+  EXPECT_EQ(again.at(0).tendon.name, row.tendon.name);
+  EXPECT_EQ(again.at(0).tendon.damage, row.tendon.damage);
+  EXPECT_EQ(again.at(0).tendon.damage_per_h, row.tendon.damage_per_h);
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "host_sim/fleet/records.hpp"
+#include "host_sim/monitor/tendons/recorded_tendons.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -19,7 +19,7 @@
 #include "host_sim/monitor/fleet/fleet.hpp"
 #include "host_sim/monitor/record/log_folder.hpp"
 
-namespace host_sim::fleet {
+namespace host_sim::monitor {
 
 using hal::files::InputError;
 
@@ -54,14 +54,14 @@ std::vector<Record> records_in(const fs::path& folder) {
   }
   std::sort(entries.begin(), entries.end(), naturally_before);
   std::vector<Record> records;
-  const std::vector<fs::path> own = monitor::logs_in(folder);
+  const std::vector<fs::path> own = logs_in(folder);
   if (!own.empty()) {
     records.push_back({folder_name(folder), own, true});
   }
   for (const fs::path& entry : entries) {
     std::error_code error;
     if (fs::is_directory(entry, error)) {
-      std::vector<fs::path> logs = monitor::logs_in(entry);
+      std::vector<fs::path> logs = logs_in(entry);
       if (!logs.empty()) {
         records.push_back({entry.filename().string(), std::move(logs), true});
       }
@@ -79,8 +79,6 @@ std::vector<Record> records_in(const fs::path& folder) {
 namespace {
 
 namespace detail = protocol::detail;
-using monitor::NodeView;
-using monitor::SeenFrame;
 
 constexpr double kHour_ns = 3600e9;
 constexpr double kPpb = 1e-9;
@@ -173,7 +171,7 @@ bool is_data(const SeenFrame& seen) {
   return !seen.error && !seen.flexible_data_rate && !seen.remote_request;
 }
 
-void follow(const SeenFrame& seen, const monitor::FleetView& view,
+void follow(const SeenFrame& seen, const FleetView& view,
             std::map<protocol::Node, HeardNode>& heard) {
   if (const auto node = protocol::node_of<protocol::Heartbeat>(seen.frame)) {
     const auto heartbeat = protocol::decode<protocol::Heartbeat>(seen.frame);
@@ -202,7 +200,7 @@ void follow(const SeenFrame& seen, const monitor::FleetView& view,
 
 /// Whether its wire is broken; none where the node does not say which one is.
 std::optional<bool> is_broken(const NodeView& node, std::uint8_t tendon) {
-  const monitor::Timed<detail::WireHistory>* newest = nullptr;
+  const Timed<detail::WireHistory>* newest = nullptr;
   for (const auto& [key, page] : node.wires) {
     if (page.value.tendon == tendon && (newest == nullptr || page.time_ns >= newest->time_ns)) {
       newest = &page;
@@ -223,18 +221,18 @@ std::string node_name(std::string_view record, protocol::Node node) {
 
 std::vector<RecordedTendon> recorded_tendons(const std::function<std::optional<SeenFrame>()>& next,
                                              std::string_view name) {
-  monitor::Fleet fleet;
+  Fleet nodes;
   std::map<protocol::Node, HeardNode> heard;
   std::int64_t latest_ns = 0;
   while (auto seen = next()) {
     seen->time_ns = latest_ns = std::max(latest_ns, seen->time_ns);
-    fleet.see(*seen);
+    nodes.see(*seen);
     if (is_data(*seen)) {
-      follow(*seen, fleet.view(), heard);
+      follow(*seen, nodes.view(), heard);
     }
   }
   std::vector<RecordedTendon> tendons;
-  for (const auto& [id, node] : fleet.view().nodes) {
+  for (const auto& [id, node] : nodes.view().nodes) {
     if (node.two_controllers) {
       throw InputError(name, 0, 0, fmt::format("two controllers have node id {}", id),
                        "a record of nodes that each have an id of their own");
@@ -248,13 +246,14 @@ std::vector<RecordedTendon> recorded_tendons(const std::function<std::optional<S
                          "a longer record");
       }
       tendons.push_back(of_tendon.recorded());
-      if (const double rate = tendons.back().damage_per_h; !kDamagePerHourRange.contains(rate)) {
+      if (const double rate = tendons.back().damage_per_h;
+          !fleet::kDamagePerHourRange.contains(rate)) {
         throw InputError(
             name, 0, 0,
             fmt::format("the damage of {} rises by {:g} an hour",
                         hal::files::in_quotes(tendon_name), rate),
             fmt::format("{} an hour, and frames with the times at which they were sent",
-                        hal::files::range_text(kDamagePerHourRange)));
+                        hal::files::range_text(fleet::kDamagePerHourRange)));
       }
       tendons.back().name = tendon_name;
       tendons.back().broken = is_broken(node, tendon);
@@ -292,15 +291,15 @@ class RecordReader {
         return std::nullopt;
       }
       const fs::path& path = record_.logs[opened_++];
-      log_ = record_.rotated ? std::make_unique<monitor::CandumpLogReader>(
-                                   monitor::open_whole_lines(path), path.string())
-                             : monitor::open_log(path);
+      log_ = record_.rotated
+                 ? std::make_unique<CandumpLogReader>(open_whole_lines(path), path.string())
+                 : open_log(path);
     }
   }
 
  private:
   const Record& record_;
-  std::unique_ptr<monitor::LogReader> log_;
+  std::unique_ptr<LogReader> log_;
   std::size_t opened_ = 0;
   unsigned frames_ = 0;
 };
@@ -315,7 +314,7 @@ std::string some_of(const std::vector<std::string>& names) {
 }
 
 /// How long ago a record ended, in whole days; none where its clock is not that of the world.
-std::optional<int> days_since(std::int64_t time_ns, Date today) {
+std::optional<int> days_since(std::int64_t time_ns, fleet::Date today) {
   constexpr std::int64_t kFirstTrusted_s = 1'000'000'000;  // September 2001
   const std::chrono::sys_seconds time{std::chrono::seconds(time_ns / 1'000'000'000)};
   if (time.time_since_epoch().count() < kFirstTrusted_s) {
@@ -333,8 +332,8 @@ struct Doubt {
 }  // namespace
 
 RecordedFleet read_records(const fs::path& folder, const std::vector<Record>& records,
-                           double hours_per_day, Date today) {
-  RecordedFleet fleet;
+                           double hours_per_day, fleet::Date today) {
+  RecordedFleet read;
   Doubt unsure{"the controller reports a broken wire and not which, perhaps this one: "};
   Doubt lost{"the controller does not vouch for the damage so far, which may be higher: "};
   Doubt idle{"no damage was done in the record, so that none is expected: "};
@@ -343,7 +342,7 @@ RecordedFleet read_records(const fs::path& folder, const std::vector<Record>& re
     RecordReader reader(record);
     for (RecordedTendon& tendon : recorded_tendons([&] { return reader.next(); }, record.name)) {
       if (tendon.broken == true) {
-        fleet.broken.push_back(tendon.name);
+        read.broken.push_back(tendon.name);
         continue;
       }
       if (!tendon.broken) {
@@ -358,27 +357,27 @@ RecordedFleet read_records(const fs::path& folder, const std::vector<Record>& re
       if (days_since(tendon.last_ns, today).value_or(0) > 1) {
         old.names.push_back(tendon.name);
       }
-      TendonRow row;
+      fleet::TendonRow row;
       row.tendon.name = std::move(tendon.name);
       row.tendon.damage = tendon.damage;
       row.tendon.damage_per_h = tendon.damage_per_h;
       row.tendon.rate_log_sd = tendon.rate_log_sd;
       row.tendon.hours_per_day = hours_per_day;
       row.age_h = tendon.age_h;
-      fleet.rows.push_back(std::move(row));
+      read.rows.push_back(std::move(row));
     }
   }
-  if (fleet.rows.empty()) {
+  if (read.rows.empty()) {
     throw InputError(folder.string(), 0, 0,
-                     fmt::format("every tendon is broken: {}", some_of(fleet.broken)),
+                     fmt::format("every tendon is broken: {}", some_of(read.broken)),
                      "records with a tendon that is whole");
   }
   for (const Doubt& doubt : {unsure, lost, idle, old}) {
     if (!doubt.names.empty()) {
-      fleet.doubts.push_back(std::string(doubt.what) + some_of(doubt.names));
+      read.doubts.push_back(std::string(doubt.what) + some_of(doubt.names));
     }
   }
-  return fleet;
+  return read;
 }
 
-}  // namespace host_sim::fleet
+}  // namespace host_sim::monitor

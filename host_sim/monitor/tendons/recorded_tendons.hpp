@@ -10,9 +10,9 @@
 
 #include "host_sim/fleet/fleet_table.hpp"
 #include "host_sim/fleet/horizon.hpp"
-#include "host_sim/monitor/bus/frame_log.hpp"
+#include "host_sim/monitor/bus/seen_frame.hpp"
 
-namespace host_sim::fleet {
+namespace host_sim::monitor {
 
 /// What `monitor --record` wrote to one folder, or one log.
 struct Record {
@@ -45,8 +45,8 @@ struct RecordedTendon {
 /// @param name stands for the record in names and errors
 /// @throws InputError for frames that show no damage of a tendon, no rate, or two controllers with
 /// one id
-std::vector<RecordedTendon> recorded_tendons(
-    const std::function<std::optional<monitor::SeenFrame>()>& next, std::string_view name);
+std::vector<RecordedTendon> recorded_tendons(const std::function<std::optional<SeenFrame>()>& next,
+                                             std::string_view name);
 
 inline constexpr std::int64_t kSilence_ns = std::int64_t{600} * 1'000'000'000;
 /// Shorter sessions say nothing of the scatter of the rate.
@@ -54,13 +54,13 @@ inline constexpr double kShortestSession_h = 0.1;
 
 /// The tendons of records, to be planned for.
 struct RecordedFleet {
-  std::vector<TendonRow> rows;      ///< those that are whole
-  std::vector<std::string> broken;  ///< names of those that are not
-  std::vector<std::string> doubts;  ///< sentences
+  std::vector<fleet::TendonRow> rows;  ///< those that are whole
+  std::vector<std::string> broken;     ///< names of those that are not
+  std::vector<std::string> doubts;     ///< sentences
 };
 
 /// @throws InputError, Interruption
 RecordedFleet read_records(const std::filesystem::path& folder, const std::vector<Record>& records,
-                           double hours_per_day, Date today);
+                           double hours_per_day, fleet::Date today);
 
-}  // namespace host_sim::fleet
+}  // namespace host_sim::monitor

@@ -1,4 +1,4 @@
-#include "host_sim/fleet/records.hpp"
+#include "host_sim/monitor/tendons/recorded_tendons.hpp"
 
 #include <gtest/gtest.h>
 
@@ -14,9 +14,8 @@
 namespace {
 
 using hal::files::InputError;
-using host_sim::fleet::parse_fleet_table;
-using host_sim::fleet::recorded_tendons;
-using host_sim::fleet::RecordedTendon;
+using host_sim::monitor::recorded_tendons;
+using host_sim::monitor::RecordedTendon;
 using host_sim::monitor::SeenFrame;
 using host_sim::monitor::test::kS;
 using host_sim::monitor::test::Sender;
@@ -87,7 +86,7 @@ std::string refusal(const std::vector<SeenFrame>& frames) {
   }
 }
 
-TEST(FleetRecords, HaveDamageRateAndScatterOfEachTendon) {
+TEST(RecordedTendons, HaveDamageRateAndScatterOfEachTendon) {
   Recorded node(3);
   // Two sessions of two hours: 0.02 and 0.04 of damage, 0.01 between them unheard.
   node.boot(kHour);
@@ -112,7 +111,7 @@ TEST(FleetRecords, HaveDamageRateAndScatterOfEachTendon) {
   EXPECT_NEAR(tendons[1].rate_log_sd, std::log(2) / std::sqrt(2), 1e-9);
 }
 
-TEST(FleetRecords, WeighSessionsByTheirHours) {
+TEST(RecordedTendons, WeighSessionsByTheirHours) {
   Recorded node(3);
   node.boot(0);
   node.run(0, 3 * kHour, {{0, 0, 30'000'000}});  // 0.01 an hour, three hours
@@ -128,7 +127,7 @@ TEST(FleetRecords, WeighSessionsByTheirHours) {
   EXPECT_NEAR(tendons[0].damage_per_h, 0.09 / 5.05, 1e-9);
 }
 
-TEST(FleetRecords, ASilenceOfTenMinutesEndsASession) {
+TEST(RecordedTendons, ASilenceOfTenMinutesEndsASession) {
   Recorded node(3);
   node.boot(0);
   node.run(0, kHour, {{0, 0, 10'000'000}});
@@ -141,7 +140,7 @@ TEST(FleetRecords, ASilenceOfTenMinutesEndsASession) {
   EXPECT_FALSE(tendons[0].age_h);
 }
 
-TEST(FleetRecords, ANewWireBeginsAnew) {
+TEST(RecordedTendons, ANewWireBeginsAnew) {
   using protocol::detail::Storage;
   Recorded node(3);
   node.boot(0);
@@ -167,7 +166,7 @@ TEST(FleetRecords, ANewWireBeginsAnew) {
   EXPECT_NEAR(tendons[0].damage_per_h, 0.12 / 3, 0.001);
 }
 
-TEST(FleetRecords, NameTheBrokenAndWhatIsNotVouchedFor) {
+TEST(RecordedTendons, NameTheBrokenAndWhatIsNotVouchedFor) {
   Recorded node(3);
   node.boot(0);
   node.run(0, kHour, {{0, 0, 1'000'000}, {1, 0, 1'000'000}});
@@ -182,7 +181,7 @@ TEST(FleetRecords, NameTheBrokenAndWhatIsNotVouchedFor) {
   EXPECT_EQ(sure[1].broken, true);
 }
 
-TEST(FleetRecords, RefuseWhatCannotBePlannedWith) {
+TEST(RecordedTendons, RefuseWhatCannotBePlannedWith) {
   Recorded silent(3);
   silent.boot(0);
   EXPECT_EQ(refusal(silent.frames),
@@ -217,24 +216,6 @@ TEST(FleetRecords, RefuseWhatCannotBePlannedWith) {
   EXPECT_EQ(refusal(both),
             "r1: two controllers have node id 4; accepted: a record of nodes that each have an id "
             "of their own");
-}
-
-TEST(FleetRecords, ATableOfThemIsReadAgain) {
-  host_sim::fleet::TendonRow row;
-  row.tendon.name = "r,1/3/0";
-  row.tendon.damage = 0.123456789;
-  row.tendon.damage_per_h = 1e-7;
-  row.tendon.rate_log_sd = 0.25;
-  row.tendon.hours_per_day = 7.5;
-  const std::string text = fleet_table_text({row}, {"r1/3/1"});
-  EXPECT_EQ(text,
-            "# broken: r1/3/1\n"
-            "tendon,damage,damage_per_h,age_h,rate_log_sd,hours_per_day\n"
-            "\"r,1/3/0\",0.123456789,1e-07,,0.25,7.5\n");
-  const auto again = parse_fleet_table(hal::files::memory_source(text), "t.csv");
-  EXPECT_EQ(again.at(0).tendon.name, row.tendon.name);
-  EXPECT_EQ(again.at(0).tendon.damage, row.tendon.damage);
-  EXPECT_EQ(again.at(0).tendon.damage_per_h, row.tendon.damage_per_h);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 
 #include "hal/files/input_error.hpp"
 #include "host_sim/fleet/fleet_table.hpp"
-#include "host_sim/fleet/records.hpp"
+#include "host_sim/monitor/tendons/recorded_tendons.hpp"
 #include "tests/fuzz/io/require.hpp"
 #include "tests/fuzz/monitor/frames.hpp"
 
@@ -16,7 +16,7 @@ namespace {
 
 using namespace host_sim;
 
-void check(const fleet::RecordedTendon& recorded) noexcept {
+void check(const monitor::RecordedTendon& recorded) noexcept {
   fleet::TendonRow row;
   row.tendon.name = recorded.name;
   row.tendon.damage = recorded.damage;
@@ -34,7 +34,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   fuzz::Frames frames({data, size});
   try {
     std::set<std::string> names;
-    for (const auto& recorded : fleet::recorded_tendons([&] { return frames.next(); }, "fuzz")) {
+    for (const auto& recorded : monitor::recorded_tendons([&] { return frames.next(); }, "fuzz")) {
       fuzz::require(names.insert(recorded.name).second);
       check(recorded);
     }
