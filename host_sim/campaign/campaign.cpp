@@ -16,7 +16,6 @@
 #include "hal/files/text.hpp"
 #include "host_sim/campaign/campaign_files.hpp"
 #include "host_sim/campaign/load.hpp"
-#include "host_sim/campaign/trimming.hpp"
 
 namespace host_sim {
 

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -52,6 +53,14 @@ struct BlockRow {
 /// @throws InputError
 std::vector<BlockRow> parse_blocks(std::unique_ptr<hal::files::ByteSource> source,
                                    std::string_view name);
+
+/// Gives specimens whose life was dropped as one of the lowest or highest of their level the cycles
+/// that are known of it: those of the lowest or highest life that was kept.
+/// @pre each specimen has its blocks
+/// @throws InputError where the level has no life that was kept, or where others of it leave open
+///   which lives were the lowest or highest: found broken between inspections; suspended, for the
+///   highest; suspended before the lowest life that was kept, for the lowest
+void place_trimmed(std::span<SpecimenRow> rows);
 
 /// A campaign of the contents of its files, with specimens in order of their names; no `blocks`
 /// where there is no such file.

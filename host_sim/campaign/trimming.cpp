@@ -1,5 +1,3 @@
-#include "host_sim/campaign/trimming.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "hal/files/text.hpp"
+#include "host_sim/campaign/campaign_files.hpp"
 
 namespace host_sim {
 

@@ -6,11 +6,19 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 #include "hal/files/input_file.hpp"
 #include "hal/files/text.hpp"
 #include "hal/files/toml_table.hpp"
-#include "host_sim/fmeca/assets.hpp"
+
+/// The table of the paper, embedded when the program is built.
+namespace host_sim::fmeca_assets {
+
+// NOLINTNEXTLINE(readability-identifier-naming): named after the file
+extern const std::string_view paper_toml;
+
+}  // namespace host_sim::fmeca_assets
 
 namespace host_sim::fmeca {
 

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "host_sim/reference/astm_rainflow.hpp"
 #include "host_sim/reference/cycle.hpp"
 #include "host_sim/reference/four_point_rainflow.hpp"
+#include "tests/reference/astm_rainflow.hpp"
 
 namespace host_sim::reference::testing {
 

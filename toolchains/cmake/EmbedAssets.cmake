@@ -1,10 +1,9 @@
 set(embed_assets_script "${CMAKE_CURRENT_LIST_DIR}/embed_assets.cmake")
 
 # embed_assets(FOLDER NAMESPACE NAME=FILE NAME=FILE+FILE...)
-# Writes a C++ file that defines the texts that FOLDER/assets.hpp declares, when a file changes, and
-# sets `embedded` to its name.
+# Writes a C++ file that defines the texts, which FOLDER declares in assets.hpp or where it uses them, when a file
+# changes, and sets `embedded` to its name.
 function(embed_assets folder namespace)
-  file(RELATIVE_PATH header "${PROJECT_SOURCE_DIR}" "${CMAKE_CURRENT_SOURCE_DIR}/${folder}/assets.hpp")
   set(output "${CMAKE_CURRENT_BINARY_DIR}/${folder}/assets.cpp")
   set(assets "")
   set(files "")
@@ -19,10 +18,10 @@ function(embed_assets folder namespace)
   endforeach()
   list(JOIN assets "," assets)
   add_custom_command(OUTPUT "${output}"
-    COMMAND "${CMAKE_COMMAND}" "-DOUTPUT=${output}" "-DHEADER=${header}"
+    COMMAND "${CMAKE_COMMAND}" "-DOUTPUT=${output}"
       "-DNAMESPACE=${namespace}" "-DASSETS=${assets}" -P "${embed_assets_script}"
     DEPENDS "${embed_assets_script}" ${files}
-    COMMENT "Embedding ${header}"
+    COMMENT "Embedding ${namespace}"
     VERBATIM)
   set(embedded "${output}" PARENT_SCOPE)
 endfunction()

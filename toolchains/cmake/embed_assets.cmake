@@ -1,6 +1,6 @@
-# cmake -DOUTPUT=<cpp> -DHEADER=<include> -DNAMESPACE=<ns> "-DASSETS=name=file,name=file1+file2" -P embed_assets.cmake
+# cmake -DOUTPUT=<cpp> -DNAMESPACE=<ns> "-DASSETS=name=file,name=file1+file2" -P embed_assets.cmake
 # Writes a C++ file that defines one std::string_view for each name, holding its files in order.
-set(code "#include \"${HEADER}\"\n\nnamespace ${NAMESPACE} {\n")
+set(code "#include <string_view>\n\nnamespace ${NAMESPACE} {\n")
 string(REPLACE "," ";" assets "${ASSETS}")
 foreach(asset IN LISTS assets)
   string(REGEX MATCH "^([a-z_]+)=(.+)$" matched "${asset}")
@@ -17,6 +17,7 @@ foreach(asset IN LISTS assets)
   endforeach()
   string(APPEND code
     "static constexpr char kBytes_${name}[] = {\n${bytes}};\n"
+    "extern const std::string_view ${name};\n"
     "constinit const std::string_view ${name}(kBytes_${name}, sizeof kBytes_${name});\n")
 endforeach()
 string(APPEND code "}  // namespace ${NAMESPACE}\n")

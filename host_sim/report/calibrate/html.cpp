@@ -4,8 +4,8 @@
 
 #include <sstream>
 #include <string>
+#include <string_view>
 
-#include "host_sim/report/calibrate/assets.hpp"
 #include "host_sim/report/calibrate/charts.hpp"
 #include "host_sim/report/calibrate/notation.hpp"
 #include "host_sim/report/calibrate/sentences.hpp"
@@ -13,6 +13,16 @@
 #include "host_sim/report/page/elements.hpp"
 #include "host_sim/report/page/frame.hpp"
 #include "host_sim/report/page/number_text.hpp"
+
+/// Files of the page of a calibration, embedded when the program is built.
+namespace host_sim::calibrate_assets {
+
+// NOLINTBEGIN(readability-identifier-naming): named after the files
+extern const std::string_view body_html;
+extern const std::string_view draw_js;
+// NOLINTEND(readability-identifier-naming)
+
+}  // namespace host_sim::calibrate_assets
 
 /// Parts of the page as HTML with all texts escaped.
 namespace host_sim::calibrate_page::sections {

@@ -6,12 +6,22 @@
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <string_view>
 
-#include "host_sim/report/design/assets.hpp"
 #include "host_sim/report/design/charts.hpp"
 #include "host_sim/report/page/elements.hpp"
 #include "host_sim/report/page/frame.hpp"
 #include "host_sim/report/page/number_text.hpp"
+
+/// Files of the page of a design, embedded when the program is built.
+namespace host_sim::design_assets {
+
+// NOLINTBEGIN(readability-identifier-naming): named after the files
+extern const std::string_view body_html;
+extern const std::string_view draw_js;
+// NOLINTEND(readability-identifier-naming)
+
+}  // namespace host_sim::design_assets
 
 namespace host_sim {
 namespace {

@@ -3,16 +3,29 @@
 #include <fmt/format.h>
 
 #include <sstream>
+#include <string_view>
 
 #include "host_sim/diagnose/diagnosis.hpp"
 #include "host_sim/diagnose/output/prose.hpp"
-#include "host_sim/report/diagnose/assets.hpp"
 #include "host_sim/report/diagnose/captions.hpp"
 #include "host_sim/report/diagnose/charts.hpp"
 #include "host_sim/report/diagnose/head.hpp"
 #include "host_sim/report/diagnose/tables.hpp"
 #include "host_sim/report/page/elements.hpp"
 #include "host_sim/report/page/frame.hpp"
+
+/// Files of the page of a diagnosis, embedded when the program is built.
+namespace host_sim::diagnose_assets {
+
+// NOLINTBEGIN(readability-identifier-naming): named after the files
+extern const std::string_view body_html;
+extern const std::string_view part_html;
+extern const std::string_view recordings_html;
+extern const std::string_view lives_html;
+extern const std::string_view draw_js;
+// NOLINTEND(readability-identifier-naming)
+
+}  // namespace host_sim::diagnose_assets
 
 namespace host_sim::diagnose_page {
 namespace {

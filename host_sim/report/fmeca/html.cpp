@@ -5,11 +5,21 @@
 #include <algorithm>
 #include <sstream>
 #include <string>
+#include <string_view>
 
-#include "host_sim/report/fmeca/assets.hpp"
 #include "host_sim/report/page/elements.hpp"
 #include "host_sim/report/page/frame.hpp"
 #include "host_sim/report/page/number_text.hpp"
+
+/// Files of the page of failure modes, embedded when the program is built.
+namespace host_sim::fmeca_page_assets {
+
+// NOLINTBEGIN(readability-identifier-naming): named after the files
+extern const std::string_view body_html;
+extern const std::string_view draw_js;
+// NOLINTEND(readability-identifier-naming)
+
+}  // namespace host_sim::fmeca_page_assets
 
 namespace host_sim {
 namespace {

@@ -7,12 +7,22 @@
 #include <limits>
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "host_sim/report/page/elements.hpp"
 #include "host_sim/report/page/frame.hpp"
 #include "host_sim/report/page/number_text.hpp"
-#include "host_sim/report/plan/assets.hpp"
+
+/// Files of the page of a plan, embedded when the program is built.
+namespace host_sim::plan_page_assets {
+
+// NOLINTBEGIN(readability-identifier-naming): named after the files
+extern const std::string_view body_html;
+extern const std::string_view draw_js;
+// NOLINTEND(readability-identifier-naming)
+
+}  // namespace host_sim::plan_page_assets
 
 namespace host_sim::plan_page {
 namespace {

@@ -9,7 +9,6 @@
 #include "host_sim/report/replay/given_survival.hpp"
 #include "host_sim/report/replay/plot_builders.hpp"
 #include "host_sim/report/replay/sections.hpp"
-#include "host_sim/report/replay/until_date.hpp"
 
 namespace host_sim {
 namespace {

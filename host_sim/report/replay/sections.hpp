@@ -29,4 +29,7 @@ namespace host_sim::sections {
 [[nodiscard]] std::string trajectory_chart(const ReplayReport& report);
 [[nodiscard]] std::string life_chart(const ReplayReport& report);
 
+/// What lets the wire last until a date; empty where it was not asked for.
+[[nodiscard]] std::string until_date(const ReplayReport& report);
+
 }  // namespace host_sim::sections

@@ -1,5 +1,3 @@
-#include "host_sim/report/replay/until_date.hpp"
-
 #include <fmt/format.h>
 
 #include <cstdint>
@@ -9,6 +7,7 @@
 #include "host_sim/report/page/frame.hpp"
 #include "host_sim/report/page/number_text.hpp"
 #include "host_sim/report/replay/assets.hpp"
+#include "host_sim/report/replay/sections.hpp"
 
 namespace host_sim::sections {
 namespace {

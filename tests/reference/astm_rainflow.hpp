@@ -5,7 +5,7 @@
 
 #include "host_sim/reference/cycle.hpp"
 
-namespace host_sim::reference {
+namespace host_sim::reference::testing {
 
 /// Three-point rainflow counting, ASTM E1049-85 clause 5.4.4, on a stream of turning points.
 /// Memory is bounded by the ranges that are still open.
@@ -49,4 +49,4 @@ class AstmRainflow {
   std::vector<double> points_;
 };
 
-}  // namespace host_sim::reference
+}  // namespace host_sim::reference::testing
