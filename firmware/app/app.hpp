@@ -156,7 +156,8 @@ class App {
     if constexpr (ExtendingSensor<typename Devices::Sensor>) {
       devices_.sensor.start_at(tendon, book_.records()[tendon].epoch_cycles);
     }
-    node_state_.configuration = combined(node_state_.configuration, state.configuration);
+    node_state_.configuration =
+        combined_configuration(node_state_.configuration, state.configuration);
   }
 
   /// Whether a tendon has parameters to be counted with.
@@ -171,15 +172,6 @@ class App {
       }
     }
     return true;
-  }
-
-  /// CRC-32 over the configurations of all tendons in turn.
-  static std::uint32_t combined(std::uint32_t before, std::uint32_t configuration) {
-    std::array<std::byte, 8> bytes{};
-    lifemodel::ByteWriter out(bytes);
-    out.u32(before);
-    out.u32(configuration);
-    return lifemodel::crc32(bytes);
   }
 
   void watch_bus(hal::Time now) {

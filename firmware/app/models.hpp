@@ -12,6 +12,7 @@
 #include "lifemodel/extension/extended_block.hpp"
 #include "lifemodel/extension/life.hpp"
 #include "lifemodel/extension/needs.hpp"
+#include "lifemodel/support/bytes.hpp"
 #include "lifemodel/support/inlining.hpp"
 
 namespace app {
@@ -124,6 +125,15 @@ std::array<Model, kTendons> estimated(const ExtendedModels<kTendons>& models) {
 /// CRC-32 at the end of the block that these make.
 inline std::uint32_t configuration_of(const lifemodel::ExtendedParameters& model) {
   return lifemodel::ExtendedBlock(model).crc();
+}
+
+/// What a node reports of the configurations of its tendons: 0, with each of them in turn.
+inline std::uint32_t combined_configuration(std::uint32_t before, std::uint32_t configuration) {
+  std::array<std::byte, 8> bytes{};
+  lifemodel::ByteWriter out(bytes);
+  out.u32(before);
+  out.u32(configuration);
+  return lifemodel::crc32(bytes);
 }
 
 /// The fault of a block that is refused.

@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "firmware/app/models.hpp"
 #include "host_sim/command_line/options.hpp"
 #include "host_sim/extension/model_file.hpp"
 #include "host_sim/monitor/bus/frame_source.hpp"
@@ -22,6 +23,7 @@
 #include "host_sim/monitor/specimens/specimen_file.hpp"
 #include "host_sim/monitor/terminal/table.hpp"
 #include "host_sim/monitor/terminal/terminal.hpp"
+#include "host_sim/replay/constants.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
 #ifdef TENDONLIFE_MQTT
@@ -350,7 +352,9 @@ class TroubleReport final : public Observer {
 int run(const MonitorArguments& arguments) {
   std::optional<monitor::SpecimenFile> specimens;
   if (!arguments.specimens.empty()) {
-    specimens.emplace(arguments.specimens, read_extended_model(arguments.model).life);
+    const Model model = read_extended_model(arguments.model);
+    specimens.emplace(arguments.specimens, model.life,
+                      app::configuration_of(extended_parameters_of(model, arguments.model)));
   }
   const auto source = open_source_of(arguments);
   monitor::Fleet fleet(arguments.bit_rate_bit_s);

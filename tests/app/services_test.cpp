@@ -178,6 +178,18 @@ TEST_F(Services, ALoadedBlockCountsFromTheNextStart) {
   EXPECT_EQ(rig.app->lives().records()[0].configuration, configuration_of({stronger, {}}));
 }
 
+TEST_F(Services, ABlockWithLimitsIsLoadedByTheSameRequest) {
+  lifemodel::Parameters watched = paper_parameters();
+  watched.watch.minimum = lifemodel::pack::tension(1, 177.4);
+  const Bytes block = protocol::testing::to_bytes(lifemodel::encode(watched));
+  ASSERT_EQ(block.size(), 128u);
+  EXPECT_EQ(client.ask(start_request(order_for(client, 0x0202, hex("00") + block))),
+            hex("71 01 0202"));
+  rig.start();
+  rig.run(10);
+  EXPECT_EQ(rig.app->lives().records()[0].configuration, configuration_of({watched, {}}));
+}
+
 /// The same model with a load that does less: an endurance limit of a sixteenth of the ultimate
 /// tension, and a correction that acts on output tension alone.
 lifemodel::ExtendedParameters limited() {
@@ -196,7 +208,7 @@ lifemodel::ExtendedParameters limited() {
 /// Over ISO-TP, in parts of 126 bytes.
 void transfer(Client& client, const Bytes& block) {
   const Bytes size{static_cast<std::byte>(block.size() >> 8), static_cast<std::byte>(block.size())};
-  ASSERT_EQ(client.ask(hex("34 00 21 00") + size), hex("74 20 0080"));
+  ASSERT_EQ(client.ask(hex("34 00 21 00") + size), hex("74 20 0091"));
   for (std::size_t at = 0, part = 1; at < block.size(); at += 126, ++part) {
     const auto end = std::min(at + 126, block.size());
     const Bytes bytes(block.begin() + static_cast<std::ptrdiff_t>(at),

@@ -90,7 +90,7 @@ class Tester {
     constexpr std::size_t kMost = 126;
     const auto size = static_cast<unsigned>(block.size());
     bool taken = ask(bytes({0x34, 0x00, 0x21, 0, size >> 8, size & 0xFF})) ==
-                 bytes({0x74, 0x20, 0x00, 0x80});
+                 bytes({0x74, 0x20, 0x00, 0x91});
     unsigned part = 0;
     for (std::size_t at = 0; taken && at < block.size(); at += kMost) {
       Bytes request = bytes({0x36, ++part});

@@ -110,7 +110,8 @@ class Starter {
     if ((sub_function & ~kSuppress) != kStartRoutine) {
       return refuse(Nrc::sub_function_not_supported, storage::Event::rejected, target);
     }
-    if (request.size() != kRoutineHeadBytes + row->argument_bytes + kProofBytes) {
+    if (request.size() < kRoutineHeadBytes + kProofBytes ||
+        !row->takes(request.size() - kRoutineHeadBytes - kProofBytes)) {
       return refuse(Nrc::wrong_length, storage::Event::rejected, target);
     }
     const auto tendon = static_cast<std::uint8_t>(request[kRoutineHeadBytes]);

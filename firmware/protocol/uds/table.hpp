@@ -67,20 +67,26 @@ inline constexpr std::array<DataRow, 9> kDataTable{
 /// | routine | bytes | arguments |
 /// |---|---|---|
 /// | 0x0201 | 1 | tendon: a new wire was put in, its epoch begins |
-/// | 0x0202 | 85 | tendon, parameter block of version 1 without an extension |
+/// | 0x0202 | 85 or 129 | tendon, parameter block of version 1 or 2 without an extension |
 /// | 0x0203 | 1 | tendon: the parameter block that was transferred before, see Transfer |
 ///
 /// The answer is 71 01 and the routine.
 struct RoutineRow {
   std::uint16_t routine;
   std::uint8_t argument_bytes;
+  std::uint8_t or_bytes;  ///< another size of the arguments; the same where there is one alone
   const char* name;
+
+  [[nodiscard]] constexpr bool takes(std::size_t bytes) const {
+    return bytes == argument_bytes || bytes == or_bytes;
+  }
 };
 
-inline constexpr RoutineRow kOpenEpoch{0x0201, 1, "open a new epoch of a tendon"};
-inline constexpr RoutineRow kLoadParameters{0x0202, 1 + lifemodel::kBlockBytes,
-                                            "load the parameter block of a tendon"};
-inline constexpr RoutineRow kLoadTransferred{0x0203, 1,
+inline constexpr RoutineRow kOpenEpoch{0x0201, 1, 1, "open a new epoch of a tendon"};
+inline constexpr RoutineRow kLoadParameters{
+    0x0202, 1 + lifemodel::kBlockBytes, 1 + lifemodel::kWatchedBlockBytes,
+    "load the parameter block of a tendon, of version 1 or 2"};
+inline constexpr RoutineRow kLoadTransferred{0x0203, 1, 1,
                                              "load the parameter block that was transferred"};
 
 inline constexpr std::array<RoutineRow, 3> kRoutineTable{kOpenEpoch, kLoadParameters,
@@ -96,9 +102,8 @@ inline constexpr std::size_t kRoutineHeadBytes = 4;
 inline constexpr std::size_t kProofBytes = 4 + authority::kMacBytes;
 
 /// The longest request and answer of this server.
-inline constexpr std::size_t kMostMessageBytes = 128;
-static_assert(kRoutineHeadBytes + kLoadParameters.argument_bytes + kProofBytes <=
-              kMostMessageBytes);
+inline constexpr std::size_t kMostMessageBytes =
+    kRoutineHeadBytes + kLoadParameters.or_bytes + kProofBytes;
 
 namespace detail {
 
@@ -155,6 +160,10 @@ constexpr void describe(Out&& out) {
     detail::identifier(out, row.routine);
     out(" | ");
     detail::number(out, row.argument_bytes);
+    if (row.or_bytes != row.argument_bytes) {
+      out(" or ");
+      detail::number(out, row.or_bytes);
+    }
     out(" + ");
     detail::number(out, kProofBytes);
     out(" | ");

@@ -6,10 +6,10 @@
 #include <string_view>
 #include <system_error>
 
+#include "firmware/app/models.hpp"
 #include "hal/files/input_error.hpp"
 #include "hal/files/input_file.hpp"
 #include "hal/files/output_file.hpp"
-#include "host_sim/monitor/fleet/node_view.hpp"
 #include "host_sim/replay/results.hpp"
 
 namespace host_sim::monitor {
@@ -34,10 +34,26 @@ std::string text_of(const std::filesystem::path& path) {
   return hal::files::read_text_file(path, kAccepted, std::filesystem::file_size(path));
 }
 
+/// What nodes report all of whose tendons have this configuration, by how many they are.
+std::set<std::uint32_t> reported_configurations(std::uint32_t configuration) {
+  constexpr int kMostTendons = 32;
+  std::set<std::uint32_t> reported;
+  std::uint32_t combined = 0;
+  for (int tendons = 1; tendons <= kMostTendons; ++tendons) {
+    combined = app::combined_configuration(combined, configuration);
+    reported.insert(combined);
+  }
+  return reported;
+}
+
 }  // namespace
 
-SpecimenFile::SpecimenFile(const std::filesystem::path& path, const Model::Life& life)
-    : path_(path), life_(life), text_(text_of(path)) {
+SpecimenFile::SpecimenFile(const std::filesystem::path& path, const Model::Life& life,
+                           std::uint32_t configuration)
+    : path_(path),
+      life_(life),
+      text_(text_of(path)),
+      configurations_(reported_configurations(configuration)) {
   if (path == "-") {
     throw hal::files::OutputError("-", "standard output has the table; accepted: a file");
   }
@@ -65,13 +81,35 @@ void SpecimenFile::update(const FleetView& view) {
     save("the head", text_);
   }
   for (const auto& [number, node] : view.nodes) {
+    const std::optional<bool> known = counts_with_model(node);
+    const std::string node_name = fmt::format("node {}", number);
+    if (known == false) {
+      not_written_[node_name] = fmt::format(
+          "{}: {} counts with other parameters than the model (configuration "
+          "{:08x}): no rows of it",
+          path_.string(), node_name, node.identity->value.configuration);
+      continue;
+    }
+    not_written_.erase(node_name);
     for (const WireLife& life : node.wire_lives) {
       const std::string name = specimen_name(number, life);
-      if (!written_.contains(name)) {
+      if (written_.contains(name)) {
+        continue;
+      }
+      if (known) {
         write(name, life);
+      } else {
+        not_written_[name] = fmt::format(
+            "{}: {} {}, and {} has not reported which parameters it counts with: no row",
+            path_.string(), name, life.broken ? "broke" : "was replaced", node_name);
       }
     }
   }
+}
+
+std::optional<bool> SpecimenFile::counts_with_model(const NodeView& node) const {
+  return node.identity ? std::optional(configurations_.contains(node.identity->value.configuration))
+                       : std::nullopt;
 }
 
 void SpecimenFile::write(const std::string& name, const WireLife& life) {

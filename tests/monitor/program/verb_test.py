@@ -223,6 +223,15 @@ class VerbTest(unittest.TestCase):
         monitor("--log", log, "--once", "--specimens", online, "--model", model)
         self.assertEqual(len(online.read_text().splitlines()), 2)
 
+        # By another law of life the same damage is of another tension.
+        other = self.folder / "other.toml"
+        other.write_text(MODEL.replace("ipl_exponent = 1.38", "ipl_exponent = 1.5"))
+        done = monitor("--log", log, "--once", "--specimens", self.folder / "none.csv", "--model", other)
+        self.assertEqual(done.returncode, 3)
+        self.assertRegex(done.stderr, r"^\S+none.csv: node 1 counts with other parameters than the model "
+                                      r"\(configuration [0-9a-f]{8}\): no rows of it\n$")
+        self.assertEqual(len((self.folder / "none.csv").read_text().splitlines()), 1)
+
     def test_specimens_that_cannot_be_written_are_told_before_anything_runs(self):
         model = self.folder / "model.toml"
         model.write_text(MODEL)

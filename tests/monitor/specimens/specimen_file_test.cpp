@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <fstream>
+#include <optional>
 #include <sstream>
 
 #include "hal/files/input_error.hpp"
@@ -38,9 +40,19 @@ class SpecimenFileTest : public testing::Test {
                     .weibull_shape = 5.94};
 };
 
-FleetView fleet_with(const WireLife& life) {
+constexpr std::uint32_t kModel = 0x12345678;
+/// CRC-32 of the little-endian words 0 and kModel (by zlib), which a node of one tendon reports;
+/// with that word and kModel again it is of two tendons.
+constexpr std::uint32_t kOneTendon = 0xeb0b87a7;
+constexpr std::uint32_t kTwoTendons = 0x33f1bb43;
+
+FleetView fleet_with(const WireLife& life,
+                     std::optional<std::uint32_t> configuration = kTwoTendons) {
   FleetView view;
   view.nodes[3].node = 3;
+  if (configuration) {
+    view.nodes[3].identity.emplace().value.configuration = *configuration;
+  }
   view.nodes[3].wire_lives = {life};
   return view;
 }
@@ -58,7 +70,7 @@ TEST_F(SpecimenFileTest, HasTheTensionThatDoesTheDamage) {
   const std::string first =
       kHead + std::string("node3-tendon1-1600000000.123,field,0,40,500,failed\n");
   {
-    SpecimenFile file(path_, life_);
+    SpecimenFile file(path_, life_, kModel);
     EXPECT_FALSE(fs::exists(path_));
     file.update({});
     EXPECT_EQ(text(), kHead);
@@ -66,7 +78,7 @@ TEST_F(SpecimenFileTest, HasTheTensionThatDoesTheDamage) {
     EXPECT_EQ(text(), first);
     EXPECT_EQ(file.trouble(), "");
   }
-  SpecimenFile again(path_, life_);
+  SpecimenFile again(path_, life_, kModel);
   again.update(fleet_with(broken_at_40_N()));
   again.update(fleet_with({.tendon = 0,
                            .broken = false,
@@ -77,7 +89,7 @@ TEST_F(SpecimenFileTest, HasTheTensionThatDoesTheDamage) {
 }
 
 TEST_F(SpecimenFileTest, WritesNothingOfALifeThatIsNotKnown) {
-  SpecimenFile file(path_, life_);
+  SpecimenFile file(path_, life_, kModel);
   WireLife life = broken_at_40_N();
   life.cycles.reset();
   file.update(fleet_with(life));
@@ -96,17 +108,34 @@ TEST_F(SpecimenFileTest, WritesNothingOfALifeThatIsNotKnown) {
   EXPECT_NE(text(), kHead);
 }
 
+TEST_F(SpecimenFileTest, WritesNothingOfANodeWithOtherParameters) {
+  SpecimenFile file(path_, life_, kModel);
+  file.update(fleet_with(broken_at_40_N(), 0x1234abcd));
+  EXPECT_EQ(text(), kHead);
+  EXPECT_EQ(file.trouble(), path_.string() +
+                                ": node 3 counts with other parameters than the model "
+                                "(configuration 1234abcd): no rows of it");
+  file.update(fleet_with(broken_at_40_N(), std::nullopt));
+  EXPECT_EQ(text(), kHead);
+  EXPECT_EQ(file.trouble(), path_.string() +
+                                ": node3-tendon1-1600000000.123 broke, and node 3 has not "
+                                "reported which parameters it counts with: no row");
+  file.update(fleet_with(broken_at_40_N(), kOneTendon));
+  EXPECT_NE(text(), kHead);
+  EXPECT_EQ(file.trouble(), "");
+}
+
 TEST_F(SpecimenFileTest, LeavesOtherFilesAlone) {
   const std::string other = "specimen,cycles\na,1\n";
   put(other);
-  EXPECT_THROW(SpecimenFile(path_, life_), hal::files::InputError);
+  EXPECT_THROW(SpecimenFile(path_, life_, kModel), hal::files::InputError);
   EXPECT_EQ(text(), other);
   put(kHead + std::string("node1-tendon0-1"));
-  EXPECT_THROW(SpecimenFile(path_, life_), hal::files::InputError);
+  EXPECT_THROW(SpecimenFile(path_, life_, kModel), hal::files::InputError);
   const fs::path folder = testing::TempDir();
-  EXPECT_THROW(SpecimenFile(folder / "none" / "s.csv", life_), hal::files::OutputError);
-  EXPECT_THROW(SpecimenFile(folder, life_), hal::files::OutputError);
-  EXPECT_THROW(SpecimenFile("-", life_), hal::files::OutputError);
+  EXPECT_THROW(SpecimenFile(folder / "none" / "s.csv", life_, kModel), hal::files::OutputError);
+  EXPECT_THROW(SpecimenFile(folder, life_, kModel), hal::files::OutputError);
+  EXPECT_THROW(SpecimenFile("-", life_, kModel), hal::files::OutputError);
 }
 
 }  // namespace

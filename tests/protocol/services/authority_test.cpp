@@ -215,6 +215,45 @@ TEST_F(AuthorityTest, ATendonThatIsNotThere) {
   }
 }
 
+/// The paper's block with a limit of the watch, which makes it one of version 2.
+Bytes watched_block() {
+  auto constants = lifemodel_test::paper_constants();
+  constants.watch.minimum_tension_N = 1;
+  return to_bytes(lifemodel::encode(lifemodel_test::parameters_of(constants)));
+}
+
+TEST_F(AuthorityTest, AParameterBlockOfVersion2InOneRequest) {
+  const Bytes block = watched_block();
+  ASSERT_EQ(block.size(), 128u);
+  const Bytes request = start_request(load_order(block));
+  EXPECT_EQ(request.size(), 145u);
+  EXPECT_EQ(ask(request), hex("71 01 02 02"));
+  EXPECT_EQ(to_bytes(device_.life.blocks[1].bytes()), block);
+  EXPECT_EQ(device_.lines.back().event, Event::parameters_loaded);
+}
+
+TEST_F(AuthorityTest, ALengthThatNoParameterBlockHas) {
+  for (const std::size_t size : {0u, 83u, 85u, 127u, 129u}) {
+    restart();
+    Bytes block = watched_block();
+    block.resize(size);
+    expect_refused(start_request(load_order(block)), "7f 31 13", Event::rejected, 0x0202);
+  }
+}
+
+TEST_F(AuthorityTest, AParameterBlockWithTheLengthOfTheOtherVersion) {
+  Bytes longer = paper_block();
+  longer.resize(128);
+  Bytes shorter = watched_block();
+  shorter.resize(84);
+  for (const Bytes& block : {longer, shorter}) {
+    restart();
+    expect_refused(start_request(load_order(block)), "7f 31 31", Event::parameters_refused,
+                   lifemodel::ByteReader(std::span(block).last(4)).u32());
+  }
+  EXPECT_EQ(server_->gate().failures(), 0u);
+}
+
 TEST_F(AuthorityTest, AParameterBlockThatDoesNotHold) {
   Bytes block = paper_block();
   block[20] ^= std::byte{1};

@@ -23,7 +23,7 @@ class ServedTest : public ::testing::Test {
     server_->start(now_);
   }
   Bytes ask(const Bytes& request) {
-    Bytes response(128);
+    Bytes response(uds::kMostMessageBytes);
     response.resize(server_->handle(request, now_, response));
     return response;
   }

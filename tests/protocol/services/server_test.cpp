@@ -188,7 +188,7 @@ TEST(Endpoint, AnOversizedTransferIsRefusedCountedAndLogged) {
   ModelDevice device(2);
   Tester tester(device, kNode, kKey);
   const ModelLife life = device.life;
-  EXPECT_EQ(tester.ask(counting(129)), std::nullopt);
+  EXPECT_EQ(tester.ask(counting(146)), std::nullopt);
   EXPECT_EQ(device.life, life);
   EXPECT_EQ(tester.node().counts().oversized, 1u);
   EXPECT_EQ(tester.node().server().counts().refused, 1u);

@@ -24,7 +24,8 @@ TEST(Describe, IsTheTableInMarkdown) {
             "| 0x22 read | 0xf18c | 12 | serial number of the controller |\n"
             "| 0x22 read | 0xf195 | 2 | versions of frame plan and firmware |\n"
             "| 0x31 start | 0x0201 | 1 + 12 | open a new epoch of a tendon |\n"
-            "| 0x31 start | 0x0202 | 85 + 12 | load the parameter block of a tendon |\n"
+            "| 0x31 start | 0x0202 | 85 or 129 + 12 | load the parameter block of a tendon, of "
+            "version 1 or 2 |\n"
             "| 0x31 start | 0x0203 | 1 + 12 | load the parameter block that was transferred |\n"
             "| 0x34, 0x36, 0x37 | | 616 at most | transfer a parameter block in parts |\n");
 }

@@ -34,7 +34,7 @@ class TransferTest : public ServedTest {
   }
   /// All of a block in parts of `most` bytes, to its end.
   void transfer(std::uint8_t tendon, const Bytes& block, std::size_t most = 126) {
-    ASSERT_EQ(ask(download(tendon, block.size())), hex("74 20 00 80"));
+    ASSERT_EQ(ask(download(tendon, block.size())), hex("74 20 00 91"));
     std::uint8_t number = 0;
     for (std::size_t at = 0; at < block.size(); at += most) {
       const Bytes some(
@@ -143,7 +143,7 @@ TEST_F(TransferTest, APartThatIsSentAgainIsAnsweredAgain) {
   const Bytes block = extended_block();
   const Bytes first(block.begin(), block.begin() + 100);
   const Bytes rest(block.begin() + 100, block.begin() + 200);
-  ASSERT_EQ(ask(download(1, 200)), hex("74 20 00 80"));
+  ASSERT_EQ(ask(download(1, 200)), hex("74 20 00 91"));
   EXPECT_EQ(ask(part(1, first)), hex("76 01"));
   EXPECT_EQ(ask(part(1, first)), hex("76 01"));
   EXPECT_EQ(ask(part(2, rest)), hex("76 02"));
@@ -154,7 +154,7 @@ TEST_F(TransferTest, APartThatIsSentAgainIsAnsweredAgain) {
 TEST_F(TransferTest, RefusesWhatIsOutOfOrder) {
   EXPECT_EQ(ask(part(1, hex("00"))), hex("7f 36 24"));
   EXPECT_EQ(ask(hex("37")), hex("7f 37 24"));
-  ASSERT_EQ(ask(download(1, 84)), hex("74 20 00 80"));
+  ASSERT_EQ(ask(download(1, 84)), hex("74 20 00 91"));
   EXPECT_EQ(ask(part(0, hex("00"))), hex("7f 36 73"));
   EXPECT_EQ(ask(part(2, hex("00"))), hex("7f 36 73"));
   EXPECT_EQ(ask(part(1, counting(85))), hex("7f 36 71"));
@@ -175,7 +175,7 @@ TEST_F(TransferTest, RefusesWhatCannotBeABlock) {
   EXPECT_EQ(ask(hex("34 10 21 01 00 54")), hex("7f 34 31"));
   EXPECT_EQ(ask(hex("34 00 44 01 00 54")), hex("7f 34 31"));
   EXPECT_EQ(ask(hex("34 00 21 01 00")), hex("7f 34 13"));
-  EXPECT_EQ(ask(download(1, 616)), hex("74 20 00 80"));
+  EXPECT_EQ(ask(download(1, 616)), hex("74 20 00 91"));
   restart(authority::Key{});
   EXPECT_EQ(ask(download(1, 84)), hex("7f 34 33"));
 }
