@@ -47,19 +47,25 @@ Due due_in(double hours, const Tendon& tendon, Date today) {
   return due;
 }
 
+/// What the spares follow from: risk, due and evidence.
+TendonPlan risks_of(const BreakRisk& risk, double horizon_h, double risk_when_due) {
+  TendonPlan plan;
+  plan.risk = risk.within(horizon_h);
+  plan.due = plan.risk >= risk_when_due;
+  const double of_all_laws = risk.within_of_all_laws(horizon_h);
+  plan.evidence = of_all_laws == 0 ? 1 : plan.risk / of_all_laws;
+  return plan;
+}
+
 TendonPlan plan_of(const Tendon& tendon, const LawBelief& law, const PlanRequest& request) {
   const BreakRisk risk(law, tendon);
   const double horizon_h = request.horizon.hours(tendon.hours_per_day);
   const double to_b10 = reference::weibull_life_damage(kB10, law.shape) - tendon.damage;
-  TendonPlan plan;
-  plan.risk = risk.within(horizon_h);
+  TendonPlan plan = risks_of(risk, horizon_h, request.risk);
   plan.risk_at_fit = risk.within_at_fit(horizon_h);
   plan.replace = due_in(risk.hours_to(request.risk), tendon, request.today);
   plan.b10 = due_in(to_b10 / tendon.damage_per_h, tendon, request.today);
   plan.risk_until_b10 = plan.b10.hours > 0 ? risk.within(std::min(plan.b10.hours, horizon_h)) : 0;
-  plan.due = plan.risk >= request.risk;
-  const double of_all_laws = risk.within_of_all_laws(horizon_h);
-  plan.evidence = of_all_laws == 0 ? 1 : plan.risk / of_all_laws;
   return plan;
 }
 
@@ -221,34 +227,48 @@ std::vector<std::string> warnings_of(const Fleet& fleet, const FleetPlan& plan) 
   return warnings;
 }
 
-}  // namespace
-
-FleetPlan make_plan(const Fleet& fleet, const PlanRequest& request) {
+std::vector<LawBelief> laws_of(const Fleet& fleet) {
   std::vector<LawBelief> laws;
   for (const FleetModel& model : fleet.models) {
     laws.push_back(belief_of(model.model.life));
   }
+  return laws;
+}
+
+/// A plan with `plan_of(i)` for each tendon.
+template <class PlanOf>
+FleetPlan plan_each(const Fleet& fleet, unsigned threads, PlanOf plan_of) {
   FleetPlan plan;
   plan.tendons.resize(fleet.tendons.size());
   statistics::parallel_for(
       fleet.tendons.size(),
       [&](std::size_t i) {
         hal::files::stop_if_interrupted();
-        const Tendon& tendon = fleet.tendons[i];
-        plan.tendons[i] = plan_of(tendon, laws[tendon.model], request);
+        plan.tendons[i] = plan_of(i);
       },
-      request.threads);
-  for (std::size_t i = 0; i < fleet.tendons.size(); ++i) {
+      threads);
+  plan.due = static_cast<std::size_t>(std::ranges::count(plan.tendons, true, &TendonPlan::due));
+  return plan;
+}
+
+}  // namespace
+
+FleetPlan make_plan(const Fleet& fleet, const PlanRequest& request) {
+  const std::vector<LawBelief> laws = laws_of(fleet);
+  std::vector<double> second_risks(fleet.tendons.size());
+  FleetPlan plan = plan_each(fleet, request.threads, [&](std::size_t i) {
     const Tendon& tendon = fleet.tendons[i];
-    const TendonPlan& planned = plan.tendons[i];
     Tendon replacement = tendon;
     replacement.damage = 0;
-    const double second = BreakRisk(laws[tendon.model], replacement)
-                              .within(request.horizon.hours(tendon.hours_per_day));
+    second_risks[i] = BreakRisk(laws[tendon.model], replacement)
+                          .within(request.horizon.hours(tendon.hours_per_day));
+    return plan_of(tendon, laws[tendon.model], request);
+  });
+  for (std::size_t i = 0; i < fleet.tendons.size(); ++i) {
+    const TendonPlan& planned = plan.tendons[i];
     plan.expected_breaks += planned.risk;
     plan.breaks_until_due += planned.due ? request.risk : planned.risk;
-    plan.second_breaks_at_most += planned.risk * second;
-    plan.due += planned.due ? 1 : 0;
+    plan.second_breaks_at_most += planned.risk * second_risks[i];
     plan.past_b10 += planned.b10.hours <= 0 ? 1 : 0;
   }
   count_spares(fleet, request, plan);
@@ -261,11 +281,17 @@ std::vector<SparesUntil> course_of(const Fleet& fleet, const PlanRequest& reques
                                    const FleetPlan& plan) {
   constexpr std::size_t kTendonSteps = 30'000;
   const std::size_t steps = std::clamp<std::size_t>(kTendonSteps / fleet.tendons.size(), 3, 30);
+  const std::vector<LawBelief> laws = laws_of(fleet);
   std::vector<SparesUntil> course(1);
   for (std::size_t i = 1; i < steps; ++i) {
     PlanRequest part = request;
     part.horizon.length *= static_cast<double>(i) / static_cast<double>(steps);
-    FleetPlan until = make_plan(fleet, part);
+    FleetPlan until = plan_each(fleet, part.threads, [&](std::size_t k) {
+      const Tendon& tendon = fleet.tendons[k];
+      return risks_of(BreakRisk(laws[tendon.model], tendon),
+                      part.horizon.hours(tendon.hours_per_day), part.risk);
+    });
+    count_spares(fleet, part, until);
     course.push_back({part.horizon.length, std::move(until.breaks), std::move(until.on_condition)});
   }
   course.push_back({request.horizon.length, plan.breaks, plan.on_condition});
