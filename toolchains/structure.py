@@ -4,7 +4,8 @@
     structure.py [--list] [--max-cycles N] [--max-single N]
 
 --list names each cycle and the headers that one file alone includes beside the source of the same name. Exit status 1 where there are more of
-either than the bounds allow. Files are those that git tracks; a header is looked for by its path from the top.
+either than the bounds allow. Files are those that git tracks, and outside of a checkout all that are there; a header is looked for by its path
+from the top.
 """
 import argparse
 import collections
@@ -20,7 +21,11 @@ INCLUDE = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
 
 
 def tracked():
-    names = subprocess.run(["git", "-C", TOP, "ls-files", "-z"], check=True, capture_output=True, text=True).stdout
+    try:
+        names = subprocess.run(["git", "-C", TOP, "ls-files", "-z"], check=True, capture_output=True, text=True).stdout
+    except (OSError, subprocess.CalledProcessError):
+        found = sorted(file.relative_to(TOP) for floor in FLOORS for file in (TOP / floor).rglob("*") if file.is_file())
+        return [pathlib.PurePosixPath(file) for file in found]
     return [pathlib.PurePosixPath(name) for name in names.split("\0") if name and (TOP / name).is_file()]
 
 
