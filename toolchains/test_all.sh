@@ -57,7 +57,8 @@ stage "set-up of everything" toolchains/setup.sh all
 use_compiler_cache
 stage "structure of the sources" toolchains/structure.py
 cat "$logs/structure_of_the_sources.log"
-stage "host-release: what needs more to build" build host-release -DTENDONLIFE_MPI=ON -DTENDONLIFE_MQTT=ON
+stage "host-release: what needs more to build" build host-release -DTENDONLIFE_TESTS=ON \
+  -DTENDONLIFE_MPI=ON -DTENDONLIFE_MQTT=ON
 stage "host-release: what needs more to run" run_tests host-release tools
 stage "host-release: proofs by simulation" run_tests host-release proof
 stage "host-release: blind suite, a sample" run_tests host-release blind

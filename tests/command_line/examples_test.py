@@ -1,8 +1,6 @@
 """Runs the examples in the help of every verb, in a folder where the source tree's files lie.
 
-    examples_test.py HOST_SIM SOURCE SHARED slow|quick
-
-With quick, as for a sanitizer, those that compute for long are given no input to compute on.
+    examples_test.py HOST_SIM SOURCE SHARED
 """
 import os
 import pathlib
@@ -13,8 +11,6 @@ import tempfile
 
 SECTION = re.compile(r"^Subcommands:\n((?:  .*\n)+)", re.MULTILINE)
 MEASUREMENTS = "data/davinci_cable_torque/Tool_4_Maryland_L_4.csv"
-# Verbs whose examples fit or simulate.
-SLOW = ("calibrate", "diagnose", "plan", "synth")
 # Nobody has a bus of this name: the command line is read, and the bus refused.
 NO_BUS = "can0nowhere"
 DONE, REFUSED = 0, 1
@@ -40,20 +36,18 @@ def examples_of(text):
     return [line.strip() for block in found for line in block.splitlines()]
 
 
-def prepared(command, quick):
+def prepared(command):
     """What is run, and the status that it has to have."""
     if "can0" in command:
         return command.replace("can0", NO_BUS), REFUSED
     if MEASUREMENTS.rsplit("/", 1)[1] in command and not os.path.exists(pathlib.Path(MEASUREMENTS).name):
         print(f"the measurements are not there: only read: {command}")
         return command, REFUSED
-    if quick and command.split()[1] in SLOW:
-        return re.sub(r"host_sim/examples/\S+|(?<=diagnose )\S+", "nowhere", command), REFUSED
     return command, DONE
 
 
-def run(command, quick):
-    command, expected = prepared(command, quick)
+def run(command):
+    command, expected = prepared(command)
     environment = {**os.environ, "PATH": f"{os.getcwd()}/bin:{os.environ['PATH']}"}
     result = subprocess.run(["bash", "-c", f"set -o pipefail; {command}"], env=environment,
                             capture_output=True, text=True, stdin=subprocess.DEVNULL)
@@ -82,17 +76,17 @@ def make_folder(folder, host_sim, source, shared):
     (folder / "records/run.log").symlink_to(folder / "run.log")
 
 
-def failures_of(examples, quick, host_sim, source, shared):
+def failures_of(examples, host_sim, source, shared):
     """Of the examples of one verb, which may use what those before them wrote."""
     with tempfile.TemporaryDirectory() as name:
         make_folder(pathlib.Path(name), host_sim, source, shared)
-        failures = [failure for example in examples for failure in run(example, quick)]
+        failures = [failure for example in examples for failure in run(example)]
         os.chdir("/")
     return failures
 
 
 def main():
-    host_sim, source, shared, pace = sys.argv[1:]
+    host_sim, source, shared = sys.argv[1:]
     failures = []
     count = 0
     for verbs, text in all_verbs(host_sim):
@@ -100,7 +94,7 @@ def main():
         name = " ".join(("host_sim", *verbs))
         if not any(f"{name} " in f"{example} " for example in examples):
             failures.append(f"{name} --help has no example of itself: {examples}")
-        failures += failures_of(examples, pace == "quick", host_sim, source, shared)
+        failures += failures_of(examples, host_sim, source, shared)
         count += len(examples)
     print("\n".join(failures) or f"{count} examples ran")
     return 1 if failures else 0
