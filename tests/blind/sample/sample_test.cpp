@@ -110,9 +110,9 @@ void expect_unknown_without(Scenario (*draft)(std::uint64_t seed),
   }
 }
 
-constexpr std::size_t kLifeCampaigns = 60;
-constexpr std::size_t kRecordingCampaigns = 48;
-constexpr std::size_t kTwoSidedCampaigns = 16;
+constexpr std::size_t kLifeCampaigns = 30;
+constexpr std::size_t kRecordingCampaigns = 24;
+constexpr std::size_t kTwoSidedCampaigns = 8;
 
 constexpr OfMany kRightRecordings{{88, 120}, {47, 49}};
 constexpr double kPlainRecordings_sigmas = 20;  ///< that must leave something unknown
