@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,6 +12,7 @@
 #include <vector>
 
 #include "host_sim/diagnose/projection.hpp"
+#include "host_sim/statistics/eigen_system.hpp"
 
 namespace host_sim::diagnose {
 namespace {
@@ -56,14 +55,13 @@ double energy(const Eigen::MatrixXd& matrix, const BlockView& view, const Eigen:
 }
 
 Eigen::MatrixXd base_of(const Eigen::MatrixXd& left, double least) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(left);
+  const auto [values, vectors] = statistics::eigen_system(left);
   const Index size = left.rows();
   Index kept = 0;
-  while (kept < size && solver.eigenvalues()(size - 1 - kept) > least) {
+  while (kept < size && values(size - 1 - kept) > least) {
     ++kept;
   }
-  return solver.eigenvectors().rightCols(kept) *
-         solver.eigenvalues().tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  return vectors.rightCols(kept) * values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
 /// The block of `left` between two views, at the typical sizes.
@@ -137,9 +135,10 @@ Likeness likeness_of(const BlockView& one, const BlockView& other, const Project
   const double least = std::min(imitated(one, other, cross, projection.left),
                                 imitated(other, one, cross.transpose(), projection.left));
   const Eigen::MatrixXd correlations = one.base.transpose() * cross * other.base;
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(correlations);
+  const double square =
+      statistics::eigen_system(correlations.transpose() * correlations).values.maxCoeff();
   return {.cosine = std::sqrt(std::clamp(least, 0.0, 1.0)),
-          .canonical = std::min(1.0, svd.singularValues()(0))};
+          .canonical = std::sqrt(std::clamp(square, 0.0, 1.0))};
 }
 
 std::string advice(const effects::TensionEffect& effect) {

@@ -1,6 +1,5 @@
 #include "host_sim/diagnose/projection.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -14,6 +13,28 @@ constexpr double kRounding = 1e-12;
 /// Below this share of the whole two directions are one.
 constexpr double kSameDirection = 1e-9;
 
+/// A symmetric matrix is vectors * diag(values) * vectors'.
+struct EigenSystem2 {
+  Eigen::Vector2d values;
+  Eigen::Matrix2d vectors;
+};
+
+/// By one rotation: Golub and Van Loan, Matrix Computations, 4th ed., 8.5.2.
+EigenSystem2 eigen_system(const Eigen::Matrix2d& matrix) {
+  const double across = matrix(1, 0);
+  if (across == 0) {
+    return {.values = matrix.diagonal(), .vectors = Eigen::Matrix2d::Identity()};
+  }
+  const double tau = (matrix(1, 1) - matrix(0, 0)) / (2 * across);
+  const double tangent = std::copysign(1.0, tau) / (std::abs(tau) + std::hypot(1.0, tau));
+  const double cosine = 1 / std::hypot(1.0, tangent);
+  const double sine = tangent * cosine;
+  EigenSystem2 system;
+  system.values << matrix(0, 0) - tangent * across, matrix(1, 1) + tangent * across;
+  system.vectors << cosine, sine, -sine, cosine;
+  return system;
+}
+
 /// A generalised inverse of a symmetric matrix that is positive but for `rounding` of its diagonal.
 /// `scale` is the size of its diagonal before anything was taken off.
 Eigen::Matrix2d inverse_of(const Eigen::Matrix2d& matrix, const Eigen::Vector2d& scale,
@@ -24,22 +45,21 @@ Eigen::Matrix2d inverse_of(const Eigen::Matrix2d& matrix, const Eigen::Vector2d&
     unit(i) = scale(i) > 0 ? 1 / std::sqrt(scale(i)) : 0;
     least = std::max(least, rounding(i) * unit(i) * unit(i));
   }
-  const Eigen::Matrix2d scaled = unit.asDiagonal() * matrix * unit.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> solver(scaled);
+  const EigenSystem2 system = eigen_system(unit.asDiagonal() * matrix * unit.asDiagonal());
   Eigen::Vector2d inverse = Eigen::Vector2d::Zero();
   for (Eigen::Index i = 0; i < 2; ++i) {
-    if (solver.eigenvalues()(i) > least) {
-      inverse(i) = 1 / solver.eigenvalues()(i);
+    if (system.values(i) > least) {
+      inverse(i) = 1 / system.values(i);
     }
   }
-  const Eigen::Matrix2d vectors = unit.asDiagonal() * solver.eigenvectors();
+  const Eigen::Matrix2d vectors = unit.asDiagonal() * system.vectors;
   return vectors * inverse.asDiagonal() * vectors.transpose();
 }
 
 /// The inverse of what the scatter of a session adds: D^1/2 (sd^2 I + D^1/2 Z'Z D^1/2)^-1 D^1/2.
 Eigen::Matrix2d shrinkage(const Eigen::Matrix2d& gram, const NoiseModel& noise) {
   if (noise.free_sessions) {
-    return inverse_of(gram, gram.diagonal(), kRounding * gram.diagonal());
+    return inverse_of_products(gram);
   }
   const Eigen::Vector2d sd(noise.session_gain_sd, noise.session_friction_sd);
   const Eigen::Matrix2d inner = noise.sample_sd * noise.sample_sd * Eigen::Matrix2d::Identity() +
@@ -55,6 +75,10 @@ Eigen::MatrixXd without_common(const Eigen::MatrixXd& matrix, const Eigen::Matri
 }
 
 }  // namespace
+
+Eigen::Matrix2d inverse_of_products(const Eigen::Matrix2d& matrix) {
+  return inverse_of(matrix, matrix.diagonal(), kRounding * matrix.diagonal());
+}
 
 Eigen::MatrixXd session_information(const SessionGram& session, const NoiseModel& noise) {
   const Eigen::Matrix2d common = session.gram.topLeftCorner<2, 2>();

@@ -27,6 +27,9 @@ struct Projection {
   Eigen::VectorXd rounding;
 };
 
+/// A generalised inverse of a symmetric matrix of sums of products over the samples.
+Eigen::Matrix2d inverse_of_products(const Eigen::Matrix2d& matrix);
+
 /// c' V^-1 d of one session; size() x size() of the layout. @pre sample_sd above 0
 Eigen::MatrixXd session_information(const SessionGram& session, const NoiseModel& noise);
 

@@ -2,7 +2,6 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +11,7 @@
 #include "host_sim/life_law/life_likelihood.hpp"
 #include "host_sim/life_law/newton.hpp"
 #include "host_sim/reference/equations.hpp"
+#include "host_sim/statistics/eigen_system.hpp"
 
 namespace host_sim::life_law {
 
@@ -127,8 +127,7 @@ bool is_identified(const LifeDesign& design, const Maximum& maximum) {
   Eigen::VectorXd unit = Eigen::VectorXd::Ones(design.coefficients());
   unit.head(design.scale_coefficients).setConstant(1 / shape);
   const Eigen::MatrixXd bend = unit.asDiagonal() * (-maximum.expansion.hessian) * unit.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(bend, Eigen::EigenvaluesOnly);
-  return solver.eigenvalues().minCoeff() > kFlattest;
+  return statistics::eigen_system(bend).values.minCoeff() > kFlattest;
 }
 
 FitProblem problem_of(const LifeDesign& design, const Maximum& maximum) {

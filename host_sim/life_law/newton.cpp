@@ -1,9 +1,10 @@
 #include "host_sim/life_law/newton.hpp"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+
+#include "host_sim/statistics/eigen_system.hpp"
 
 namespace host_sim::life_law {
 namespace {
@@ -28,9 +29,8 @@ Eigen::VectorXd uphill_along_eigenvectors(const Expansion& expansion) {
   constexpr double kFlattest = 1e-8;
   const Eigen::VectorXd unit = units(expansion);
   const Eigen::MatrixXd hessian = unit.asDiagonal() * expansion.hessian * unit.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(hessian);
-  const Eigen::VectorXd size = solver.eigenvalues().cwiseAbs().cwiseMax(kFlattest);
-  const auto& vectors = solver.eigenvectors();
+  const auto [values, vectors] = statistics::eigen_system(hessian);
+  const Eigen::VectorXd size = values.cwiseAbs().cwiseMax(kFlattest);
   const Eigen::VectorXd gradient = unit.cwiseProduct(expansion.gradient);
   const Eigen::VectorXd step = vectors * (vectors.transpose() * gradient).cwiseQuotient(size);
   return unit.cwiseProduct(step);

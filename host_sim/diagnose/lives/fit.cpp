@@ -1,6 +1,5 @@
 #include "host_sim/diagnose/lives/fit.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -8,6 +7,7 @@
 #include "host_sim/diagnose/lives/likelihood.hpp"
 #include "host_sim/diagnose/lives/maximize.hpp"
 #include "host_sim/diagnose/lives/specimen_life.hpp"
+#include "host_sim/statistics/eigen_system.hpp"
 
 namespace host_sim::diagnose::lives {
 namespace {
@@ -200,9 +200,8 @@ ModelFit fit_model(const ModelView& view, const std::vector<Eigen::VectorXd>& st
   fit.at = maximize(objective, start_of(view, starts));
   fit.log_posterior = objective(fit.at);
   fit.log_likelihood = fit.log_posterior - view.log_prior(fit.at);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> curvature(-hessian(objective, fit.at));
-  const Eigen::VectorXd sizes = curvature.eigenvalues().cwiseMax(kLeastCurvature);
-  const auto& vectors = curvature.eigenvectors();
+  const auto [values, vectors] = statistics::eigen_system(-hessian(objective, fit.at));
+  const Eigen::VectorXd sizes = values.cwiseMax(kLeastCurvature);
   fit.covariance = vectors * sizes.cwiseInverse().asDiagonal() * vectors.transpose();
   // (2 pi)^(n/2) of the integral and of the prior cancel.
   fit.log_evidence = fit.log_posterior - sizes.array().log().sum() / 2;

@@ -1,9 +1,9 @@
 #include "host_sim/diagnose/tension/imitation.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
 #include <cstddef>
 
+#include "host_sim/diagnose/projection.hpp"
 #include "host_sim/diagnose/tension/model_fit.hpp"
 
 namespace host_sim::diagnose {
@@ -27,7 +27,7 @@ struct PartProducts {
   }
 
   [[nodiscard]] double beside_common() const {
-    return square - across.dot(common.completeOrthogonalDecomposition().solve(across));
+    return square - across.dot(inverse_of_products(common) * across);
   }
 };
 

@@ -1,12 +1,12 @@
 #include "host_sim/diagnose/tension/scatter_score.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "host_sim/diagnose/evidence.hpp"
+#include "host_sim/statistics/eigen_system.hpp"
 
 namespace host_sim::diagnose {
 namespace {
@@ -39,19 +39,18 @@ double BlockInverse::statistic(const VectorXd& score) const {
 
 BlockInverse inverse_of(const MatrixXd& left, const VectorXd& before, Index first, Index count) {
   const VectorXd unit = before.segment(first, count).cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(
+  const auto [values, vectors] = statistics::eigen_system(
       unit.asDiagonal() * left.block(first, first, count, count) * unit.asDiagonal());
   std::vector<Index> kept;
   for (Index i = 0; i < count; ++i) {
-    if (solver.eigenvalues()(i) > kSameDirection) {
+    if (values(i) > kSameDirection) {
       kept.push_back(i);
     }
   }
   BlockInverse inverse{.first = first, .root = MatrixXd(count, static_cast<Index>(kept.size()))};
   for (Index i = 0; i < inverse.root.cols(); ++i) {
     const Index from = kept[static_cast<std::size_t>(i)];
-    inverse.root.col(i) =
-        unit.asDiagonal() * solver.eigenvectors().col(from) / std::sqrt(solver.eigenvalues()(from));
+    inverse.root.col(i) = unit.asDiagonal() * vectors.col(from) / std::sqrt(values(from));
   }
   return inverse;
 }

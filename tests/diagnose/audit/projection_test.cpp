@@ -65,6 +65,30 @@ void expect_near(const Eigen::MatrixXd& found, const Eigen::MatrixXd& expected,
   }
 }
 
+void expect_near(const Eigen::Matrix2d& matrix, const Eigen::Matrix2d& expected, double tolerance) {
+  EXPECT_NEAR((matrix - expected).cwiseAbs().maxCoeff(), 0, tolerance) << matrix;
+}
+
+TEST(InverseOfProducts, IsTheInverseWhereThereIsOne) {
+  expect_near(inverse_of_products(Eigen::Matrix2d{{2, 1}, {1, 2}}),
+              Eigen::Matrix2d{{2, -1}, {-1, 2}} / 3, 1e-15);
+  expect_near(inverse_of_products(Eigen::Matrix2d{{4, -1}, {-1, 1}}),
+              Eigen::Matrix2d{{1, 1}, {1, 4}} / 3, 1e-15);
+  expect_near(inverse_of_products(Eigen::Matrix2d{{4, 0}, {0, 0.5}}),
+              Eigen::Matrix2d{{0.25, 0}, {0, 2}}, 1e-15);
+}
+
+TEST(InverseOfProducts, LeavesAloneADirectionThatTheProductsDoNotShow) {
+  // (1, 1) (1, 1)' / 4; with columns of lengths 2 and 1, (1/2, 1) (1/2, 1)' / 4; one column; none.
+  expect_near(inverse_of_products(Eigen::Matrix2d{{1, 1}, {1, 1}}),
+              Eigen::Matrix2d{{0.25, 0.25}, {0.25, 0.25}}, 1e-15);
+  expect_near(inverse_of_products(Eigen::Matrix2d{{4, 2}, {2, 1}}),
+              Eigen::Matrix2d{{0.0625, 0.125}, {0.125, 0.25}}, 1e-15);
+  expect_near(inverse_of_products(Eigen::Matrix2d{{4, 0}, {0, 0}}),
+              Eigen::Matrix2d{{0.25, 0}, {0, 0}}, 1e-15);
+  expect_near(inverse_of_products(Eigen::Matrix2d::Zero()), Eigen::Matrix2d::Zero(), 0);
+}
+
 TEST(Projection, IsGeneralisedLeastSquaresWithTheWholeCovariance) {
   const std::vector<Session> sessions = three_poses();
   const Grams grams = gram_of(sessions, {.probes = {}, .baseline = testing::baseline()});
