@@ -192,7 +192,7 @@ TEST(UnbiasedShape, OfTwentyFailures) {
 }
 
 TEST(UnbiasedShape, IsRightInTheMean) {
-  const auto shapes = simulated(fewer_if_sanitized(600), [](Random& random) {
+  const auto shapes = simulated(600, [](Random& random) {
     const std::vector<Sample> one{ended_at(
         520, drawn_from({.family = Family::weibull, .first = 500, .second = 6}, 20, random))};
     const auto seed = static_cast<std::uint64_t>(random.uniform() * 1e15);

@@ -219,11 +219,11 @@ constexpr double kNoEnd = 1e300;
 /// A p-value of each sample of 20 drawn from the family that is tested.
 std::vector<double> p_values(const Distribution& truth, double end,
                              double (*choose)(const GoodnessOfFit&)) {
-  return simulated(fewer_if_sanitized(300), [&](Random& random) {
+  return simulated(300, [&](Random& random) {
     const Sample sample = ended_at(end, drawn_from(truth, 20, random));
     const auto seed = static_cast<std::uint64_t>(random.uniform() * 1e15);
     const BootstrapOptions options{
-        .seed = seed, .stream = 1, .replicates = fewer_if_sanitized(200), .threads = 1};
+        .seed = seed, .stream = 1, .replicates = 200, .threads = 1};
     return choose(goodness_of_fit(fit(truth.family, sample), sample, options));
   });
 }
@@ -262,11 +262,11 @@ std::vector<Sample> four_samples(Random& random) {
 }
 
 TEST(UniformP, CommonShape) {
-  const auto p = simulated(fewer_if_sanitized(300), [](Random& random) {
+  const auto p = simulated(300, [](Random& random) {
     const std::vector<Sample> samples = four_samples(random);
     const auto seed = static_cast<std::uint64_t>(random.uniform() * 1e15);
     return test_common_shape(samples,
-                             {.seed = seed, .replicates = fewer_if_sanitized(200), .threads = 1})
+                             {.seed = seed, .replicates = 200, .threads = 1})
         .p_simulated;
   });
   EXPECT_LT(distance_from_uniform(p), kUniform);

@@ -85,14 +85,6 @@ double distance_from_uniform(std::vector<double> values) {
   return largest * std::sqrt(count);
 }
 
-std::size_t fewer_if_sanitized(std::size_t count) {
-#ifdef __SANITIZE_ADDRESS__
-  return count / 3;
-#else
-  return count;
-#endif
-}
-
 }  // namespace host_sim::statistics
 
 namespace host_sim::statistics::published {

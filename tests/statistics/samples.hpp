@@ -45,9 +45,6 @@ double mean_of(const std::vector<double>& values);
 /// 1.63 with a chance of 1 %.
 double distance_from_uniform(std::vector<double> values);
 
-/// Fewer samples where instrumentation makes each of them slow.
-std::size_t fewer_if_sanitized(std::size_t count);
-
 }  // namespace host_sim::statistics
 
 namespace host_sim::statistics::published {

@@ -18,7 +18,7 @@ using MemoryStore = storage::FileStore<kTendons, MemoryCalls>;
 using Expected = Model<kTendons>;
 using Fault = MemoryFiles::Fault;
 
-#if defined(__SANITIZE_ADDRESS__)
+#ifdef TENDONLIFE_SANITIZED
 constexpr std::uint64_t kSeeds = 4;
 #else
 constexpr std::uint64_t kSeeds = 16;

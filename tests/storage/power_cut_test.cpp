@@ -15,7 +15,7 @@ namespace {
 using hal::fake::FlashFault;
 using FaultKind = FlashFault::Kind;
 
-#if defined(__SANITIZE_ADDRESS__) || !defined(__OPTIMIZE__)
+#if defined(TENDONLIFE_SANITIZED) || !defined(__OPTIMIZE__)
 constexpr std::uint32_t kFewer = 8;
 #else
 constexpr std::uint32_t kFewer = 1;
