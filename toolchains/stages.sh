@@ -8,17 +8,11 @@ failed=0
 mkdir -p "$logs"
 export TENDONLIFE_WARNINGS_ARE_ERRORS=ON
 
-# After the set-up, which installs ccache. It knows a unit by its sources alone; what the preprocessor
-# makes of them, which takes a tenth of the time of a build, is for share_objects.
+# After the set-up, which installs ccache. Builds of one kind find each other's objects, as that of the
+# packages does those of the tests.
 use_compiler_cache() {
   export CMAKE_C_COMPILER_LAUNCHER=ccache CMAKE_CXX_COMPILER_LAUNCHER=ccache
-  export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1 CCACHE_DEPEND=1
-}
-
-# share_objects COMMAND [ARGUMENT]... runs a build that finds the objects of one of another folder: that
-# of the packages finds those of the first command.
-share_objects() {
-  env --unset=CCACHE_DEPEND "$@"
+  export CCACHE_BASEDIR="$PWD" CCACHE_NOHASHDIR=1
 }
 
 # What ctest says in its summary, added to the counts.

@@ -13,7 +13,7 @@ check_format() {
 }
 
 try_example() {
-  share_objects toolchains/try.sh
+  toolchains/try.sh
   test -s build/host-release/upper_arm.html
 }
 
