@@ -222,8 +222,7 @@ std::vector<double> p_values(const Distribution& truth, double end,
   return simulated(300, [&](Random& random) {
     const Sample sample = ended_at(end, drawn_from(truth, 20, random));
     const auto seed = static_cast<std::uint64_t>(random.uniform() * 1e15);
-    const BootstrapOptions options{
-        .seed = seed, .stream = 1, .replicates = 200, .threads = 1};
+    const BootstrapOptions options{.seed = seed, .stream = 1, .replicates = 200, .threads = 1};
     return choose(goodness_of_fit(fit(truth.family, sample), sample, options));
   });
 }
@@ -265,9 +264,7 @@ TEST(UniformP, CommonShape) {
   const auto p = simulated(300, [](Random& random) {
     const std::vector<Sample> samples = four_samples(random);
     const auto seed = static_cast<std::uint64_t>(random.uniform() * 1e15);
-    return test_common_shape(samples,
-                             {.seed = seed, .replicates = 200, .threads = 1})
-        .p_simulated;
+    return test_common_shape(samples, {.seed = seed, .replicates = 200, .threads = 1}).p_simulated;
   });
   EXPECT_LT(distance_from_uniform(p), kUniform);
 }
