@@ -35,7 +35,8 @@ class Peripheral {
   }
 
  protected:
-  Peripheral(const void* first, std::size_t size) {
+  /// @param first of the registers, whose lifetime may begin later; they are not read here
+  Peripheral(void* first, std::size_t size) {
     all().push_back({first, static_cast<const char*>(first) + size, this});
   }
   ~Peripheral() {
