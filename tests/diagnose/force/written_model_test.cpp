@@ -32,8 +32,13 @@ constexpr double kUltimate_N = 1000;  ///< of no consequence, but that all force
 
 /// The values at x of the harmonics of a stroke of 0.2 m about 0.3 m are those of the table at x.
 TEST(WrittenTerm, HarmonicsOfTheStrokeAreThoseAboutPositionZero) {
-  const ForceScales scales{
-      .speed_m_s = 1, .stroke_m = 0.2, .position_m = 0.33, .force_N = 1, .turn_over_m_s = 0.1};
+  const ForceScales scales{.speed_m_s = 1,
+                           .stroke_m = 0.2,
+                           .position_m = 0.33,
+                           .force_N = 1,
+                           .turn_over_m_s = 0.1,
+                           .cycles = 1,
+                           .poses_rad = {}};
   const std::vector<double> harmonics{0.3, -0.2, 0.1, 0.05};
   const auto written = written_term(ForceTerm::position, harmonics, scales);
   ASSERT_TRUE(written);
@@ -57,8 +62,13 @@ TEST(WrittenTerm, HarmonicsOfTheStrokeAreThoseAboutPositionZero) {
 }
 
 TEST(WrittenTerm, NamesAreThoseOfAModelFile) {
-  const ForceScales scales{
-      .speed_m_s = 0.1, .stroke_m = 0.2, .position_m = 0, .force_N = 10, .turn_over_m_s = 0.01};
+  const ForceScales scales{.speed_m_s = 0.1,
+                           .stroke_m = 0.2,
+                           .position_m = 0,
+                           .force_N = 10,
+                           .turn_over_m_s = 0.01,
+                           .cycles = 1,
+                           .poses_rad = {}};
   const auto text = [&](ForceTerm term, const std::vector<double>& values) {
     return toml_text(std::vector{*written_term(term, values, scales)});
   };
@@ -76,8 +86,13 @@ TEST(WrittenTerm, NamesAreThoseOfAModelFile) {
 }
 
 TEST(WrittenTerm, FrictionThatFallsWithTheLoadCountsFrom50Newtons) {
-  const ForceScales scales{
-      .speed_m_s = 1, .stroke_m = 1, .position_m = 0, .force_N = 25, .turn_over_m_s = 1};
+  const ForceScales scales{.speed_m_s = 1,
+                           .stroke_m = 1,
+                           .position_m = 0,
+                           .force_N = 25,
+                           .turn_over_m_s = 1,
+                           .cycles = 1,
+                           .poses_rad = {}};
   const std::vector<Extension> load{*written_term(ForceTerm::load, std::vector{0.2}, scales)};
   // 0.1 (T/25 N)^-0.2 is 0.0870551 (T/50 N)^-0.2.
   EXPECT_NEAR(written_friction(0.1, load, scales), 0.0870551, 1e-7);
