@@ -17,8 +17,7 @@ foreach(asset IN LISTS assets)
   endforeach()
   string(APPEND code
     "static constexpr char kBytes_${name}[] = {\n${bytes}};\n"
-    "extern const std::string_view ${name};\n"
-    "constinit const std::string_view ${name}(kBytes_${name}, sizeof kBytes_${name});\n")
+    "extern constinit const std::string_view ${name}(kBytes_${name}, sizeof kBytes_${name});\n")
 endforeach()
 string(APPEND code "}  // namespace ${NAMESPACE}\n")
 file(WRITE "${OUTPUT}" "${code}")
