@@ -1,11 +1,13 @@
 #include "tests/plan/theory.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/non_central_chi_squared.hpp>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
+
+#include "tests/support/algebra.hpp"
 
 namespace host_sim::plan::testing {
 namespace {
@@ -60,7 +62,7 @@ double power_to_see_bend(const Design& design, const LifeLaw& law,
     line.row(i) << root, root * std::log(level.effective_tension_N);
     change(i) = root * bend[static_cast<std::size_t>(i)];
   }
-  const Eigen::VectorXd left = change - line * line.colPivHouseholderQr().solve(change);
+  const Eigen::VectorXd left = algebra::left_by(line, change);
   const double critical = boost::math::quantile(boost::math::chi_squared(1), 0.95);
   const boost::math::non_central_chi_squared bent(1, law.shape * law.shape * left.squaredNorm());
   return boost::math::cdf(boost::math::complement(bent, critical));

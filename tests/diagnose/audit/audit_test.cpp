@@ -3,10 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "tests/diagnose/audit/sessions.hpp"
+#include "tests/support/algebra.hpp"
 
 namespace host_sim::diagnose {
 namespace {
@@ -158,7 +159,7 @@ double left_of(const Eigen::VectorXd& signature, const recording::Covariates& c)
     common(i, 0) = 1;
     common(i, 1) = c.direction[static_cast<std::size_t>(i)];
   }
-  return (signature - common * common.colPivHouseholderQr().solve(signature)).norm();
+  return algebra::left_by(common, signature).norm();
 }
 
 /// -2 sinh(r/2) = F s/T where a force F acts, by hand.

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "host_sim/statistics/random.hpp"
+#include "tests/support/algebra.hpp"
 
 namespace host_sim::diagnose {
 namespace {
@@ -74,15 +74,18 @@ double by_one_matrix(const Whole& whole, const NoiseModel& noise, const Terms& t
     at += count;
   }
   const auto quadratic = [&](const MatrixXd& inverse) {
-    const MatrixXd information = common.transpose() * inverse * common;
-    const VectorXd score = common.transpose() * inverse * responses;
-    return responses.dot(inverse * responses) - score.dot(information.ldlt().solve(score));
+    const MatrixXd weighted = inverse * common;
+    const MatrixXd information = common.transpose() * weighted;
+    const VectorXd score = weighted.transpose() * responses;
+    const VectorXd response = inverse * responses;
+    return responses.dot(response) - score.dot(algebra::solved(information, score).col(0));
   };
   const MatrixXd all = covariance + with_prior * with_prior.transpose();
-  const MatrixXd inverse = all.inverse();
+  const MatrixXd inverse = algebra::inverse(all);
+  const MatrixXd weighted = inverse * common;
+  const MatrixXd information = common.transpose() * weighted;
   const double samples = static_cast<double>(rows);
-  return -(std::log(all.determinant()) +
-           std::log((common.transpose() * inverse * common).determinant()) +
+  return -(std::log(algebra::determinant(all)) + std::log(algebra::determinant(information)) +
            samples * std::log(quadratic(inverse) / samples)) /
          2;
 }

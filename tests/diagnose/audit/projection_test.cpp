@@ -2,9 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 
 #include "tests/diagnose/audit/sessions.hpp"
+#include "tests/support/algebra.hpp"
 
 namespace host_sim::diagnose {
 namespace {
@@ -95,7 +96,7 @@ TEST(Projection, IsGeneralisedLeastSquaresWithTheWholeCovariance) {
   const Projection projection = project(grams, kSmallNoise);
 
   const Eigen::MatrixXd columns = stacked(sessions, grams);
-  const Eigen::MatrixXd weighed = covariance(sessions, kSmallNoise).ldlt().solve(columns);
+  const Eigen::MatrixXd weighed = algebra::solved(covariance(sessions, kSmallNoise), columns);
   const Eigen::MatrixXd before = columns.transpose() * weighed;
   const Eigen::MatrixXd plain = columns.transpose() * columns / (0.02 * 0.02);
   expect_near(projection.before, before, plain, 1e-9);
@@ -117,7 +118,7 @@ TEST(Projection, WithFreeSessionsIsWhatASessionsOwnFitLeaves) {
   for (const Session& session : sessions) {
     const Eigen::MatrixXd columns = columns_of(session, grams.layout, grams.baseline);
     const Eigen::MatrixXd own = columns.leftCols<2>();
-    const Eigen::MatrixXd rest = columns - own * own.colPivHouseholderQr().solve(columns);
+    const Eigen::MatrixXd rest = algebra::left_by(own, columns);
     expected += rest.transpose() * rest / (0.02 * 0.02);
   }
   expect_near(projection.left, expected, projection.before, 1e-9);
@@ -135,7 +136,7 @@ TEST(Projection, WithoutScatterSessionsAreOne) {
   const NoiseModel noise{.sample_sd = 0.02, .session_gain_sd = 0, .session_friction_sd = 0};
   const Eigen::MatrixXd columns = stacked(sessions, grams);
   const Eigen::MatrixXd common = columns.leftCols<2>();
-  const Eigen::MatrixXd rest = columns - common * common.colPivHouseholderQr().solve(columns);
+  const Eigen::MatrixXd rest = algebra::left_by(common, columns);
   const Projection projection = project(grams, noise);
   expect_near(projection.left, rest.transpose() * rest / (0.02 * 0.02), projection.before, 1e-9);
 }

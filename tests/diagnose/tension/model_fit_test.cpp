@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "tests/diagnose/tension/noisy_sessions.hpp"
+#include "tests/support/algebra.hpp"
 
 namespace host_sim::diagnose::testing {
 namespace {
@@ -33,14 +33,14 @@ Dense by_one_matrix(const std::vector<Session>& sessions, const Grams& grams, co
     const MatrixXd covariance =
         MatrixXd::Identity(columns.rows(), columns.rows()) * noise.sample_sd * noise.sample_sd +
         scatter * scatter.transpose();
-    const MatrixXd weighted = covariance.ldlt().solve(columns.leftCols(3));
+    const MatrixXd weighted = algebra::solved(covariance, columns.leftCols(3));
     information += weighted.transpose() * columns.leftCols(3);
     products += weighted.transpose() * columns.rightCols<1>();
   }
   const double variance = terms.prior_sd[0] * terms.prior_sd[0];
   information(2, 2) += 1 / variance;
   products(2) += terms.prior_mean[0] / variance;
-  const MatrixXd inverse = information.inverse();
+  const MatrixXd inverse = algebra::inverse(information);
   return {inverse * products, inverse};
 }
 

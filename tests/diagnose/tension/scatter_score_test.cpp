@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "host_sim/statistics/random.hpp"
+#include "tests/support/algebra.hpp"
 
 namespace host_sim::diagnose {
 namespace {
@@ -104,13 +104,15 @@ Dense by_one_matrix(const Whole& whole, const NoiseModel& noise, Index columns) 
     all.middleRows(at, session.rows()) = session;
     at += session.rows();
   }
-  const MatrixXd inverse = covariance.inverse();
+  const MatrixXd inverse = algebra::inverse(covariance);
   const MatrixXd fitted = all.leftCols(columns);
-  const MatrixXd information = fitted.transpose() * inverse * fitted;
+  const MatrixXd weighted = inverse * fitted;
+  const MatrixXd information = fitted.transpose() * weighted;
   const VectorXd response = all.col(kSize - 1);
-  const VectorXd score = fitted.transpose() * inverse * response;
-  return {std::log(covariance.determinant()) + std::log(information.determinant()),
-          response.dot(inverse * response) - score.dot(information.ldlt().solve(score))};
+  const VectorXd score = weighted.transpose() * response;
+  const VectorXd weighted_response = inverse * response;
+  return {std::log(algebra::determinant(covariance)) + std::log(algebra::determinant(information)),
+          response.dot(weighted_response) - score.dot(algebra::solved(information, score).col(0))};
 }
 
 TEST(ScatterScore, DevianceIsThatOfTheRestrictedLikelihood) {
