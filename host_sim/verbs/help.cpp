@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "hal/files/text.hpp"
-#include "host_sim/command_line/nearest.hpp"
+#include "host_sim/command_line/unknown_word.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
 namespace host_sim {

@@ -19,11 +19,6 @@ struct UnknownWord {
   [[nodiscard]] bool is_option() const { return word.starts_with('-'); }
 };
 
-/// The one of `known` that is nearest to `word` by letters inserted, left out, exchanged or swapped
-/// with their neighbour (optimal string alignment), or that it is the beginning of; none where as
-/// much as a third of the letters differs. The first of several that are as near.
-std::optional<std::string> nearest(const std::string& word, const std::vector<std::string>& known);
-
 /// The first of them. @param words without the name of the program
 std::optional<UnknownWord> first_unknown(const Command& program,
                                          std::span<const std::string> words);
