@@ -85,5 +85,6 @@ stage "kernel: tests" run_kernel_tests
 stage "bit-identical on host and target" compare_host_and_target
 stage "lifemodel in builds of others" toolchains/try_lifemodel.sh
 stage "package in a clean Debian 12" toolchains/try_package.sh
+stage "README in a clean Debian 12" toolchains/try_readme.sh
 stage "clang-tidy" check_with_clang_tidy
 finish
