@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -9,12 +10,21 @@
 
 namespace hal::files {
 
-/// Splits one line of CSV (RFC 4180, without its line end; also with another delimiter) into
-/// fields.
+/// What stands between the fields of a file.
+struct CsvDialect {
+  char delimiter = ',';
+  bool blanks = false;  ///< may stand in front of a field
+};
+
+/// By the header of a file: tabs or else semicolons where one stands outside of quotes, or else
+/// commas; blanks where one stands behind such a delimiter.
+CsvDialect dialect_of(std::string_view header);
+
+/// Splits one line of CSV (RFC 4180, without its line end, in any dialect) into fields.
 class CsvLine {
  public:
-  explicit CsvLine(std::string_view line, char delimiter = ',')
-      : line_(line), delimiter_(delimiter) {}
+  explicit CsvLine(std::string_view line, CsvDialect dialect = {})
+      : line_(line), dialect_(dialect) {}
 
   /// Goes to the next field; false after the last one.
   bool next();
@@ -32,13 +42,25 @@ class CsvLine {
   void read_quoted();
 
   std::string_view line_;
-  char delimiter_;
+  CsvDialect dialect_;
   std::size_t next_ = 0;
   std::size_t offset_ = 0;
   std::string text_;
   bool broken_ = false;
   bool at_end_ = false;
 };
+
+/// The finite decimal number that a field holds, and nothing else; none if it holds any other.
+std::optional<double> finite_number(std::string_view field);
+
+/// What a field holds that should be a number and is none, and what is accepted.
+struct NoNumber {
+  std::string found;
+  std::string accepted;
+};
+
+/// @pre finite_number() gives none
+NoNumber no_number(std::string_view field, const CsvDialect& dialect);
 
 /// A line of CSV (RFC 4180) that is put together field by field.
 class CsvRow {

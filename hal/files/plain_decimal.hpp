@@ -102,12 +102,12 @@ inline bool append(const char*& at, std::uint64_t& number, unsigned& count) {
 }  // namespace plain_decimal
 
 /// Reads the decimal at `position` where it is a plain one: digits, a minus before and a point
-/// between them allowed, with a delimiter, a quote or the end of the line behind. Its digits as a
+/// between them allowed, with the delimiter, a quote or the end of the line behind. Its digits as a
 /// whole number and the power of ten by which that is divided are exact in a double, so the one
 /// division rounds as std::from_chars() does. Moves `position` behind it and returns true, or
 /// returns false, and nothing has changed, where it is any other.
 /// @pre kPlainDecimalReach octets more than the number and what is behind it can be read
-inline bool parse_plain_decimal(const char*& position, double& value) {
+inline bool parse_plain_decimal(const char*& position, double& value, char delimiter) {
   if constexpr (std::endian::native != std::endian::little) {
     return false;
   }
@@ -129,7 +129,7 @@ inline bool parse_plain_decimal(const char*& position, double& value) {
     decimals = count - whole;
   }
   if (digits > plain_decimal::kMostExact ||
-      (*at != ',' && *at != '\n' && *at != '\r' && *at != '"')) {
+      (*at != delimiter && *at != '\n' && *at != '\r' && *at != '"')) {
     return false;
   }
   const double size =

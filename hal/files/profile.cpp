@@ -15,9 +15,6 @@
 namespace hal::files {
 namespace {
 
-constexpr std::string_view kAcceptedProfile =
-    "a CSV file with time_s and one of input_tension_N, motor_current_A, output_tension_N with "
-    "tendon_velocity_m_s, or - for standard input";
 constexpr std::array<std::string_view, 3> kKindNames{"input_tension", "motor_current",
                                                      "output_tension"};
 
@@ -25,7 +22,7 @@ constexpr std::array<std::string_view, 3> kKindNames{"input_tension", "motor_cur
 struct ProfileHeader {
   InputKind kind;
   bool has_bend_angle;  ///< in the file and needed by `kind`
-  std::vector<ProfileColumnId> columns;
+  ProfileLayout layout;
 };
 
 constexpr std::array<InputKind, 3> kKinds{InputKind::kInputTension, InputKind::kMotorCurrent,
@@ -75,11 +72,8 @@ InputKind chosen_kind(const ProfileChannels& present, const TextPlace& line,
 /// unknown, of another unit, missing or there twice.
 ProfileHeader parse_profile_header(const TextPlace& line, const ProfileOptions& options) {
   ProfileHeader header{};
-  header.columns = parse_profile_columns(line, kNeeded);
-  ProfileChannels present;
-  for (const ProfileColumnId id : header.columns) {
-    present.set(id);
-  }
+  header.layout = parse_profile_columns(line, kNeeded, options.columns);
+  const ProfileChannels& present = header.layout.channels;
   header.kind = chosen_kind(present, line, options);
   header.has_bend_angle = header.kind == InputKind::kOutputTension && present[kBendAngle];
   return header;
@@ -104,7 +98,7 @@ class ProfileReader::Impl {
   Impl(std::unique_ptr<ByteSource> source, std::string_view name, const ProfileOptions& options)
       : lines_(std::move(source), std::string(name), ProfileBlocks::kWindow),
         header_(read_header(name, options)),
-        blocks_(lines_, name, header_.columns, columns_of(header_),
+        blocks_(lines_, name, header_.layout, columns_of(header_),
                 lines_.bytes_total() == 0
                     ? 1
                     : std::clamp(options.threads, 1U, ProfileBlocks::kMostThreads)) {}
@@ -138,7 +132,7 @@ class ProfileReader::Impl {
     ProfileHeader header{};
     read_profile_header(lines_, name, kAcceptedProfile, [&](const TextPlace& line) {
       header = parse_profile_header(line, options);
-      return header.columns;
+      return header.layout;
     });
     return header;
   }
@@ -160,12 +154,12 @@ class ProfileReader::Impl {
   std::span<const ProfileRow> block_;  ///< of which no row has been read
 };
 
-ProfileReader::ProfileReader(const std::filesystem::path& path, ProfileOptions options)
+ProfileReader::ProfileReader(const std::filesystem::path& path, const ProfileOptions& options)
     : ProfileReader(open_source(path, kAcceptedProfile),
                     path == "-" ? std::string("standard input") : path.string(), options) {}
 
 ProfileReader::ProfileReader(std::unique_ptr<ByteSource> source, std::string_view name,
-                             ProfileOptions options)
+                             const ProfileOptions& options)
     : impl_(std::make_unique<Impl>(std::move(source), name, options)) {}
 
 ProfileReader::ProfileReader(ProfileReader&&) noexcept = default;
@@ -181,11 +175,7 @@ bool ProfileReader::has_bend_angle() const noexcept {
 }
 
 ProfileChannels ProfileReader::channels() const noexcept {
-  ProfileChannels channels;
-  for (const ProfileColumnId id : impl_->header().columns) {
-    channels.set(id);
-  }
-  return channels;
+  return impl_->header().layout.channels;
 }
 
 std::size_t ProfileReader::read(std::span<ProfileRow> rows) {

@@ -32,7 +32,13 @@ struct ProfileOptions {
   /// How many parse the rows of a file, the caller among them; the rows do not depend on it. What
   /// is no file is not read ahead, so the caller alone parses that.
   unsigned threads = 1;
+  ColumnOptions columns{};
 };
+
+/// What a profile is, for errors of a file that is none.
+inline constexpr std::string_view kAcceptedProfile =
+    "a CSV file with time_s and one of input_tension_N, motor_current_A, output_tension_N with "
+    "tendon_velocity_m_s, or - for standard input";
 
 /// One row of a profile. What the file does not hold is 0.
 struct ProfileRow {
@@ -54,11 +60,11 @@ struct ProfileRow {
 class ProfileReader {
  public:
   /// `-` reads standard input.
-  explicit ProfileReader(const std::filesystem::path& path, ProfileOptions options = {});
+  explicit ProfileReader(const std::filesystem::path& path, const ProfileOptions& options = {});
 
   /// Reads from `source`; `name` stands for the file in errors.
   ProfileReader(std::unique_ptr<ByteSource> source, std::string_view name,
-                ProfileOptions options = {});
+                const ProfileOptions& options = {});
 
   ProfileReader(ProfileReader&&) noexcept;
   ProfileReader& operator=(ProfileReader&&) noexcept;

@@ -13,12 +13,11 @@ constexpr std::size_t kBlocksAhead = 2;
 
 }  // namespace
 
-ProfileBlocks::ProfileBlocks(LineBuffer& lines, std::string_view name,
-                             std::vector<ProfileColumnId> columns,
+ProfileBlocks::ProfileBlocks(LineBuffer& lines, std::string_view name, ProfileLayout layout,
                              const ProfileRowColumns& row_columns, unsigned threads)
     : lines_(lines),
       name_(name),
-      parser_(std::move(columns)),
+      parser_(std::move(layout)),
       row_columns_(row_columns),
       blocks_(threads == 1 ? 1 : kBlocksAhead * threads),
       line_number_(lines.line_number()) {
@@ -127,8 +126,9 @@ void ProfileBlocks::read(Block& block) {
   block.lines = 0;
   block.bytes_read = lines_.bytes_read();
   block.rows.clear();
-  // A field has a character and a delimiter at least, so that threads need no more.
-  block.rows.reserve(block.memory.size() / (2 * parser_.columns().size()) + 1);
+  // A field that is not passed over has a character and a delimiter at least, so that threads need
+  // no more.
+  block.rows.reserve(block.memory.size() / (2 * parser_.layout().channels.count()) + 1);
   block.parsed = false;
 }
 

@@ -41,7 +41,7 @@ class ProfileBlocks {
   /// @param name stands for the file in errors
   /// @param threads at least 1, the caller among them; more only where reading does not wait for
   /// somebody
-  ProfileBlocks(LineBuffer& lines, std::string_view name, std::vector<ProfileColumnId> columns,
+  ProfileBlocks(LineBuffer& lines, std::string_view name, ProfileLayout layout,
                 const ProfileRowColumns& row_columns, unsigned threads);
 
   /// The next rows, none at the end; they stay until the next call. Throws InputError for what is

@@ -1,11 +1,15 @@
 #include "hal/files/profile_columns.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
+#include <iterator>
+#include <utility>
 
-#include "hal/files/csv.hpp"
+#include "hal/files/nearest.hpp"
 #include "hal/files/text.hpp"
 
 namespace hal::files {
@@ -27,30 +31,147 @@ std::string_view name_of(ProfileColumnId id) {
   return profile_columns()[id].name;
 }
 
-ProfileColumnId column_named(const std::string& name, const TextPlace& line, std::size_t offset) {
-  unsigned id = 0;
-  for (const ProfileColumn& column : profile_columns()) {
-    if (name == column.name) {
-      return static_cast<ProfileColumnId>(id);
-    }
-    ++id;
-  }
-  for (const ProfileColumn& column : profile_columns()) {
-    if (const auto unit = other_unit(name, column.name, column.unit)) {
-      line.fail(offset,
-                unit->empty() ? fmt::format("column {} without its unit", in_quotes(name))
-                              : fmt::format("unknown unit {} of column {}", in_quotes(*unit),
-                                            in_quotes(name)),
-                column.name);
-    }
-  }
-  line.fail(offset, fmt::format("unknown column {}", in_quotes(name)), profile_column_names());
+std::vector<std::string> names_of(const std::vector<ProfileField>& fields) {
+  std::vector<std::string> names;
+  std::ranges::transform(fields, std::back_inserter(names), &ProfileField::name);
+  return names;
 }
 
-[[noreturn]] void fail_missing(const TextPlace& line, std::string_view column,
-                               std::string_view needed) {
-  line.fail(line.text.size(), fmt::format("no column {}", column), needed);
+/// A word of a command line, as a shell takes it where it is printable.
+std::string option_word(const std::string& map) {
+  return map.find_first_of(" \"*()[];&|<>$`\\") == std::string::npos ? map : '\'' + map + '\'';
 }
+
+/// The names of a header, and what each of them is.
+class ProfileHeaderReader {
+ public:
+  ProfileHeaderReader(const TextPlace& line, std::string_view needed, const ColumnOptions& options)
+      : line_(line), needed_(needed), options_(options) {}
+
+  ProfileLayout read() {
+    if (line_.text.empty()) {
+      line_.fail(0, "an empty line in place of the header", needed_);
+    }
+    layout_.dialect = dialect_of(line_.text);
+    read_names();
+    std::ranges::for_each(options_.maps, [this](const ColumnMap& map) { take_map(map); });
+    for (std::size_t field = 0; field < layout_.fields.size(); ++field) {
+      if (layout_.fields[field].passed_over()) {
+        take_name(field);
+      }
+    }
+    if (!layout_.channels[kTime]) {
+      line_.fail(line_.text.size(), fmt::format("no column {}", name_of(kTime)), needed_);
+    }
+    return std::move(layout_);
+  }
+
+ private:
+  void read_names() {
+    CsvLine names(line_.text, layout_.dialect);
+    while (names.next()) {
+      if (names.broken()) {
+        line_.fail(names.offset(), "a quoted name that does not end with its quote",
+                   profile_column_names());
+      }
+      layout_.fields.push_back({.name = names.text()});
+      offsets_.push_back(names.offset());
+    }
+  }
+
+  void take_map(const ColumnMap& map) {
+    const auto found = std::ranges::find(layout_.fields, map.column, &ProfileField::name);
+    if (found == layout_.fields.end()) {
+      const std::vector<std::string> names = names_of(layout_.fields);
+      const auto meant = nearest(map.column, names);
+      line_.fail(0, fmt::format("no column {} for {}", in_quotes(map.column), name_of(map.channel)),
+                 meant ? column_word(*meant) : fmt::format("one of {}", fmt::join(names, ", ")));
+    }
+    found->id = map.channel;
+    found->scale = map.scale;
+    found->offset = map.offset;
+    layout_.channels.set(map.channel);
+  }
+
+  void take_name(std::size_t index) {
+    ProfileField& field = layout_.fields[index];
+    const auto known = std::ranges::find(kColumns, field.name, &ProfileColumn::name);
+    if (known == kColumns.end()) {
+      if (!options_.ignore_extra) {
+        refuse_unknown(index);
+      }
+      return;
+    }
+    const auto id = static_cast<ProfileColumnId>(known - kColumns.begin());
+    if (layout_.channels[id]) {
+      if (!options_.ignore_extra ||
+          std::ranges::find(options_.maps, id, &ColumnMap::channel) == options_.maps.end()) {
+        line_.fail(offsets_[index], fmt::format("column {} a second time", name_of(id)),
+                   "each column once");
+      }
+      return;
+    }
+    field.id = id;
+    layout_.channels.set(id);
+  }
+
+  /// @param map of --column, empty where none is known
+  std::string accepted(std::string_view what, const std::string& map) const {
+    if (!options_.given_by_options) {
+      return std::string(what);
+    }
+    return fmt::format("{}; --column {}, or --ignore-extra to pass it over", what,
+                       option_word(map));
+  }
+
+  [[noreturn]] void refuse_unknown(std::size_t index) const {
+    const std::string& name = layout_.fields[index].name;
+    if (name.starts_with("Unnamed: ") || (name.empty() && index == 0)) {
+      line_.fail(offsets_[index],
+                 fmt::format("column {}, as pandas writes the index of its rows", in_quotes(name)),
+                 options_.given_by_options ? "--ignore-extra, or to_csv(index=False) in pandas"
+                                           : "to_csv(index=False) in pandas");
+    }
+    refuse_other_unit(index);
+    std::vector<std::string> known;
+    std::ranges::transform(kColumns, std::back_inserter(known),
+                           [](const ProfileColumn& column) { return std::string(column.name); });
+    const auto meant = nearest(name, known);
+    line_.fail(offsets_[index],
+               fmt::format("unknown column {}{}", in_quotes(name),
+                           meant ? fmt::format(", nearest to {}", *meant) : ""),
+               accepted(profile_column_names(),
+                        fmt::format("{}={}", column_word(name), meant.value_or("COLUMN"))));
+  }
+
+  void refuse_other_unit(std::size_t index) const {
+    const std::string& name = layout_.fields[index].name;
+    for (unsigned id = 0; id < kProfileColumnCount; ++id) {
+      const ProfileColumn& column = kColumns[id];
+      const auto unit = other_unit(name, column.name, column.unit);
+      if (!unit) {
+        continue;
+      }
+      const auto plain = fmt::format("{}={}", column_word(name), column.name);
+      if (unit->empty()) {
+        line_.fail(offsets_[index], fmt::format("column {} without its unit", in_quotes(name)),
+                   accepted(column.name, plain));
+      }
+      const auto map = map_of_unit(name, *unit, static_cast<ProfileColumnId>(id));
+      line_.fail(
+          offsets_[index],
+          map ? fmt::format("other unit {} of column {}", in_quotes(*unit), in_quotes(name))
+              : fmt::format("unknown unit {} of column {}", in_quotes(*unit), in_quotes(name)),
+          accepted(column.name, map.value_or("FACTOR*" + plain)));
+    }
+  }
+
+  const TextPlace& line_;
+  std::string_view needed_;
+  const ColumnOptions& options_;
+  ProfileLayout layout_;
+  std::vector<std::size_t> offsets_;
+};
 
 }  // namespace
 
@@ -69,30 +190,9 @@ std::string profile_column_names() {
   return names;
 }
 
-std::vector<ProfileColumnId> parse_profile_columns(const TextPlace& line, std::string_view needed) {
-  if (line.text.empty()) {
-    line.fail(0, "an empty line in place of the header", needed);
-  }
-  std::vector<ProfileColumnId> columns;
-  ProfileChannels present;
-  CsvLine fields(line.text);
-  while (fields.next()) {
-    if (fields.broken()) {
-      line.fail(fields.offset(), "a quoted name that does not end with its quote",
-                profile_column_names());
-    }
-    const ProfileColumnId id = column_named(fields.text(), line, fields.offset());
-    if (present[id]) {
-      line.fail(fields.offset(), fmt::format("column {} a second time", name_of(id)),
-                "each column once");
-    }
-    present.set(id);
-    columns.push_back(id);
-  }
-  if (!present[kTime]) {
-    fail_missing(line, name_of(kTime), needed);
-  }
-  return columns;
+ProfileLayout parse_profile_columns(const TextPlace& line, std::string_view needed,
+                                    const ColumnOptions& options) {
+  return ProfileHeaderReader(line, needed, options).read();
 }
 
 }  // namespace hal::files

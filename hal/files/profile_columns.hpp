@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/files/column_map.hpp"
+#include "hal/files/csv.hpp"
 #include "hal/files/input_error.hpp"
 
 namespace hal::files {
@@ -41,8 +43,28 @@ std::span<const ProfileColumn, kProfileColumnCount> profile_columns();
 /// The names of all columns, separated by commas.
 std::string profile_column_names();
 
-/// The columns of a header line, `time_s` among them. Throws InputError for columns that are
-/// unknown, of another unit or there twice; `needed` says there which columns a file must have.
-std::vector<ProfileColumnId> parse_profile_columns(const TextPlace& line, std::string_view needed);
+/// One of the fields of a row: scale * field + offset is the value of a column.
+struct ProfileField {
+  ProfileColumnId id = kProfileColumnCount;  ///< the count: passed over
+  std::string name;                          ///< in the file
+  double scale = 1;
+  double offset = 0;
+
+  [[nodiscard]] bool passed_over() const { return id == kProfileColumnCount; }
+  [[nodiscard]] bool converts() const { return scale != 1 || offset != 0; }
+};
+
+/// What a header says of the rows.
+struct ProfileLayout {
+  CsvDialect dialect;
+  std::vector<ProfileField> fields;
+  ProfileChannels channels;  ///< of all fields
+};
+
+/// The layout of a header line, `time_s` in it. Throws InputError for columns that are unknown, of
+/// another unit or there twice, or that a map names and the line lacks; `needed` says there which
+/// columns a file must have.
+ProfileLayout parse_profile_columns(const TextPlace& line, std::string_view needed,
+                                    const ColumnOptions& options = {});
 
 }  // namespace hal::files

@@ -12,29 +12,50 @@
 namespace hal::files {
 namespace {
 
-double checked_value(const CsvLine& field, const ProfileColumn& column, const TextPlace& line) {
+/// @throws InputError for anything but a number whose column is within its range
+double checked_value(const CsvLine& text, const CsvDialect& dialect, const ProfileField& field,
+                     const TextPlace& line) {
   const auto fail = [&](std::string_view what, std::string_view accepted) {
-    line.fail(field.offset(), fmt::format("{} is {}", column.name, what), accepted);
+    line.fail(text.offset(), fmt::format("{} is {}", printable(field.name), what), accepted);
   };
-  constexpr std::string_view kNumber = "a finite decimal number without spaces";
-  const std::string& text = field.text();
-  if (field.broken()) {
-    fail("quoted, but the field does not end with its quote", kNumber);
+  if (text.broken()) {
+    fail("quoted, but the field does not end with its quote",
+         field.passed_over() ? "a field with both quotes, or without"
+                             : "a finite decimal number without spaces");
   }
-  if (text.empty()) {
-    fail("empty", kNumber);
+  if (field.passed_over()) {
+    return 0;
   }
-  const char* position = text.data();
-  const char* const end = position + text.size();
-  double value = 0.0;
-  if (!parse_number(position, end, value) || position != end || !std::isfinite(value)) {
-    fail(in_quotes(text) + ", not a finite number", kNumber);
+  const auto number = finite_number(text.text());
+  if (!number) {
+    const NoNumber none = no_number(text.text(), dialect);
+    fail(none.found, none.accepted);
   }
-  if (value < column.minimum || value > column.maximum) {
-    fail(in_quotes(text) + ", out of range",
+  const ProfileColumn& column = profile_columns()[field.id];
+  const double value = field.converts() ? *number * field.scale + field.offset : *number;
+  if (!(value >= column.minimum) || !(value <= column.maximum)) {
+    fail(field.name == column.name && value == *number
+             ? in_quotes(text.text()) + ", out of range"
+             : fmt::format("{}, and {} becomes {}, out of range", in_quotes(text.text()),
+                           column.name, value),
          fmt::format("{}..{} {}", column.minimum, column.maximum, column.unit));
   }
   return value;
+}
+
+/// Of a row with more fields than the header.
+[[noreturn]] void fail_too_long(const TextPlace& line, const CsvDialect& dialect,
+                                std::size_t offset, std::size_t expected) {
+  std::size_t count = 0;
+  for (CsvLine fields(line.text, dialect); fields.next();) {
+    ++count;
+  }
+  if (dialect.delimiter == ',' && count == 2 * expected) {
+    line.fail(offset, fmt::format("{} fields, as decimal commas make them of {}", count, expected),
+              "decimal points, or fields between semicolons or tabs");
+  }
+  line.fail(offset, "more fields than the header",
+            fmt::format("{} fields, as in the header", expected));
 }
 
 }  // namespace
@@ -46,9 +67,8 @@ void refuse_nul(const TextPlace& line) {
   }
 }
 
-std::vector<ProfileColumnId> read_profile_header(LineBuffer& lines, std::string_view name,
-                                                 std::string_view accepted,
-                                                 const ProfileHeaderParser& columns_of) {
+ProfileLayout read_profile_header(LineBuffer& lines, std::string_view name,
+                                  std::string_view accepted, const ProfileHeaderParser& layout_of) {
   const auto this_line = [&] { return TextPlace{name, lines.line_number(), lines.line()}; };
   const auto go_to_content = [&](std::string_view needed, std::string_view nothing) {
     while (lines.fill()) {
@@ -63,39 +83,41 @@ std::vector<ProfileColumnId> read_profile_header(LineBuffer& lines, std::string_
   go_to_content(accepted, "the file is empty");
   const TextPlace line = this_line();
   refuse_nul(line);
-  std::vector<ProfileColumnId> columns = columns_of(line);
+  ProfileLayout layout = layout_of(line);
   lines.next_line(lines.line_end());
   go_to_content("at least one row after the header", "no rows");
-  return columns;
+  return layout;
 }
 
-ProfileRowParser::ProfileRowParser(std::vector<ProfileColumnId> columns)
-    : columns_(std::move(columns)) {
-  for (const ProfileColumnId id : columns_) {
-    ranges_.push_back({id, profile_columns()[id].minimum, profile_columns()[id].maximum});
+ProfileRowParser::ProfileRowParser(ProfileLayout layout) : layout_(std::move(layout)) {
+  for (const ProfileField& field : layout_.fields) {
+    // What is passed over has any range.
+    const ProfileColumn& column = profile_columns()[field.passed_over() ? kTime : field.id];
+    columns_.push_back({field.id, field.passed_over(), field.converts(), field.scale, field.offset,
+                        column.minimum, column.maximum});
   }
 }
 
 void ProfileRowParser::by_the_book(const TextPlace& line, double last_time_s,
                                    Values& values) const {
   refuse_nul(line);
-  const std::size_t expected = columns_.size();
+  const std::size_t expected = layout_.fields.size();
   const std::string accepted = fmt::format("{} fields, as in the header", expected);
   if (line.text.empty()) {
     line.fail(0, "an empty line", accepted);
   }
-  CsvLine fields(line.text);
+  CsvLine fields(line.text, layout_.dialect);
   std::size_t count = 0;
   std::size_t time_offset = 0;
   while (fields.next()) {
     if (count == expected) {
-      line.fail(fields.offset(), "more fields than the header", accepted);
+      fail_too_long(line, layout_.dialect, fields.offset(), expected);
     }
-    const ProfileColumnId id = columns_[count];
-    if (id == kTime) {
+    const ProfileField& field = layout_.fields[count];
+    if (field.id == kTime) {
       time_offset = fields.offset();
     }
-    values[id] = checked_value(fields, profile_columns()[id], line);
+    values[field.id] = checked_value(fields, layout_.dialect, field, line);
     ++count;
   }
   if (count != expected) {
@@ -111,10 +133,10 @@ void ProfileRowParser::by_the_book(const TextPlace& line, double last_time_s,
 }
 
 ProfileRows::ProfileRows(std::unique_ptr<ByteSource> source, std::string_view name,
-                         std::string_view accepted, const ProfileHeaderParser& columns_of)
+                         std::string_view accepted, const ProfileHeaderParser& layout_of)
     : name_(name),
       lines_(std::move(source), name_),
-      parser_(read_profile_header(lines_, name_, accepted, columns_of)) {}
+      parser_(read_profile_header(lines_, name_, accepted, layout_of)) {}
 
 bool ProfileRows::next() {
   while (lines_.fill()) {

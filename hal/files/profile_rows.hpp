@@ -1,11 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>
 #include <memory>
-#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,14 +19,13 @@
 
 namespace hal::files {
 
-/// Reads the columns of a header line; throws InputError for those that are not accepted.
-using ProfileHeaderParser = std::function<std::vector<ProfileColumnId>(const TextPlace&)>;
+/// Reads a header line; throws InputError for columns that are not accepted.
+using ProfileHeaderParser = std::function<ProfileLayout(const TextPlace&)>;
 
-/// Reads up to the first row and gives the columns. `name` stands for the file in errors,
+/// Reads up to the first row and gives the layout. `name` stands for the file in errors,
 /// `accepted` says in the error for an empty file what is accepted.
-std::vector<ProfileColumnId> read_profile_header(LineBuffer& lines, std::string_view name,
-                                                 std::string_view accepted,
-                                                 const ProfileHeaderParser& columns_of);
+ProfileLayout read_profile_header(LineBuffer& lines, std::string_view name,
+                                  std::string_view accepted, const ProfileHeaderParser& layout_of);
 
 /// Throws InputError for a line that is no text.
 void refuse_nul(const TextPlace& line);
@@ -37,31 +37,45 @@ class ProfileRowParser {
   /// By ProfileColumnId, and a 0 behind them; 0 where the file lacks the column.
   using Values = std::array<double, kProfileColumnCount + 1>;
 
-  explicit ProfileRowParser(std::vector<ProfileColumnId> columns);
+  explicit ProfileRowParser(ProfileLayout layout);
 
-  std::span<const ProfileColumnId> columns() const noexcept { return columns_; }
+  const ProfileLayout& layout() const noexcept { return layout_; }
 
   /// The common row: numbers, quoted or not, all right, and later than `last_time_s`. Gives the end
   /// of its line, or nullptr for any other row.
   /// @pre lines up to `end`, and kPlainDecimalReach octets behind it, can be read
   const char* plain(const char* at, const char* end, double last_time_s, Values& values) const {
-    const Column* const last = &ranges_.back();
-    for (const Column* column = ranges_.data();; ++column) {
-      const bool has_quotes = *at == '"';
-      at += has_quotes ? 1 : 0;
-      double value = 0.0;
-      if (!parse_plain_decimal(at, value) && !parse_number(at, end, value)) {
-        return nullptr;
+    const CsvDialect dialect = layout_.dialect;
+    const Column* const last = &columns_.back();
+    for (const Column* column = columns_.data();; ++column) {
+      while (dialect.blanks && *at == ' ') {
+        ++at;
       }
-      if (!(value >= column->minimum) || !(value <= column->maximum) ||
-          (has_quotes && *at++ != '"')) {
-        return nullptr;
+      if (column->passed_over) {
+        if (*at == '"') {
+          return nullptr;
+        }
+        at += length_of_field(at, end);
+      } else {
+        const bool has_quotes = *at == '"';
+        at += has_quotes ? 1 : 0;
+        double value = 0.0;
+        if (!parse_plain_decimal(at, value, dialect.delimiter) && !parse_number(at, end, value)) {
+          return nullptr;
+        }
+        if (column->converts) {
+          value = value * column->scale + column->offset;
+        }
+        if (!(value >= column->minimum) || !(value <= column->maximum) ||
+            (has_quotes && *at++ != '"')) {
+          return nullptr;
+        }
+        values[column->id] = value;
       }
-      values[column->id] = value;
       if (column == last) {
         break;
       }
-      if (*at++ != ',') {
+      if (*at++ != dialect.delimiter) {
         return nullptr;
       }
     }
@@ -75,12 +89,22 @@ class ProfileRowParser {
  private:
   struct Column {
     ProfileColumnId id;
+    bool passed_over;
+    bool converts;
+    double scale;
+    double offset;
     double minimum;
     double maximum;
   };
 
-  std::vector<ProfileColumnId> columns_;
-  std::vector<Column> ranges_;
+  /// Up to what may end a field that is passed over, or no text holds.
+  std::size_t length_of_field(const char* at, const char* end) const {
+    const std::array<char, 4> ends{layout_.dialect.delimiter, '\n', '\r', '\0'};
+    return static_cast<std::size_t>(std::find_first_of(at, end, ends.begin(), ends.end()) - at);
+  }
+
+  ProfileLayout layout_;
+  std::vector<Column> columns_;
 };
 
 /// Goes through the rows of a profile of any length in constant memory. All functions throw
@@ -89,10 +113,9 @@ class ProfileRows {
  public:
   /// See read_profile_header().
   ProfileRows(std::unique_ptr<ByteSource> source, std::string_view name, std::string_view accepted,
-              const ProfileHeaderParser& columns_of);
+              const ProfileHeaderParser& layout_of);
 
-  /// The columns, in the order of the file.
-  std::span<const ProfileColumnId> columns() const noexcept { return parser_.columns(); }
+  const ProfileLayout& layout() const noexcept { return parser_.layout(); }
 
   /// Goes to the next row; false at the end.
   bool next();

@@ -16,12 +16,12 @@
 #include "hal/files/text.hpp"
 #include "host_sim/campaign/campaign_files.hpp"
 #include "host_sim/campaign/load.hpp"
+#include "host_sim/io/compressed.hpp"
 
 namespace host_sim {
 
 using hal::files::in_quotes;
 using hal::files::InputError;
-using hal::files::open_source;
 using hal::files::read_text_file;
 
 namespace {
@@ -40,7 +40,7 @@ std::vector<SpecimenRow> read_specimens(const fs::path& folder) {
     return {};
   }
   return parse_specimens(
-      open_source(path, "a campaign folder with specimens.csv, sessions.csv or both"),
+      open_input(path, "a campaign folder with specimens.csv, sessions.csv or both"),
       path.string());
 }
 
@@ -48,7 +48,7 @@ std::vector<BlockRow> read_blocks(const fs::path& path) {
   if (!is_there(path)) {
     return {};
   }
-  return parse_blocks(open_source(path, "blocks.csv that can be read, or none"), path.string());
+  return parse_blocks(open_input(path, "blocks.csv that can be read, or none"), path.string());
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hal/files/column_map.hpp"
 #include "host_sim/model/model.hpp"
 
 namespace host_sim {
@@ -75,6 +76,7 @@ struct Campaign {
 
   std::string name;
   std::filesystem::path folder;
+  hal::files::ColumnOptions columns;  ///< how those of recordings are taken
   /// Motor, gear and joint work in both directions, as an antagonistic pair does: forces have
   /// signs.
   bool two_sided = false;

@@ -2,10 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
+#include <algorithm>
+#include <iterator>
 #include <utility>
 
-#include "hal/files/csv.hpp"
+#include "hal/files/nearest.hpp"
 #include "hal/files/text.hpp"
 
 namespace host_sim {
@@ -17,7 +18,6 @@ using hal::files::in_quotes;
 using hal::files::InputError;
 using hal::files::NumberRange;
 using hal::files::other_unit;
-using hal::files::parse_number;
 using hal::files::printable;
 using hal::files::range_text;
 using hal::files::TextPlace;
@@ -66,7 +66,8 @@ void CsvTable::read_header(const TextPlace& line) {
   if (line.text.empty()) {
     line.fail(0, "an empty line in place of the header", column_names());
   }
-  CsvLine fields(line.text);
+  dialect_ = hal::files::dialect_of(line.text);
+  CsvLine fields(line.text, dialect_);
   for (std::size_t field = 0; fields.next(); ++field) {
     if (fields.broken()) {
       line.fail(fields.offset(), "a quoted name that does not end with its quote", column_names());
@@ -103,7 +104,14 @@ std::size_t CsvTable::column_named(const std::string& name, const TextPlace& lin
                 column.name);
     }
   }
-  line.fail(offset, fmt::format("unknown column {}", in_quotes(name)), column_names());
+  std::vector<std::string> known;
+  std::ranges::transform(columns_, std::back_inserter(known),
+                         [](const CsvColumn& column) { return std::string(column.name); });
+  const auto meant = hal::files::nearest(name, known);
+  line.fail(offset,
+            fmt::format("unknown column {}{}", in_quotes(name),
+                        meant ? fmt::format(", nearest to {}", *meant) : ""),
+            column_names());
 }
 
 bool CsvTable::next() {
@@ -120,7 +128,7 @@ void CsvTable::read_row(const TextPlace& line) {
   if (line.text.empty()) {
     line.fail(0, "an empty line", accepted);
   }
-  CsvLine fields(line.text);
+  CsvLine fields(line.text, dialect_);
   std::size_t count = 0;
   while (fields.next()) {
     if (count == row_.size()) {
@@ -154,24 +162,18 @@ const std::string& CsvTable::text(std::size_t column) const {
 }
 
 double CsvTable::number(std::size_t column, const NumberRange& range) const {
-  constexpr std::string_view kNumber = "a finite decimal number without spaces";
   const std::string_view name = columns_[column].name;
   const std::string& text = cell(column);
-  if (text.empty()) {
-    place(column).fail(fmt::format("{} is empty", name), kNumber);
+  const auto value = hal::files::finite_number(text);
+  if (!value) {
+    const auto none = hal::files::no_number(text, dialect_);
+    place(column).fail(fmt::format("{} is {}", name, none.found), none.accepted);
   }
-  const char* position = text.data();
-  const char* const end = position + text.size();
-  double value = 0;
-  if (!parse_number(position, end, value) || position != end || !std::isfinite(value)) {
-    place(column).fail(fmt::format("{} is {}, not a finite number", name, in_quotes(text)),
-                       kNumber);
-  }
-  if (!range.contains(value)) {
+  if (!range.contains(*value)) {
     place(column).fail(fmt::format("{} is {}, out of range", name, in_quotes(text)),
                        range_text(range));
   }
-  return value;
+  return *value;
 }
 
 FilePosition CsvTable::place(std::size_t column) const {

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/files/csv.hpp"
 #include "hal/files/input_error.hpp"
 #include "hal/files/input_file.hpp"
 #include "hal/files/text.hpp"
@@ -33,8 +34,8 @@ struct CsvColumn {
   bool required = false;
 };
 
-/// Reads a table (RFC 4180 CSV, one header line, `#` starts a comment line) row by row, the columns
-/// in any order. All functions throw InputError.
+/// Reads a table (CSV in any dialect, one header line, `#` starts a comment line) row by row, the
+/// columns in any order. All functions throw InputError.
 class CsvTable {
  public:
   /// Reads the header; `name` stands for the file in errors.
@@ -85,6 +86,7 @@ class CsvTable {
   std::string name_;
   std::vector<CsvColumn> columns_;
   hal::files::LineBuffer lines_;
+  hal::files::CsvDialect dialect_;
   std::vector<std::size_t> fields_;  ///< for each column the number of its field
   std::vector<Cell> row_;
   FilePosition header_end_;

@@ -22,7 +22,7 @@ double mean_of(const std::vector<double>& values) {
 
 RecordedSessions recorded_sessions(const Campaign& campaign) {
   RecordedSessions recorded;
-  recorded.recordings = recording::read_recordings(campaign.folder);
+  recorded.recordings = recording::read_recordings(campaign.folder, campaign.columns);
   recorded.faults = recording::faults_of(recorded.recordings, campaign.two_sided);
   if (campaign.two_sided) {
     return recorded;

@@ -10,6 +10,7 @@
 #include "hal/files/input_error.hpp"
 #include "hal/files/text.hpp"
 #include "host_sim/campaign/csv_table.hpp"
+#include "host_sim/io/compressed.hpp"
 
 namespace host_sim::fmeca {
 
@@ -71,9 +72,8 @@ FieldCounts parse_field(std::unique_ptr<hal::files::ByteSource> source, std::str
 }
 
 FieldCounts read_field(const std::filesystem::path& path, const RiskTable& table) {
-  return parse_field(
-      hal::files::open_source(path, "field records (CSV) with failure, events, operating_hours"),
-      hal::files::file_name(path), table);
+  return parse_field(open_input(path, "field records (CSV) with failure, events, operating_hours"),
+                     hal::files::file_name(path), table);
 }
 
 namespace {

@@ -35,10 +35,12 @@ struct Recording {
 };
 
 /// The recordings that sessions.csv of a campaign names, in order of their sessions' names; none
-/// where the campaign has no such file. Files are found relative to the folder.
+/// where the campaign has no such file. Files are found relative to the folder; `columns` says how
+/// those of recordings are taken.
 /// @throws InputError for anything that cannot be trusted, and where a recording holds neither
 ///   input tension nor motor current, or no output tension or no velocity
-std::vector<Recording> read_recordings(const std::filesystem::path& campaign_folder);
+std::vector<Recording> read_recordings(const std::filesystem::path& campaign_folder,
+                                       const hal::files::ColumnOptions& columns = {});
 
 /// Every file that reading a campaign reads, or would where it were there. Of a sessions.csv that
 /// cannot be trusted, no recordings.

@@ -18,18 +18,20 @@
 #include "host_sim/campaign/campaign.hpp"
 #include "host_sim/campaign/campaign_files.hpp"
 #include "host_sim/campaign/csv_table.hpp"
+#include "host_sim/io/compressed.hpp"
 #include "host_sim/recording/recording.hpp"
 
 namespace host_sim::recording {
 
 using hal::files::ByteSource;
+using hal::files::ColumnOptions;
 using hal::files::in_quotes;
 using hal::files::InputError;
 using enum hal::files::ProfileColumnId;
-using hal::files::open_source;
 using hal::files::parse_profile_columns;
 using hal::files::profile_columns;
 using hal::files::ProfileColumnId;
+using hal::files::ProfileLayout;
 using hal::files::ProfileRows;
 using hal::files::stop_if_interrupted;
 using hal::files::TextPlace;
@@ -100,34 +102,35 @@ namespace {
 constexpr std::string_view kNeeded =
     "time_s, output_tension_N, tendon_velocity_m_s, and input_tension_N or motor_current_A or both";
 
-std::vector<ProfileColumnId> columns_in(const TextPlace& line) {
-  std::vector<ProfileColumnId> columns = parse_profile_columns(line, kNeeded);
-  const auto has = [&](ProfileColumnId id) {
-    return std::find(columns.begin(), columns.end(), id) != columns.end();
-  };
+ProfileLayout layout_of(const TextPlace& line, const ColumnOptions& options) {
+  ProfileLayout layout = parse_profile_columns(line, kNeeded, options);
   const auto fail = [&](std::string_view missing) {
     line.fail(line.text.size(), fmt::format("no column {}", missing), kNeeded);
   };
-  if (!has(kInputTensionColumn) && !has(kMotorCurrentColumn)) {
+  if (!layout.channels[kInputTensionColumn] && !layout.channels[kMotorCurrentColumn]) {
     fail("input_tension_N or motor_current_A");
   }
   for (const ProfileColumnId id : {kOutputTensionColumn, kTendonVelocity}) {
-    if (!has(id)) {
+    if (!layout.channels[id]) {
       fail(profile_columns()[id].name);
     }
   }
-  return columns;
+  return layout;
 }
 
 }  // namespace
 
-Channels parse_recording(std::unique_ptr<ByteSource> source, std::string_view name) {
+Channels parse_recording(std::unique_ptr<ByteSource> source, std::string_view name,
+                         const ColumnOptions& columns) {
   constexpr std::size_t kSamplesBetweenStops = 1 << 16;
-  ProfileRows rows(std::move(source), name, fmt::format("a CSV file with {}", kNeeded), columns_in);
+  ProfileRows rows(std::move(source), name, fmt::format("a CSV file with {}", kNeeded),
+                   [&](const TextPlace& line) { return layout_of(line, columns); });
   Channels channels;
   while (rows.next()) {
-    for (const ProfileColumnId id : rows.columns()) {
-      channels[id].push_back(rows.values()[id]);
+    for (unsigned id = 0; id < kProfileColumnCount; ++id) {
+      if (rows.layout().channels[id]) {
+        channels[id].push_back(rows.values()[id]);
+      }
     }
     if (channels[kTime].size() % kSamplesBetweenStops == 0) {
       stop_if_interrupted();
@@ -150,7 +153,7 @@ std::vector<SessionRow> read_sessions(const fs::path& path) {
   if (!is_there(path)) {
     return {};
   }
-  return parse_sessions(open_source(path, "sessions.csv that can be read, or none"), path.string());
+  return parse_sessions(open_input(path, "sessions.csv that can be read, or none"), path.string());
 }
 
 void check_specimens(const std::vector<SessionRow>& rows, const fs::path& path) {
@@ -159,7 +162,7 @@ void check_specimens(const std::vector<SessionRow>& rows, const fs::path& path) 
   }
   std::set<std::string> names;
   for (const SpecimenRow& row : parse_specimens(
-           open_source(path, "specimens.csv that can be read, or none"), path.string())) {
+           open_input(path, "specimens.csv that can be read, or none"), path.string())) {
     names.insert(row.specimen.name);
   }
   for (const SessionRow& row : rows) {
@@ -211,7 +214,8 @@ class RecordingFiles {
 
 }  // namespace
 
-std::vector<Recording> read_recordings(const fs::path& campaign_folder) {
+std::vector<Recording> read_recordings(const fs::path& campaign_folder,
+                                       const ColumnOptions& columns) {
   const std::vector<SessionRow> rows = read_sessions(campaign_folder / "sessions.csv");
   if (rows.empty()) {
     return {};
@@ -226,8 +230,8 @@ std::vector<Recording> read_recordings(const fs::path& campaign_folder) {
     recording.file = files.file_of(row);
     recording.start_cycle = row.start_cycle;
     recording.line = row.file_place.line;
-    recording.channels = parse_recording(
-        open_source(recording.file, "a recording that can be read"), recording.file.string());
+    recording.channels = parse_recording(open_input(recording.file, "a recording that can be read"),
+                                         recording.file.string(), columns);
   }
   std::sort(recordings.begin(), recordings.end(),
             [](const Recording& a, const Recording& b) { return a.session < b.session; });

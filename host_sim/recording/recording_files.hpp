@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/files/column_map.hpp"
 #include "hal/files/input_file.hpp"
 #include "host_sim/campaign/csv_table.hpp"
 #include "host_sim/recording/recording.hpp"
@@ -30,6 +31,7 @@ inline constexpr std::size_t kFewestSamples = 16;
 
 /// Reads and checks the samples of one recording; `name` stands for the file in errors.
 /// @throws InputError
-Channels parse_recording(std::unique_ptr<hal::files::ByteSource> source, std::string_view name);
+Channels parse_recording(std::unique_ptr<hal::files::ByteSource> source, std::string_view name,
+                         const hal::files::ColumnOptions& columns = {});
 
 }  // namespace host_sim::recording

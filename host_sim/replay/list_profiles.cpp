@@ -26,10 +26,10 @@ bool is_hidden(const fs::path& path) {
 }
 
 bool has_name_of_profile(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
+  std::string name = path.filename().string();
+  std::transform(name.begin(), name.end(), name.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".csv";
+  return name.ends_with(".csv") || name.ends_with(".csv.gz") || name.ends_with(".csv.zst");
 }
 
 /// What may be a file: one that is there, or a link that leads nowhere. No pipes and devices.
@@ -87,9 +87,10 @@ class Search {
   std::vector<fs::path> found_;
 };
 
-/// The profiles in `folder` and below it: files `*.csv`, in natural order, relative to `folder`.
-/// Hidden files and folders (`.name`) are left out; symbolic links are followed. What cannot be
-/// read is in the list, be it a file or a folder, so that nobody misses it.
+/// The profiles in `folder` and below it: files `*.csv`, also compressed, in natural order,
+/// relative to `folder`. Hidden files and folders (`.name`) are left out; symbolic links are
+/// followed. What cannot be read is in the list, be it a file or a folder, so that nobody misses
+/// it.
 /// @throws InputError where `folder` itself cannot be listed
 std::vector<fs::path> find_profiles(const fs::path& folder) {
   Search search(folder);

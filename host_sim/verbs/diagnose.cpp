@@ -20,6 +20,7 @@
 #include "host_sim/recording/recording.hpp"
 #include "host_sim/replay/constants.hpp"
 #include "host_sim/report/diagnose/html.hpp"
+#include "host_sim/verbs/columns.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
@@ -34,6 +35,7 @@ struct Arguments {
   std::string out;
   std::string json;
   std::string report;
+  hal::files::ColumnOptions columns;
   diagnose::DiagnoseOptions options;
   bool fail_on_discrepancy = false;
 
@@ -130,7 +132,8 @@ std::string next_step(const Arguments& arguments, diagnose::Verdict verdict) {
 }
 
 int run(const Arguments& arguments) {
-  const Campaign campaign = read_campaign(arguments.folder);
+  Campaign campaign = read_campaign(arguments.folder);
+  campaign.columns = arguments.columns;
   auto json = open_if_asked(arguments.json);
   auto page = open_if_asked(arguments.report);
   ModelOutput model(campaign, arguments.out);
@@ -199,6 +202,7 @@ void add_diagnose(CLI::App& app, int& status) {
                    "(specimens.csv) or both")
       ->required()
       ->type_name(command_line::kFolder);
+  add_columns(*verb, arguments->columns);
   add_outputs(*verb, *arguments);
   add_computation(*verb, arguments->options);
   verb->add_flag("--fail-on-discrepancy", arguments->fail_on_discrepancy,

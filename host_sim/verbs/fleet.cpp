@@ -13,6 +13,7 @@
 #include "host_sim/fleet/fleet_plan.hpp"
 #include "host_sim/fleet/fleet_table.hpp"
 #include "host_sim/fleet/horizon.hpp"
+#include "host_sim/io/compressed.hpp"
 #include "host_sim/monitor/tendons/recorded_tendons.hpp"
 #include "host_sim/report/fleet/html.hpp"
 #include "host_sim/verbs/outputs.hpp"
@@ -90,7 +91,7 @@ monitor::RecordedFleet read_folder(const FleetArguments& arguments) {
 monitor::RecordedFleet read_table(const FleetArguments& arguments) {
   arguments.check({});
   auto rows = fleet::parse_fleet_table(
-      hal::files::open_source(arguments.tendons, "a CSV file of tendons, or a folder of records"),
+      open_input(arguments.tendons, "a CSV file of tendons, or a folder of records"),
       arguments.tendons);
   arguments.check(fleet::models_of(rows, arguments.tendons));
   if (arguments.hours_per_day) {

@@ -4,40 +4,36 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "hal/files/input_file.hpp"
 #include "host_sim/command_line/options.hpp"
+#include "host_sim/io/compressed.hpp"
 #include "host_sim/recording/import_columns.hpp"
+#include "host_sim/verbs/columns.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
 namespace host_sim {
-
-using hal::files::open_source;
 
 namespace {
 
 constexpr const char* kDavinciExample =
     "Example: host_sim import davinci Tool_4_Maryland_L_4.csv --out davinci";
 constexpr const char* kColumnsExample =
-    "A map is CHANNEL=[-][FACTOR*]COLUMN[ in UNIT][+OFFSET]; rate(COLUMN[ in UNIT]) is "
-    "differentiated by\n"
-    "time. A column that holds more than letters, digits and _ stands in double quotes.\n"
+    "A channel is made as [-][FACTOR*]COLUMN[ in UNIT][+OFFSET]=CHANNEL; rate(COLUMN[ in UNIT]) "
+    "is\n"
+    "differentiated by time. A column that holds more than letters, digits and _ stands in double\n"
+    "quotes. What has the name of a channel is taken as it, other columns are passed over.\n"
     "Example: host_sim import columns host_sim/examples/upper_arm.csv --out drive "
-    "--map time_s=time_s --map output_tension_N=output_tension_N "
-    "--map input_tension_N=1.5*output_tension_N+2 "
-    "--map 'tendon_velocity_m_s=tendon_velocity_m_s in m/s'";
+    "--column 1.5*output_tension_N+2=input_tension_N";
 
 struct ImportArguments {
   std::vector<std::string> files;
   std::string out;
   recording::DavinciOptions davinci;
-  std::vector<std::string> maps;
-  double rate_Hz = 0;
-  std::string session_column;
+  recording::ColumnsOptions columns;
   bool two_sided = false;
 };
 
@@ -49,8 +45,12 @@ void check(const ImportArguments& arguments) {
   check_files("import", {.reads = reads, .writes = {}, .fills = {{"--out", arguments.out}}});
 }
 
-std::string source_name(const std::string& file) {
-  return file == "-" ? "standard input" : file;
+/// The name of the file without those of its format and its compression.
+std::string session_of(const std::filesystem::path& file) {
+  const std::filesystem::path extension = file.extension();
+  return (extension == ".gz" || extension == ".zst" ? file.stem() : file.filename())
+      .stem()
+      .string();
 }
 
 void write(const recording::RecordedCampaign& campaign, const std::string& folder) {
@@ -62,25 +62,14 @@ void write(const recording::RecordedCampaign& campaign, const std::string& folde
 void import_davinci(const ImportArguments& arguments) {
   check(arguments);
   const std::string& file = arguments.files.front();
-  write(
-      recording::import_davinci(open_source(file, "a CSV file of the da Vinci cable transmission"),
-                                source_name(file), arguments.davinci),
-      arguments.out);
+  write(recording::import_davinci(open_input(file, "a CSV file of the da Vinci cable transmission"),
+                                  hal::files::file_name(file), arguments.davinci),
+        arguments.out);
 }
 
 void import_columns(const ImportArguments& arguments) {
-  recording::ColumnsOptions options;
-  for (const std::string& map : arguments.maps) {
-    options.maps.push_back(recording::column_map(map));
-  }
-  if (arguments.rate_Hz > 0) {
-    options.rate_Hz = arguments.rate_Hz;
-  }
-  if (!arguments.session_column.empty()) {
-    options.session_column = arguments.session_column;
-  }
-  if (const std::string missing = recording::missing_map(options); !missing.empty()) {
-    throw CLI::ValidationError("--map", "needs " + missing);
+  if (const std::string conflict = conflict_of(arguments.columns); !conflict.empty()) {
+    throw CLI::ValidationError("--column", "needs " + conflict);
   }
   check(arguments);
   recording::RecordedCampaign campaign;
@@ -88,19 +77,11 @@ void import_columns(const ImportArguments& arguments) {
   campaign.campaign_toml =
       recording::unknown_campaign(out.parent_path().filename().string(), arguments.two_sided);
   for (const std::string& file : arguments.files) {
-    recording::import_columns(open_source(file, "a table with a line of names"), source_name(file),
-                              std::filesystem::path(file).stem().string(), options, campaign);
+    recording::import_columns(open_input(file, "a table with a line of names"),
+                              hal::files::file_name(file), session_of(file), arguments.columns,
+                              campaign);
   }
   write(campaign, arguments.out);
-}
-
-std::string problem_of_map(const std::string& text) {
-  try {
-    recording::column_map(text);
-  } catch (const std::invalid_argument& problem) {
-    return problem.what();
-  }
-  return {};
 }
 
 CLI::App* add_source(CLI::App& verb, ImportArguments& arguments, const char* name, const char* text,
@@ -136,18 +117,13 @@ void add_import(CLI::App& app, int&) {
 
   CLI::App* columns = add_source(*verb, *arguments, "columns",
                                  "Tables of any log; each file is a session", kColumnsExample);
-  columns->add_option("--map", arguments->maps, "What a channel is made of; once for each channel")
-      ->required()
-      ->expected(1)
-      ->take_all()
-      ->type_name("MAP")
-      ->check(CLI::Validator(problem_of_map, ""));
+  add_column(*columns, arguments->columns.maps);
   columns
-      ->add_option("--sample-rate-Hz", arguments->rate_Hz,
+      ->add_option("--sample-rate-Hz", arguments->columns.rate_Hz,
                    "Samples per second, where there is no time")
       ->check(command_line::in_range(1e-3, 1e6));
   columns
-      ->add_option("--session-column", arguments->session_column,
+      ->add_option("--session-column", arguments->columns.session_column,
                    "Rows with the same value in it are a session")
       ->type_name("COLUMN");
   columns->add_flag("--two-sided", arguments->two_sided,

@@ -16,11 +16,13 @@
 #include "host_sim/command_line/options.hpp"
 #include "host_sim/extension/model_file.hpp"
 #include "host_sim/fleet/horizon.hpp"
+#include "host_sim/io/compressed.hpp"
 #include "host_sim/io/progress.hpp"
 #include "host_sim/model/model.hpp"
 #include "host_sim/replay/results.hpp"
 #include "host_sim/report/replay/flags.hpp"
 #include "host_sim/report/replay/html.hpp"
+#include "host_sim/verbs/columns.hpp"
 #include "host_sim/verbs/outcome.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/replay_arguments.hpp"
@@ -48,7 +50,7 @@ void add_inputs(CLI::App& verb, ReplayArguments& arguments) {
   verb.add_option("PROFILE", arguments.profiles,
                   "CSV with time_s and input_tension_N, motor_current_A, or output_tension_N and "
                   "tendon_velocity_m_s; - is standard input. Several of them, or a folder with all "
-                  "*.csv in it and below, give one table")
+                  "*.csv in it and below, give one table. gzip and zstd are read as they are")
       ->required();
   verb.add_option("--model", arguments.model,
                   "The model, a TOML file. In a table without it: for each profile the model.toml "
@@ -56,6 +58,7 @@ void add_inputs(CLI::App& verb, ReplayArguments& arguments) {
   verb.add_option("--input", arguments.input,
                   "Which columns to take where the profile holds more than one kind")
       ->check(CLI::IsMember({"input_tension", "motor_current", "output_tension"}));
+  add_columns(verb, arguments.columns);
 }
 
 void add_outputs(CLI::App& verb, ReplayArguments& arguments) {
@@ -192,11 +195,13 @@ int replay_one(const ReplayArguments& arguments) {
                      "such a model, or none of --start-cycle");
   }
   ProfileOptions profile_options;
+  profile_options.columns = arguments.columns;
   profile_options.input = input_kind_from(arguments.input);
   profile_options.threads = arguments.threads != 0
                                 ? arguments.threads
                                 : std::max(1U, std::thread::hardware_concurrency());
-  ProfileReader profile(path, profile_options);
+  ProfileReader profile(open_input(path, hal::files::kAcceptedProfile), hal::files::file_name(path),
+                        profile_options);
   auto json = open_if_asked(arguments.json);
   auto trajectory = open_if_asked(arguments.trajectory);
   auto page = open_if_asked(arguments.report);

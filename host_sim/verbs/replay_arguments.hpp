@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "firmware/protocol/messages.hpp"
+#include "hal/files/column_map.hpp"
 #include "host_sim/verbs/outputs.hpp"
 
 namespace host_sim {
@@ -16,6 +17,7 @@ struct ReplayArguments {
   std::vector<std::string> profiles;
   std::string model;
   std::string input;
+  hal::files::ColumnOptions columns;
   std::string json;
   std::string table;
   unsigned threads = 0;

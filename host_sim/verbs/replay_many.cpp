@@ -11,6 +11,7 @@
 #include "hal/files/text.hpp"
 #include "host_sim/batch/deal.hpp"
 #include "host_sim/extension/model_file.hpp"
+#include "host_sim/io/compressed.hpp"
 #include "host_sim/replay/constants.hpp"
 #include "host_sim/replay/list_profiles.hpp"
 #include "host_sim/replay/replay.hpp"
@@ -151,7 +152,8 @@ ordered_json named(const ListedProfile& profile) {
 
 ReplayResult result_of(const ListedProfile& listed, const ReplayArguments& arguments,
                        const batch::Means& means) {
-  ProfileReader profile(listed.path, {input_kind_from(arguments.input), means.threads});
+  ProfileReader profile(open_input(listed.path, hal::files::kAcceptedProfile), listed.path.string(),
+                        {input_kind_from(arguments.input), means.threads, arguments.columns});
   if (listed.model.empty()) {
     throw InputError(listed.path.string(), 0, 0, "no model goes with it",
                      "--model FILE, or a model.toml in its folder or above it");

@@ -77,7 +77,8 @@ inline ReadProfile read_by_the_book(std::string_view text, hal::files::ProfileOp
     const ProfileReader header(memory_source(text), "p.csv", options);
     LineBuffer lines(memory_source(text), "p.csv");
     const ProfileRowParser parser(read_profile_header(
-        lines, "p.csv", "", [](const TextPlace& line) { return parse_profile_columns(line, ""); }));
+        lines, "p.csv", "",
+        [&](const TextPlace& line) { return parse_profile_columns(line, "", options.columns); }));
     const unsigned value = header.kind() == InputKind::kInputTension   ? kInputTensionColumn
                            : header.kind() == InputKind::kMotorCurrent ? kMotorCurrentColumn
                                                                        : kOutputTensionColumn;

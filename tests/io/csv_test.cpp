@@ -8,7 +8,51 @@
 namespace {
 
 using hal::files::csv_head;
+using hal::files::CsvDialect;
+using hal::files::CsvLine;
 using hal::files::CsvRow;
+using hal::files::dialect_of;
+using hal::files::finite_number;
+using hal::files::no_number;
+
+TEST(CsvDialect, IsThatOfTheHeader) {
+  const auto is = [](std::string_view header, char delimiter, bool blanks) {
+    const CsvDialect dialect = dialect_of(header);
+    return dialect.delimiter == delimiter && dialect.blanks == blanks;
+  };
+  EXPECT_TRUE(is("a,b", ',', false));
+  EXPECT_TRUE(is("a, b", ',', true));
+  EXPECT_TRUE(is("a;b", ';', false));
+  EXPECT_TRUE(is("a; b,c", ';', true));
+  EXPECT_TRUE(is("a\tb; c", '\t', false));
+  EXPECT_TRUE(is("a", ',', false));
+  EXPECT_TRUE(is("", ',', false));
+  EXPECT_TRUE(is("\"a; b\",\"c\td\"", ',', false));
+  EXPECT_TRUE(is("\"a, b\";c", ';', false));
+}
+
+TEST(CsvDialect, BlanksInFrontOfAFieldArePassedOver) {
+  CsvLine line("  1,   \"a, b\",", {',', true});
+  ASSERT_TRUE(line.next());
+  EXPECT_EQ(line.text(), "1");
+  EXPECT_EQ(line.offset(), 2U);
+  ASSERT_TRUE(line.next());
+  EXPECT_EQ(line.text(), "a, b");
+  EXPECT_EQ(line.offset(), 7U);
+  ASSERT_TRUE(line.next());
+  EXPECT_EQ(line.text(), "");
+  EXPECT_FALSE(line.next());
+}
+
+TEST(CsvNumber, IsFiniteAndAlone) {
+  EXPECT_EQ(finite_number("-1.5e2"), -150);
+  for (const char* text : {"", " 1", "1 ", "nan", "inf", "1e999", "1,5", "0x1"}) {
+    EXPECT_EQ(finite_number(text), std::nullopt) << text;
+  }
+  EXPECT_EQ(no_number("", {}).found, "empty");
+  EXPECT_EQ(no_number("1,5", {}).found, "'1,5', with a decimal comma");
+  EXPECT_EQ(no_number("1.000,5", {}).found, "'1.000,5', not a finite number");
+}
 
 TEST(CsvRow, QuotesWhatAReaderWouldTakeApart) {
   CsvRow row;

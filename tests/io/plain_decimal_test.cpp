@@ -23,7 +23,7 @@ Parsed parsed(std::string text) {
   text += ",........";
   const char* at = text.data();
   double value = -7;
-  const bool taken = parse_plain_decimal(at, value);
+  const bool taken = parse_plain_decimal(at, value, ',');
   return {taken, value, static_cast<std::size_t>(at - text.data())};
 }
 
@@ -108,10 +108,16 @@ TEST(PlainDecimal, EndsWhereAFieldDoes) {
     const std::string text = std::string("12.5") + end + "34567890";
     const char* at = text.data();
     double value = 0;
-    EXPECT_TRUE(parse_plain_decimal(at, value));
+    EXPECT_TRUE(parse_plain_decimal(at, value, ','));
     EXPECT_EQ(at, text.data() + 4);
     EXPECT_EQ(value, 12.5);
   }
+  const std::string other = "12.5;34567890";
+  const char* at = other.data();
+  double value = 0;
+  EXPECT_FALSE(parse_plain_decimal(at, value, ','));
+  EXPECT_TRUE(parse_plain_decimal(at, value, ';'));
+  EXPECT_EQ(value, 12.5);
 }
 
 TEST(PlainDecimal, RandomOnesAreCorrectlyRounded) {

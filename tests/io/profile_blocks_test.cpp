@@ -87,6 +87,45 @@ TEST(ProfileBlocks, WhereverAFileIsCutItsErrorIsThatByTheBook) {
   }
 }
 
+/// What other programs write: any delimiter, blanks, columns of other names and units, and columns
+/// that are passed over.
+TEST(ProfileBlocks, WhateverTheDialectRowsAndErrorsAreThoseByTheBook) {
+  using std::string_literals::operator""s;
+  hal::files::ColumnOptions columns;
+  columns.maps.push_back(hal::files::column_map("t in ms=time_s"));
+  columns.maps.push_back(hal::files::column_map("-0.5*F+3=input_tension_N"));
+  columns.ignore_extra = true;
+  for (const std::string& between : {","s, ";"s, "\t"s, ", "s, ";  "s}) {
+    std::string text =
+        "|t|note|F|\n0|0|a b|-74|x\n1|1e3|\"c\"|-74.5|\r\n2|\"2000\"|3\"|+1|\n"
+        "3|3000||1.5|#\n";
+    for (std::size_t at = text.find('|'); at != std::string::npos; at = text.find('|', at + 1)) {
+      text.replace(at, 1, between);
+    }
+    const ReadProfile book = read_by_the_book(text, {{}, 1, columns});
+    ASSERT_EQ(book.error, "") << between;
+    ASSERT_EQ(book.rows.size(), 4U);
+    EXPECT_EQ(book.rows[1].time_s, 1);
+    EXPECT_EQ(book.rows[1].value, 40.25);  // -0.5 * -74.5 + 3
+    EXPECT_EQ(book.rows[3].value, 2.25);
+    for (const std::string& end :
+         {""s, "4|x|a|1|\n"s, "4|4000|a|1,5|\n"s, "4|4000|a|1\n"s, "4|1|a|1|\n"s, "4|4000|\"|1|\n"s,
+          "4|4000|a\rb|1|\n"s, "4|4000|a\0|1|\n"s, "4|4000|a|3e6|\n"s, "4|4000|a|1|b|\n"s}) {
+      std::string longer = text + end;
+      for (std::size_t at = longer.find('|'); at != std::string::npos;
+           at = longer.find('|', at + 1)) {
+        longer.replace(at, 1, between);
+      }
+      const ReadProfile slow = read_by_the_book(longer, {{}, 1, columns});
+      for (std::size_t cut = 1; cut <= longer.size(); ++cut) {
+        const ReadProfile fast =
+            read_profile(longer, {cut, kWhole}, {{}, static_cast<unsigned>(1 + cut % 3), columns});
+        ASSERT_TRUE(agree(fast, slow)) << longer << fast.error << " for " << slow.error;
+      }
+    }
+  }
+}
+
 /// As recorders write numbers, and as nobody does.
 std::string any_number(double value) {
   const int digits = *rc::gen::inRange(0, 18);

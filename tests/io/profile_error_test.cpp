@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/files/column_map.hpp"
 #include "hal/files/profile.hpp"
 #include "tests/io/support.hpp"
 
@@ -55,20 +56,25 @@ std::vector<BadProfile> bad_headers() {
       {"UnknownColumn", "time_s,force,input_tension_N\n0,1,2\n", ":1:8: unknown column 'force'",
        kColumns},
       {"OtherUnit", "time_s,input_tension_kN\n0,1\n",
-       ":1:8: unknown unit 'kN' of column 'input_tension_kN'", "input_tension_N"},
+       ":1:8: other unit 'kN' of column 'input_tension_kN'", "input_tension_N"},
       {"OtherUnitOfTime", "time_ms,input_tension_N\n0,1\n",
-       ":1:1: unknown unit 'ms' of column 'time_ms'", "time_s"},
+       ":1:1: other unit 'ms' of column 'time_ms'", "time_s"},
       {"OtherUnitOfVelocity", "time_s,output_tension_N,tendon_velocity_mm_s\n0,1,1\n",
-       ":1:25: unknown unit 'mm_s' of column 'tendon_velocity_mm_s'", "tendon_velocity_m_s"},
+       ":1:25: other unit 'mm_s' of column 'tendon_velocity_mm_s'", "tendon_velocity_m_s"},
+      {"UnknownUnit", "time_fortnights,input_tension_N\n0,1\n",
+       ":1:1: unknown unit 'fortnights' of column 'time_fortnights'", "time_s"},
+      {"Misspelt", "time_s,input_tenison_N\n0,1\n",
+       ":1:8: unknown column 'input_tenison_N', nearest to input_tension_N", kColumns},
+      {"IndexOfPandas", ",time_s,input_tension_N\n0,0,1\n",
+       ":1:1: column '', as pandas writes the index of its rows", "to_csv(index=False) in pandas"},
+      {"IndexOfPandasReadAgain", "Unnamed: 0,time_s,input_tension_N\n0,0,1\n",
+       ":1:1: column 'Unnamed: 0', as pandas writes the index of its rows",
+       "to_csv(index=False) in pandas"},
       {"NoUnit", "time,input_tension_N\n0,1\n", ":1:1: column 'time' without its unit", "time_s"},
-      {"SpaceBeforeName", "time_s, input_tension_N\n0,1\n",
-       ":1:8: unknown column ' input_tension_N'", kColumns},
       {"EmptyName", "time_s,input_tension_N,\n0,1,\n", ":1:24: unknown column ''", kColumns},
       {"NoHeader", "0,1\n1,2\n", ":1:1: unknown column '0'", kColumns},
-      {"Semicolons", "time_s;input_tension_N\n0;1\n",
-       ":1:1: unknown column 'time_s;input_tension_N'", kColumns},
       {"OldMacLineEnds", "time_s,input_tension_N\r0,1\r",
-       ":1:8: unknown column 'input_tension_N\\r0'", kColumns},
+       ":1:8: unknown column 'input_tension_N\\r0', nearest to input_tension_N", kColumns},
       {"Twice", "# c\ntime_s,input_tension_N,time_s\n0,1,2\n", ":2:24: column time_s a second time",
        "each column once"},
       {"NoTime", "input_tension_N\n1\n", ":1:16: no column time_s", kNeeded},
@@ -162,7 +168,79 @@ std::vector<BadProfile> bad_rows() {
       {"BlankLine", head + "\n1,2\n", ":3:1: an empty line", "2 fields, as in the header"},
       {"BlankLineAtEnd", head + "\r\n", ":3:1: an empty line", "2 fields, as in the header"},
       {"AfterComments", head + "# \u00e4\n\n", ":4:1: an empty line", "2 fields, as in the header"},
-      {"DecimalComma", head + "\"1,5\",2\n", ":3:1: time_s is '1,5', not a finite number", kNumber},
+      {"DecimalComma", head + "\"1,5\",2\n", ":3:1: time_s is '1,5', with a decimal comma",
+       "decimal points, '1.5': write the file anew with them"},
+      {"DecimalCommaBetweenSemicolons", "time_s;input_tension_N\n0;-1,5e2\n",
+       ":2:3: input_tension_N is '-1,5e2', with a decimal comma",
+       "decimal points, '-1.5e2': sed 's/,/./g' FILE writes them"},
+      {"DecimalCommasBetweenCommas", "time_s,input_tension_N\n0,0,38,5\n",
+       ":2:5: 4 fields, as decimal commas make them of 2",
+       "decimal points, or fields between semicolons or tabs"},
+  };
+}
+
+/// With options that a command line can give.
+ProfileOptions given(std::vector<std::string> maps, bool ignore_extra = false) {
+  ProfileOptions options;
+  for (const std::string& map : maps) {
+    options.columns.maps.push_back(hal::files::column_map(map));
+  }
+  options.columns.ignore_extra = ignore_extra;
+  options.columns.given_by_options = true;
+  return options;
+}
+
+std::vector<BadProfile> bad_columns() {
+  const std::string columns(kColumns);
+  static const std::string unknown =
+      columns + "; --column force=COLUMN, or --ignore-extra to pass it over";
+  static const std::string misspelt =
+      columns + "; --column tmie_s=time_s, or --ignore-extra to pass it over";
+  static const std::string worded =
+      columns + "; --column '\"load cell\"=COLUMN', or --ignore-extra to pass it over";
+  return {
+      {"Unknown", "time_s,force\n0,1\n", ":1:8: unknown column 'force'", unknown, given({})},
+      {"Misspelt", "tmie_s,input_tension_N\n0,1\n",
+       ":1:1: unknown column 'tmie_s', nearest to time_s", misspelt, given({})},
+      {"Words", "time_s,load cell\n0,1\n", ":1:8: unknown column 'load cell'", worded, given({})},
+      {"OtherUnit", "time_s,input_tension_kN\n0,1\n",
+       ":1:8: other unit 'kN' of column 'input_tension_kN'",
+       "input_tension_N; --column 'input_tension_kN in kN=input_tension_N', or --ignore-extra to "
+       "pass it over",
+       given({})},
+      {"NoUnit", "time,input_tension_N\n0,1\n", ":1:1: column 'time' without its unit",
+       "time_s; --column time=time_s, or --ignore-extra to pass it over", given({})},
+      {"IndexOfPandas", ",time_s,input_tension_N\n0,0,1\n",
+       ":1:1: column '', as pandas writes the index of its rows",
+       "--ignore-extra, or to_csv(index=False) in pandas", given({})},
+      {"MapOfNoColumn", "t,load\n0,1\n", ":1:1: no column 'laod' for input_tension_N", "load",
+       given({"t=time_s", "laod=input_tension_N"})},
+      {"MapOfNothingLikeIt", "t,load\n0,1\n", ":1:1: no column 'x' for input_tension_N",
+       "one of t, load", given({"t=time_s", "x=input_tension_N"})},
+      {"ByNameAndByMap", "time_s,input_tension_N,f\n0,1,2\n",
+       ":1:8: column input_tension_N a second time", "each column once",
+       given({"f=input_tension_N"})},
+      {"ExtraTwice", "time_s,time_s,input_tension_N\n0,1,2\n", ":1:8: column time_s a second time",
+       "each column once", given({}, true)},
+      {"Mapped", "t,F\n0,1\n1,x\n", ":3:3: F is 'x', not a finite number", kNumber,
+       given({"t=time_s", "F=input_tension_N"})},
+      {"MappedOutOfRange", "t,F\n0,1\n1,2e3\n",
+       ":3:3: F is '2e3', and input_tension_N becomes 2000000, out of range", "-1000000..1000000 N",
+       given({"t=time_s", "F in kN=input_tension_N"})},
+      {"MappedTimeBack", "t,input_tension_N\n2000,1\n1000,2\n",
+       ":3:1: time runs back from 2 s to 1 s", "time that increases from row to row",
+       given({"t in ms=time_s"})},
+      {"OpenQuoteInExtra", "time_s,note,input_tension_N\n0,\"a,1\n",
+       ":2:3: note is quoted, but the field does not end with its quote",
+       "a field with both quotes, or without", given({}, true)},
+      {"NulInExtra", "time_s,note,input_tension_N\n0,a\0b,1\n"s, ":2:4: a NUL byte", "UTF-8 text",
+       given({}, true)},
+      {"TooFewWithExtra", "time_s,input_tension_N,note\n0,1\n", ":2:4: 2 fields only",
+       "3 fields, as in the header", given({}, true)},
+      {"ColumnBehindBlanks", "time_s, input_tension_N\n0,  x\n",
+       ":2:5: input_tension_N is 'x', not a finite number", kNumber},
+      {"BlankBetweenCommasWithoutOne", "time_s,input_tension_N\n0, 1\n",
+       ":2:3: input_tension_N is ' 1', not a finite number", kNumber},
   };
 }
 
@@ -171,6 +249,7 @@ std::string name_of(const testing::TestParamInfo<BadProfile>& info) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Header, BadProfiles, testing::ValuesIn(bad_headers()), name_of);
+INSTANTIATE_TEST_SUITE_P(Columns, BadProfiles, testing::ValuesIn(bad_columns()), name_of);
 INSTANTIATE_TEST_SUITE_P(Row, BadProfiles, testing::ValuesIn(bad_rows()), name_of);
 
 std::string opening_complaint(const std::filesystem::path& path) {

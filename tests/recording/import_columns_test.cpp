@@ -6,7 +6,6 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -17,77 +16,29 @@
 namespace host_sim::recording {
 
 using enum hal::files::ProfileColumnId;
+using hal::files::column_map;
 using hal::files::memory_source;
 
 namespace {
 
 using testing::DoubleNear;
 using testing::Each;
-using testing::HasSubstr;
 using testing::StartsWith;
-
-std::string complaint_of_map(const std::string& text) {
-  try {
-    column_map(text);
-  } catch (const std::invalid_argument& problem) {
-    return problem.what();
-  }
-  return "nothing";
-}
-
-TEST(ColumnMap, IsAColumnWithFactorUnitAndOffset) {
-  const ColumnMap plain = column_map("input_tension_N=force");
-  EXPECT_EQ(plain.channel, kInputTensionColumn);
-  EXPECT_EQ(plain.column, "force");
-  EXPECT_EQ(plain.scale, 1);
-  EXPECT_EQ(plain.offset, 0);
-  EXPECT_FALSE(plain.rate);
-
-  const ColumnMap whole = column_map("output_tension_N = -2.5 * \"load cell (kN)\" in kN + 3");
-  EXPECT_EQ(whole.column, "load cell (kN)");
-  EXPECT_EQ(whole.scale, -2500);
-  EXPECT_EQ(whole.offset, 3);
-
-  const ColumnMap kelvin = column_map("sheath_temperature_C=T in K");
-  EXPECT_EQ(kelvin.scale, 1);
-  EXPECT_EQ(kelvin.offset, -273.15);
-
-  const ColumnMap rate = column_map("tendon_velocity_m_s=-0.005*rate(pos in deg)");
-  EXPECT_TRUE(rate.rate);
-  EXPECT_EQ(rate.column, "pos");
-  EXPECT_DOUBLE_EQ(rate.scale, -0.005 * std::numbers::pi / 180);
-
-  EXPECT_EQ(column_map("motor_current_A=2nd in mA-0.5").column, "2nd");
-  EXPECT_EQ(column_map("motor_current_A=2nd in mA-0.5").offset, -0.5);
-}
-
-TEST(ColumnMap, SaysWhatIsWrong) {
-  EXPECT_THAT(complaint_of_map("force=x"),
-              HasSubstr("unknown channel 'force'; accepted: time_s, "));
-  EXPECT_THAT(complaint_of_map("time_s"), HasSubstr("no = behind the channel"));
-  EXPECT_THAT(complaint_of_map("time_s="), HasSubstr("no column"));
-  EXPECT_THAT(complaint_of_map("time_s=\"t"),
-              HasSubstr("a column that does not end with its quote"));
-  EXPECT_THAT(complaint_of_map("time_s=t in h"),
-              HasSubstr("unknown unit 'h'; accepted: s, ms, us, min"));
-  EXPECT_THAT(complaint_of_map("motor_angle_rad=rate(x"), HasSubstr("no ) behind the column"));
-  EXPECT_THAT(complaint_of_map("motor_angle_rad=rate(x)+1"), HasSubstr("a rate with an offset"));
-  EXPECT_THAT(complaint_of_map("motor_angle_rad=x*2"), HasSubstr("'*2' at the end"));
-  EXPECT_THAT(complaint_of_map("motor_angle_rad=x+"), HasSubstr("at the end"));
-  EXPECT_THAT(complaint_of_map("motor_angle_rad=0*x"),
-              HasSubstr("a factor or offset that says nothing"));
-  EXPECT_THAT(complaint_of_map("motor_angle_rad=1e308*x in rev"), HasSubstr("says nothing"));
-}
 
 ColumnsOptions options(std::vector<std::string> more = {}) {
   ColumnsOptions options;
-  for (const char* map : {"time_s=t in ms", "input_tension_N=-F in kN", "output_tension_N=G+1",
-                          "tendon_velocity_m_s=0.5*rate(angle in deg)"}) {
+  for (const char* map : {"t in ms=time_s", "-F in kN=input_tension_N", "G+1=output_tension_N",
+                          "0.5*rate(angle in deg)=tendon_velocity_m_s"}) {
     options.maps.push_back(column_map(map));
   }
   for (const std::string& map : more) {
     options.maps.push_back(column_map(map));
   }
+  return options;
+}
+
+ColumnsOptions with_rate(ColumnsOptions options) {
+  options.rate_Hz = 200;
   return options;
 }
 
@@ -128,9 +79,12 @@ TEST(ImportColumns, ConvertsUnitsSignsAndRates) {
 TEST(ImportColumns, ASampleRateStandsForTheTime) {
   ColumnsOptions without = options();
   without.maps.erase(without.maps.begin());
-  EXPECT_EQ(missing_map(without), "time_s or a sample rate, one of them");
+  EXPECT_EQ(test::complaint_of([&] { imported(log_text(), without); }),
+            "log.csv:2:1: no column for time_s; accepted: --column COLUMN=time_s, or "
+            "--sample-rate-Hz");
   without.rate_Hz = 200;
-  EXPECT_EQ(missing_map(without), "");
+  EXPECT_EQ(conflict_of(without), "");
+  EXPECT_EQ(conflict_of(with_rate(options())), "time_s or a sample rate, one of them");
   const RecordedCampaign campaign = imported(log_text(), without);
   EXPECT_DOUBLE_EQ(campaign.recordings.front()[kTime][3], 0.015);
 }
@@ -149,20 +103,37 @@ TEST(ImportColumns, AColumnDividesATableIntoSessions) {
   EXPECT_THAT(campaign.recordings[0][kInputTensionColumn], Each(10));
 }
 
+TEST(ImportColumns, TakesWhatHasTheNameOfAChannel) {
+  std::string text = "time_s;output_tension_N;f;tendon_velocity_m_s;note\n";
+  for (int i = 0; i < 16; ++i) {
+    text += std::to_string(i) + ";20;19;0.5;x\n";
+  }
+  ColumnsOptions one;
+  one.maps.push_back(column_map("2*f=input_tension_N"));
+  const Recording recording = imported(text, one).recordings.front();
+  EXPECT_THAT(recording[kInputTensionColumn], Each(38));
+  EXPECT_THAT(recording[kOutputTensionColumn], Each(20));
+  EXPECT_THAT(recording[kTendonVelocity], Each(0.5));
+  EXPECT_EQ(recording[kTime][7], 7);
+  // A map goes before the name.
+  one.maps.push_back(column_map("f=output_tension_N"));
+  EXPECT_THAT(imported(text, one).recordings.front()[kOutputTensionColumn], Each(19));
+}
+
 TEST(ImportColumns, WhatIsMissingIsNamed) {
-  const auto missing = [](std::initializer_list<const char*> maps) {
-    ColumnsOptions options;
-    for (const char* map : maps) {
-      options.maps.push_back(column_map(map));
-    }
-    return missing_map(options);
+  const auto missing = [](const std::string& header) {
+    return test::complaint_of([&] { imported(header + "\n", {}); });
   };
-  EXPECT_EQ(missing({"time_s=t"}), "input_tension_N or motor_current_A");
-  EXPECT_EQ(missing({"time_s=t", "motor_current_A=i"}), "output_tension_N");
-  EXPECT_EQ(missing({"time_s=t", "motor_current_A=i", "output_tension_N=f"}),
-            "tendon_velocity_m_s");
-  EXPECT_EQ(missing({"time_s=t", "motor_current_A=i", "output_tension_N=f", "tendon_velocity_m_s=v",
-                     "motor_current_A=j"}),
+  EXPECT_EQ(missing("time_s,x"),
+            "log.csv:1:1: no column for input_tension_N; accepted: --column "
+            "COLUMN=input_tension_N, or motor_current_A");
+  EXPECT_EQ(missing("time_s,motor_current_A"),
+            "log.csv:1:1: no column for output_tension_N; accepted: --column "
+            "COLUMN=output_tension_N");
+  EXPECT_EQ(missing("time_s,motor_current_A,output_tension_N"),
+            "log.csv:1:1: no column for tendon_velocity_m_s; accepted: --column "
+            "COLUMN=tendon_velocity_m_s");
+  EXPECT_EQ(conflict_of(options({"i=motor_current_A", "j=motor_current_A"})),
             "motor_current_A once");
 }
 
@@ -181,7 +152,8 @@ TEST(ImportColumns, SaysWhereATableIsWrong) {
   EXPECT_EQ(complaint(log_text() + "1,2\n", options()),
             "log.csv:19:1: 2 fields; accepted: 5, as in the line of names");
   EXPECT_EQ(complaint(log_text() + "9999,nan,1,1,x\n", options()),
-            "log.csv:19:6: F is 'nan'; accepted: a finite decimal number");
+            "log.csv:19:6: F is 'nan', not a finite number; accepted: a finite decimal number "
+            "without spaces");
   EXPECT_EQ(complaint(log_text() + "9999,2000,1,1,x\n", options()),
             "log.csv:19:6: input_tension_N becomes -2000000; accepted: -1000000..1000000");
   EXPECT_EQ(
@@ -196,7 +168,7 @@ TEST(ImportColumns, SaysWhereATableIsWrong) {
       "quotes, or without");
 
   ColumnsOptions fast = options();
-  fast.maps.back() = column_map("tendon_velocity_m_s=1e4*rate(angle)");
+  fast.maps.back() = column_map("1e4*rate(angle)=tendon_velocity_m_s");
   EXPECT_EQ(complaint(log_text(), fast),
             "log.csv: tendon_velocity_m_s becomes 9000000 at 0 s; accepted: -1000..1000");
 

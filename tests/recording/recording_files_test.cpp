@@ -89,7 +89,8 @@ TEST(SessionsFile, RefusesColumnsThatAreMissingOrUnknown) {
   EXPECT_EQ(test::complaint_of([] { sessions_in("session,specimen,file\na,x,a.csv\n"); }),
             "s.csv:1:22: no column start_cycle; accepted: session, specimen, file, start_cycle");
   EXPECT_EQ(test::complaint_of([] { sessions_in("session,specimen,file,start\na,x,a.csv,0\n"); }),
-            "s.csv:1:23: unknown column 'start'; accepted: session, specimen, file, start_cycle");
+            "s.csv:1:23: unknown column 'start', nearest to start_cycle; accepted: session, "
+            "specimen, file, start_cycle");
   EXPECT_EQ(test::complaint_of([] { sessions_in(""); }),
             "s.csv: the file is empty; accepted: a CSV file with session, specimen, file, "
             "start_cycle");
@@ -146,10 +147,10 @@ TEST(RecordingFile, RefusesAFileWithoutAnInputAnOutputOrAVelocity) {
 
 TEST(RecordingFile, RefusesColumnsThatItDoesNotKnow) {
   EXPECT_EQ(complaint_about("time_s,input_tension_kN\n"),
-            "r.csv:1:8: unknown unit 'kN' of column 'input_tension_kN'; accepted: "
+            "r.csv:1:8: other unit 'kN' of column 'input_tension_kN'; accepted: "
             "input_tension_N");
   EXPECT_EQ(complaint_about("time_ms\n"),
-            "r.csv:1:1: unknown unit 'ms' of column 'time_ms'; accepted: time_s");
+            "r.csv:1:1: other unit 'ms' of column 'time_ms'; accepted: time_s");
   EXPECT_EQ(complaint_about("time_s,sag_m\n").rfind("r.csv:1:8: unknown column 'sag_m'", 0), 0U);
 }
 

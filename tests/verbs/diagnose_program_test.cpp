@@ -209,4 +209,21 @@ TEST_F(DiagnoseProgram, AModelAloneThatCannotBeWrittenIsToldBeforeTheWork) {
   EXPECT_EQ(err_.rfind("no/such/folder/r.json", 0), 0U) << err_;
 }
 
+TEST_F(DiagnoseProgram, RecordingsMayHaveOtherColumns) {
+  ASSERT_EQ(run("diagnose r --json own.json"), 0) << err_;
+  for (const auto& entry : fs::recursive_directory_iterator(folder_ / "r")) {
+    std::string text = contents(entry.path());
+    const std::size_t name = text.find("output_tension_N,");
+    if (entry.path().filename() != "sessions.csv" && name != std::string::npos) {
+      text.replace(name, 16, "\"load; cell\"");
+      std::ofstream(entry.path(), std::ios::binary) << text;
+    }
+  }
+  EXPECT_EQ(run("diagnose r --json other.json"), 1);
+  EXPECT_NE(err_.find("unknown column 'load; cell'"), std::string::npos) << err_;
+  ASSERT_EQ(run("diagnose r --json other.json --column '\"load; cell\"=output_tension_N'"), 0)
+      << err_;
+  EXPECT_EQ(contents(folder_ / "other.json"), contents(folder_ / "own.json"));
+}
+
 }  // namespace

@@ -104,8 +104,8 @@ const std::vector<Verb>& verbs() {
        {"TABLE", "--field"}},
       {"import davinci", "good.csv", {"good.csv"}, {}, {"--out"}, {"FILE"}},
       {"import columns",
-       "good.csv r/one.csv --map time_s=time_s --map input_tension_N=input_tension_N --map "
-       "output_tension_N=input_tension_N --map \"tendon_velocity_m_s=rate(input_tension_N)\"",
+       "good.csv r/one.csv --column input_tension_N=output_tension_N --column "
+       "\"rate(input_tension_N)=tendon_velocity_m_s\"",
        {"good.csv", "r/one.csv"},
        {},
        {"--out"},

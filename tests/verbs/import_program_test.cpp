@@ -21,8 +21,8 @@ class ImportProgram : public host_sim_test::Program {
 
   int import_to(const std::string& folder, const std::string& more) {
     return run("import columns joint.csv --out " + folder +
-               " --map time_s=t --map input_tension_N=motor --map output_tension_N=joint "
-               "--map \"tendon_velocity_m_s=rate(position)\"" +
+               " --column t=time_s --column motor=input_tension_N --column joint=output_tension_N "
+               "--column \"rate(position)=tendon_velocity_m_s\"" +
                more);
   }
 };

@@ -89,7 +89,7 @@ void require_extensible_model(const Campaign& campaign) {
 }
 
 InputFrom input_of(const Campaign& campaign) {
-  const auto recordings = recording::read_recordings(campaign.folder);
+  const auto recordings = recording::read_recordings(campaign.folder, campaign.columns);
   const bool current =
       std::any_of(recordings.begin(), recordings.end(),
                   [](const recording::Recording& one) { return !one.has(kInputTensionColumn); });

@@ -20,7 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   text.append(hal::files::kPlainDecimalReach, '\0');
   const char* at = text.data();
   double value = 0;
-  if (hal::files::parse_plain_decimal(at, value)) {
+  if (hal::files::parse_plain_decimal(at, value, ',')) {
     require(slow.ec == std::errc());
     require(at == text.data() + number.size());
     require(std::bit_cast<std::uint64_t>(value) == std::bit_cast<std::uint64_t>(expected));

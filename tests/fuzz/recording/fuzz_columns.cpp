@@ -21,10 +21,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     recording::ColumnsOptions options;
     for (std::size_t at = 0; at <= first.size();) {
       const std::size_t end = std::min(first.find('|', at), first.size());
-      options.maps.push_back(recording::column_map(first.substr(at, end - at)));
+      options.maps.push_back(hal::files::column_map(first.substr(at, end - at)));
       at = end + 1;
     }
-    if (!recording::missing_map(options).empty()) {
+    if (!recording::conflict_of(options).empty()) {
       return 0;
     }
     recording::RecordedCampaign campaign;
