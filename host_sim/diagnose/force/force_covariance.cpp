@@ -1,5 +1,6 @@
 #include "host_sim/diagnose/force/force_covariance.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -69,49 +70,94 @@ Refit refit_of(const Eigen::MatrixX2d& directions_N, const Eigen::VectorXd& weig
   return refit;
 }
 
-/// Variance of the noise of a sample: absolute, and in proportion to the output force.
-struct NoiseVariance {
-  double absolute_N2 = 0;
-  double relative = 0;
+/// Variance of the noise of a sample: absolute, in proportion to the output force, and of when it
+/// was read, in proportion to how fast the input force changes.
+class NoiseVariance {
+ public:
+  static constexpr int kParts = 3;
+  using Parts = Eigen::Matrix<double, kParts, 1>;
 
-  [[nodiscard]] double at_N2(double output_N) const {
-    return absolute_N2 + relative * output_N * output_N;
+  explicit NoiseVariance(double absolute_N2) { parts_(0) = absolute_N2; }
+
+  /// What the parts of the variance of a sample go with.
+  static Parts row_of(double output_N, double rate_N_s) {
+    return {1, output_N * output_N, rate_N_s * rate_N_s};
   }
+
+  [[nodiscard]] double at_N2(const Parts& row) const { return parts_.dot(row); }
+
+  /// By weighted least squares; a part that would be negative is left out of it.
+  /// @param most of each part
+  void solve(Eigen::Matrix3d square, Parts product, const Parts& least, const Parts& most) {
+    square.diagonal() *= 1 + 1e-12;
+    for (int round = 0; round < kParts; ++round) {
+      parts_ = square.ldlt().solve(product);
+      for (int k = 1; k < kParts; ++k) {
+        if (!(parts_(k) > 0)) {
+          square.row(k).setZero();
+          square.col(k).setZero();
+          square(k, k) = 1;
+          product(k) = 0;
+        }
+      }
+    }
+    parts_ = parts_.cwiseMax(least).cwiseMin(most);
+  }
+
+ private:
+  Parts parts_ = Parts::Zero();
 };
 
+/// How fast the input force of a model changes at each sample: as it turns over faster than the
+/// samples follow each other, the larger one of the two sides.
+std::vector<double> rates_N_s(const ForceRecord& record, const std::vector<double>& residuals_N) {
+  std::vector<double> rates(record.samples());
+  for (std::size_t i = 1; i < rates.size(); ++i) {
+    const double step_N =
+        record.input_N[i] - residuals_N[i] - (record.input_N[i - 1] - residuals_N[i - 1]);
+    const bool both = record.used[i] && record.used[i - 1];
+    const double rate_N_s = both ? std::abs(step_N) / (record.time_s[i] - record.time_s[i - 1]) : 0;
+    rates[i - 1] = std::max(rates[i - 1], rate_N_s);
+    rates[i] = rate_N_s;
+  }
+  return rates;
+}
+
 /// Of squares by weighted least squares, each by its own variance.
-NoiseVariance noise_of(std::span<const ForceRecord> records, const std::vector<Refit>& refits) {
+NoiseVariance noise_of(std::span<const ForceRecord> records, const std::vector<Refit>& refits,
+                       const std::vector<std::vector<double>>& rates) {
   constexpr int kRounds = 8;
   constexpr double kLeastShare = 0.01;  // of all variance: some noise has no sample
+  constexpr double kMostOfStep = 0.5;   // what is read later than that is late, and no noise
   double all_N2 = 0;
   double samples = 0;
+  double step_s = 0;
   for (std::size_t j = 0; j < records.size(); ++j) {
     all_N2 += refits[j].left_N.squaredNorm();
     samples += static_cast<double>(std::ranges::count(records[j].used, true));
+    step_s = std::max(step_s, (records[j].time_s.back() - records[j].time_s.front()) /
+                                  static_cast<double>(records[j].samples()));
   }
   all_N2 = std::max(all_N2 / std::max(samples, 1.0), 1e-30);
-  NoiseVariance noise{all_N2, 0};
+  const NoiseVariance::Parts least(kLeastShare * all_N2, 0, 0);
+  const NoiseVariance::Parts most(all_N2, HUGE_VAL, std::pow(kMostOfStep * step_s, 2));
+  NoiseVariance noise(all_N2);
   for (int round = 0; round < kRounds; ++round) {
-    Eigen::Matrix2d square = Eigen::Matrix2d::Zero();
-    Eigen::Vector2d product = Eigen::Vector2d::Zero();
+    Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+    NoiseVariance::Parts product = NoiseVariance::Parts::Zero();
     for (std::size_t j = 0; j < records.size(); ++j) {
       for (std::size_t i = 0; i < records[j].samples(); ++i) {
         if (records[j].used[i]) {
-          const double output_N = records[j].output_N[i];
-          const Eigen::Vector2d row(1, output_N * output_N);
+          const NoiseVariance::Parts row =
+              NoiseVariance::row_of(records[j].output_N[i], rates[j][i]);
           const double left_N = refits[j].left_N(static_cast<Eigen::Index>(i));
-          const double weight = 1 / std::pow(noise.at_N2(output_N), 2);
+          const double weight = 1 / std::pow(noise.at_N2(row), 2);
           square += weight * row * row.transpose();
           product += weight * left_N * left_N * row;
         }
       }
     }
-    square.diagonal() *= 1 + 1e-12;
-    const Eigen::Vector2d solved = square.inverse() * product;
-    const bool grows = solved(1) > 0 && std::isfinite(solved(1));
-    const double least_N2 = kLeastShare * all_N2;
-    noise.relative = grows ? solved(1) : 0;
-    noise.absolute_N2 = !grows ? all_N2 : solved(0) > least_N2 ? solved(0) : least_N2;
+    noise.solve(square, product, least, most);
   }
   return noise;
 }
@@ -120,7 +166,8 @@ NoiseVariance noise_of(std::span<const ForceRecord> records, const std::vector<R
 
 ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const ForceScales& scales,
                                  std::span<const double> parameters,
-                                 const std::vector<std::vector<double>>& residuals_N) {
+                                 const std::vector<std::vector<double>>& residuals_N,
+                                 bool with_timing) {
   const auto sessions = static_cast<double>(records.size());
   if (records.size() < 2) {
     return;
@@ -132,13 +179,20 @@ ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const For
     refits.push_back(refit_of(directions_N[j], Eigen::VectorXd::Ones(directions_N[j].rows()),
                               vector_of(residuals_N[j])));
   }
-  const NoiseVariance noise = noise_of(records, refits);
+  std::vector<std::vector<double>> rates;
+  for (std::size_t j = 0; j < records.size(); ++j) {
+    rates.push_back(with_timing ? rates_N_s(records[j], residuals_N[j])
+                                : std::vector<double>(records[j].samples()));
+  }
+  const NoiseVariance noise = noise_of(records, refits, rates);
   double sum = 0;
   double samples = 0;
-  for (const ForceRecord& record : records) {
+  for (std::size_t j = 0; j < records.size(); ++j) {
+    const ForceRecord& record = records[j];
     Eigen::VectorXd& weights = weights_.emplace_back(static_cast<Eigen::Index>(record.samples()));
     for (std::size_t i = 0; i < record.samples(); ++i) {
-      weights(static_cast<Eigen::Index>(i)) = 1 / noise.at_N2(record.output_N[i]);
+      weights(static_cast<Eigen::Index>(i)) =
+          1 / noise.at_N2(NoiseVariance::row_of(record.output_N[i], rates[j][i]));
     }
     sum += weights.sum();
     samples += static_cast<double>(record.samples());

@@ -13,8 +13,9 @@ inline Eigen::Map<const Eigen::VectorXd> vector_of(const std::vector<double>& va
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
-/// How residuals of the input force covary: noise of each sample that grows with the force, and
-/// within a session what gain and friction coefficient do that scatter between sessions.
+/// How residuals of the input force covary: noise of each sample that grows with the force and with
+/// how fast it changes, and within a session what gain and friction coefficient do that scatter
+/// between sessions.
 class ForceCovariance {
  public:
   /// The same noise everywhere and no scatter.
@@ -22,9 +23,10 @@ class ForceCovariance {
 
   /// @param parameters of the nominal model: what gain and friction do to the force is taken there
   /// @param residuals_N of the best model so far, by record, 0 where a sample does not count
+  /// @param with_timing whether samples may have been read sooner or later than their time
   ForceCovariance(std::span<const ForceRecord> records, const ForceScales& scales,
                   std::span<const double> parameters,
-                  const std::vector<std::vector<double>>& residuals_N);
+                  const std::vector<std::vector<double>>& residuals_N, bool with_timing);
 
   /// a' W b of the samples of one record; W is the inverse of the covariance, and in the mean over
   /// all samples 1 where nothing scatters.

@@ -271,8 +271,9 @@ HeldOut ForceData::held_out(const ForceFit& whole) const {
   return held;
 }
 
-void ForceData::learn_covariance(const ForceFit& nominal, const ForceFit& model) {
-  covariance_ = ForceCovariance(records_, scales_, nominal.parameters, residuals_N(model));
+void ForceData::learn_covariance(const ForceFit& nominal, const ForceFit& model, bool with_timing) {
+  covariance_ =
+      ForceCovariance(records_, scales_, nominal.parameters, residuals_N(model), with_timing);
 }
 
 double ForceData::rmse_N(std::span<const double> means_N2) const {

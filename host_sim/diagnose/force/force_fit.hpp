@@ -40,7 +40,8 @@ class ForceData {
   [[nodiscard]] double samples() const { return samples_; }
 
   /// From here on gain and friction of sessions scatter as this model leaves them to.
-  void learn_covariance(const ForceFit& nominal, const ForceFit& model);
+  /// @param with_timing whether samples may have been read sooner or later than their time
+  void learn_covariance(const ForceFit& nominal, const ForceFit& model, bool with_timing);
   [[nodiscard]] const ForceCovariance& covariance() const { return covariance_; }
 
   /// Residuals of a record in N, those of samples that do not count as 0.

@@ -27,7 +27,7 @@ ForceSearch::ForceSearch(ForceData& data, double friction, std::vector<std::stri
 
 void ForceSearch::run() {
   for (int round = 0; round < 2; ++round) {
-    learn_covariance();
+    learn_covariance(round > 0);
     while (model_.fit.terms.size() < kMostForceTerms && grow()) {
     }
   }
@@ -40,9 +40,11 @@ void ForceSearch::run() {
   }
 }
 
-/// What was scatter to the nominal model may have a cause by the one that was found.
-void ForceSearch::learn_covariance() {
-  data_.learn_covariance(nominal_.fit, model_.fit);
+/// What was scatter to the nominal model may have a cause by the one that was found. What every
+/// model would leave where the force changes fast is noise only once those are in it that act
+/// there.
+void ForceSearch::learn_covariance(bool with_timing) {
+  data_.learn_covariance(nominal_.fit, model_.fit, with_timing);
   for (Candidate* const one : {&nominal_, &model_}) {
     one->fit = data_.fit(one->fit.terms, one->fit.parameters, kNominalIterations);
     one->held = data_.held_out(one->fit);

@@ -59,7 +59,7 @@ class ForceSearch {
     std::optional<Candidate> grown;  ///< from the one added before; none: it took a place
   };
 
-  void learn_covariance();
+  void learn_covariance(bool with_timing);
   [[nodiscard]] std::vector<ForceTerm> outside(const ForceTerms& taken) const;
   [[nodiscard]] std::vector<Candidate> with_each(const ForceFit& from,
                                                  const std::vector<ForceTerm>& terms) const;

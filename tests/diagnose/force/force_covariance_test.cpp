@@ -17,7 +17,7 @@ namespace {
 ForceData learned(const Joint& joint, unsigned seed, int sessions = 40) {
   ForceData data(measured(joint, seed, sessions));
   const ForceFit fit = data.fit({}, {1, 0.01}, 15);
-  data.learn_covariance(fit, fit);
+  data.learn_covariance(fit, fit, true);
   return data;
 }
 
@@ -79,6 +79,29 @@ TEST(ForceCovariance, ASampleCountsByItsNoise) {
   const double far = of(std::ranges::max_element(record.output_N, size));
   EXPECT_GT(near_zero / far, 50);
   EXPECT_GT(far, 0);
+}
+
+/// 24 N of friction that turn within a millisecond and are read 3 ms sooner or later, beside 0.1 N
+/// of noise: a sample at the turn says far less than one in the middle of the stroke, unless no
+/// sample is read at another time than its own.
+TEST(ForceCovariance, ASampleCountsByHowFastTheForceChanges) {
+  for (const bool with_timing : {true, false}) {
+    ForceData data(measured({.preload_N = 12, .noise_N = 0.1, .jitter_s = 0.003}, 8));
+    const ForceFit fit =
+        data.finished(data.started(data.fit({}, {1, 0.01}, 15), ForceTerm::preload));
+    data.learn_covariance(fit, fit, with_timing);
+    const std::vector<double>& velocity_m_s = data.records()[0].velocity_m_s;
+    const auto of = [&](std::size_t sample) {
+      Eigen::VectorXd one = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(velocity_m_s.size()));
+      one(static_cast<Eigen::Index>(sample)) = 1;
+      return data.covariance().product(0, one, one)(0, 0);
+    };
+    std::size_t turn = 1;
+    while (velocity_m_s[turn] * velocity_m_s[turn - 1] > 0) {
+      ++turn;
+    }
+    EXPECT_EQ(of(turn / 2) / of(turn) > 10, with_timing);
+  }
 }
 
 class GainOf : public testing::Test {

@@ -28,6 +28,7 @@ struct Joint {
   bool rotor_known = true;
   double drift_N = 0;   ///< of the input force, from as much below to as much above in 5 s
   double moved_kg = 0;  ///< by the input force
+  double jitter_s = 0;  ///< standard deviation of when the friction is read
 };
 
 inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int sessions = 12) {
@@ -45,10 +46,12 @@ inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int 
       const double x = 0.05 * std::sin(omega * t);
       const double v = 0.05 * omega * std::cos(omega * t);
       const double load_N = 40 * std::sin(2 * std::numbers::pi * 0.7 * t + j);
+      const double read_s = joint.jitter_s > 0 ? t + joint.jitter_s * normal(engine) : t;
+      const double read_m_s = 0.05 * omega * std::cos(omega * read_s);
       const double of_load_N =
           joint.friction * 10 * std::pow(std::abs(load_N) / 10, 1 - joint.load_exponent);
       const double friction_N =
-          std::tanh(v / 1e-3) * (of_load_N + joint.preload_N) + joint.viscous_N_s_m * v;
+          std::tanh(read_m_s / 1e-3) * (of_load_N + joint.preload_N) + joint.viscous_N_s_m * v;
       const double spring_N = joint.spring_N * x / 0.05;
       const double drift_N = joint.drift_N * (t / 2.5 - 1);
       const double inertia_N = -joint.moved_kg * omega * omega * x;
