@@ -16,8 +16,8 @@
 #include "host_sim/monitor/bus/socketcan_source.hpp"
 #include "host_sim/monitor/fleet/fleet.hpp"
 #include "host_sim/monitor/fleet/watch.hpp"
-#include "host_sim/monitor/http/frame_archive.hpp"
 #include "host_sim/monitor/http/live_page.hpp"
+#include "host_sim/monitor/record/frame_archive.hpp"
 #include "host_sim/monitor/record/log_folder.hpp"
 #include "host_sim/monitor/record/recorder.hpp"
 #include "host_sim/monitor/specimens/specimen_file.hpp"
@@ -219,8 +219,8 @@ bool needs_attention(const NodeView& node) {
          (node.status && (node.status->value.broken || node.status->value.slack));
 }
 
-void print_table(const FleetView& view) {
-  for (const std::string& line : monitor::table_of(view, {})) {
+void print_table(const FleetView& view, const monitor::TableStyle& style) {
+  for (const std::string& line : monitor::table_of(view, style)) {
     std::cout << line << '\n';
   }
 }
@@ -228,12 +228,15 @@ void print_table(const FleetView& view) {
 /// What follows the bus beside the fleet.
 class Followers {
  public:
-  Followers(const MonitorArguments& arguments, std::optional<monitor::SpecimenFile>& specimens) {
+  Followers(const MonitorArguments& arguments, bool on_terminal,
+            std::optional<monitor::SpecimenFile>& specimens) {
     if (specimens) {
       observers_.push_back(&*specimens);
     }
     if (!arguments.record.empty()) {
       begin_record(arguments);
+    } else if (on_terminal || !arguments.http.empty()) {
+      observers_.push_back(&recent_.emplace(interface_in_lines(arguments)));
     }
     if (!arguments.http.empty()) {
       begin_page(arguments);
@@ -249,6 +252,10 @@ class Followers {
   [[nodiscard]] const std::vector<Observer*>& observers() const {
     return observers_;
   }
+  /// What there is of the past. @pre frames are recorded, or shown on a terminal or a page
+  [[nodiscard]] const monitor::FrameArchive& archive() const {
+    return recorded_ ? static_cast<const monitor::FrameArchive&>(*recorded_) : *recent_;
+  }
 
  private:
   void begin_record(const MonitorArguments& arguments) {
@@ -261,16 +268,10 @@ class Followers {
   }
 
   void begin_page(const MonitorArguments& arguments) {
-    monitor::LivePageOptions options{.address = monitor::parse_address(arguments.http)};
+    monitor::LivePageOptions options{.address = monitor::parse_address(arguments.http),
+                                     .archive = archive()};
     if (!arguments.http_token.empty()) {
       options.token = arguments.http_token;
-    }
-    if (recorded_) {
-      options.archive = &*recorded_;
-    } else {
-      recent_.emplace(interface_in_lines(arguments));
-      observers_.push_back(&*recent_);
-      options.archive = &*recent_;
     }
     page_.emplace(options);
     std::cerr << "live page: " << page_->url() << '\n';
@@ -278,7 +279,7 @@ class Followers {
   }
 
   std::vector<Observer*> observers_;
-  // The page ends before the frames that it exports.
+  // The page ends before the frames that it shows.
   std::optional<monitor::Recorder> record_;
   std::optional<monitor::RecordedFolder> recorded_;
   std::optional<monitor::RecentFrames> recent_;
@@ -358,15 +359,15 @@ int run(const MonitorArguments& arguments) {
   }
   const auto source = open_source_of(arguments);
   monitor::Fleet fleet(arguments.bit_rate_bit_s);
-  const Followers followers(arguments, specimens);
-  const std::vector<Observer*>& observers = followers.observers();
   const bool on_terminal = !arguments.once && monitor::can_draw();
+  const Followers followers(arguments, on_terminal, specimens);
+  const std::vector<Observer*>& observers = followers.observers();
   {
     std::optional<monitor::Terminal> terminal;
     TroubleReport report(observers);
     std::vector<Observer*> all = observers;
     if (on_terminal) {
-      terminal.emplace([&observers] { return troubles_of(observers); });
+      terminal.emplace(followers.archive(), [&observers] { return troubles_of(observers); });
       all.push_back(&*terminal);
     } else {
       all.push_back(&report);
@@ -377,9 +378,7 @@ int run(const MonitorArguments& arguments) {
     }
     watch(*source, fleet, all, most);
   }
-  if (!on_terminal) {
-    print_table(fleet.view());
-  }
+  print_table(fleet.view(), on_terminal ? monitor::terminal_style() : monitor::TableStyle{});
   const std::vector<std::string> troubles = troubles_of(observers);
   for (const std::string& trouble : troubles) {
     std::cerr << trouble << '\n';
@@ -401,7 +400,9 @@ void add_monitor(CLI::App& app, int& status) {
       app.add_subcommand("monitor", "What the nodes of a bus report of their lives, live");
   add_monitor_options(*verb, *arguments);
   verb->footer(
-      "On a terminal q ends it; elsewhere it prints a table when the log or the program ends.\n"
+      "On a terminal space pauses, the arrows, page keys and Home go back, End on to the newest, "
+      "and q "
+      "ends it. A table is printed when the log or the program ends.\n"
       "Example: host_sim monitor --interface can0 --record logs\n"
       "         host_sim monitor --interface can0 --http 127.0.0.1:8080\n"
       "         host_sim monitor --log run.log --replay-speed 10");

@@ -204,7 +204,7 @@ struct LivePage::Impl {
     thread.join();
   }
 
-  void set_up(const FrameArchive* archive) {
+  void set_up(const FrameArchive& archive) {
     server.new_task_queue = [] { return new httplib::ThreadPool(kThreads); };
     server.set_socket_options(set_socket_options);
     server.set_tcp_nodelay(true);
@@ -214,6 +214,7 @@ struct LivePage::Impl {
     routes::files(server);
     routes::events(server, hub, kMostReaders);
     routes::views(server, hub);
+    routes::past(server, hub, archive);
     routes::exports(server, hub, archive);
   }
 

@@ -6,15 +6,15 @@
 #include <string>
 
 #include "host_sim/monitor/fleet/watch.hpp"
-#include "host_sim/monitor/http/frame_archive.hpp"
 #include "host_sim/monitor/http/gate.hpp"
+#include "host_sim/monitor/record/frame_archive.hpp"
 
 namespace host_sim::monitor {
 
 struct LivePageOptions {
   Address address;
+  const FrameArchive& archive;            ///< what there is of the past; outlives the page
   std::optional<std::string> token = {};  ///< asked for, if given; needed off loopback
-  const FrameArchive* archive = nullptr;  ///< where frames are recorded; outlives the page
 };
 
 /// Serves the fleet to browsers, by threads of its own:
@@ -22,6 +22,8 @@ struct LivePageOptions {
 ///   /events              server-sent events
 ///   /api/fleet           what is known now, as JSON
 ///   /api/node/N          the same of a node, with its history
+///   /api/times           moments of the past that can be asked for, microseconds, rising
+///   /api/moment/T        what the frames recorded until then say of it; ?node=N: with a history
 ///   /export/N.csv        its damage curve
 ///   /export/N.candump    its recorded frames; /export/all.candump those of all
 ///   /healthz             200 while views come, else 503; needs no token

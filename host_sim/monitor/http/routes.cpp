@@ -4,11 +4,14 @@
 #include <array>
 #include <atomic>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <string_view>
 
+#include "hal/files/input_error.hpp"
 #include "host_sim/monitor/fleet/node_view.hpp"
 #include "host_sim/monitor/http/view_json.hpp"
+#include "host_sim/monitor/record/moment.hpp"
 #include "host_sim/report/page/assets.hpp"
 
 /// Files of the live page, embedded when the program is built.
@@ -34,12 +37,16 @@ extern const std::string_view trust_js;
 }  // namespace host_sim::monitor::assets
 
 namespace host_sim::monitor::routes {
+
+using nlohmann::json;
+
 namespace {
 
 constexpr int kSeeOther = 303;
 constexpr int kUnauthorized = 401;
 constexpr int kForbidden = 403;
 constexpr int kNotFound = 404;
+constexpr int kUnreadable = 500;
 constexpr int kUnavailable = 503;
 
 constexpr const char* kJson = "application/json";
@@ -173,24 +180,37 @@ void name_file(httplib::Response& response, const std::string& name) {
   response.set_header("Content-Disposition", "attachment; filename=\"" + name + "\"");
 }
 
-void send_log(httplib::Response& response, const FrameArchive* archive,
+void send_log(httplib::Response& response, const FrameArchive& archive,
               std::optional<protocol::Node> node, const std::string& name) {
-  if (archive == nullptr) {
-    refuse(response, kNotFound,
-           "No frames are recorded: start the monitor with a folder to record to.\n");
-    return;
-  }
   name_file(response, name);
   response.set_chunked_content_provider(
-      kText, [archive, node](std::size_t, httplib::DataSink& sink) {
+      kText, [&archive, node](std::size_t, httplib::DataSink& sink) {
         bool taken = true;
-        archive->read(node, [&](std::string_view piece) {
+        archive.read(node, [&](std::string_view piece) {
           taken = piece.empty() || sink.write(piece.data(), piece.size());
           return taken;
         });
         sink.done();
         return taken;
       });
+}
+
+/// `matches`: its time and, where its history is asked for, a node.
+void send_moment(httplib::Response& response, const FrameArchive& archive, const FleetView& now,
+                 const httplib::Match& matches) {
+  try {
+    const std::int64_t time_us = std::min<std::int64_t>(std::stoll(matches[1]), kLatestMoment_us);
+    const Moment moment = moment_of(archive, now, time_us);
+    json answer = moment_json(moment, now);
+    if (matches[2].matched) {
+      if (const NodeView* const node = node_of_path(&moment.view, matches[2])) {
+        answer["history"] = history_json(*node);
+      }
+    }
+    response.set_content(json_text(answer), kJson);
+  } catch (const hal::files::InputError& error) {
+    refuse(response, kUnreadable, error.what());
+  }
 }
 
 }  // namespace
@@ -257,9 +277,9 @@ void views(httplib::Server& server, const Hub& hub) {
                  response.status = kNotFound;
                  return;
                }
-               nlohmann::json json = node_json(*node);
-               json.update(history_json(*node));
-               response.set_content(json_text(json), kJson);
+               json answer = node_json(*node);
+               answer.update(history_json(*node));
+               response.set_content(json_text(answer), kJson);
              });
   server.Get("/healthz", [&hub](const httplib::Request&, httplib::Response& response) {
     constexpr std::chrono::seconds kOld{5};
@@ -269,7 +289,26 @@ void views(httplib::Server& server, const Hub& hub) {
   });
 }
 
-void exports(httplib::Server& server, const Hub& hub, const FrameArchive* archive) {
+void past(httplib::Server& server, const Hub& hub, const FrameArchive& archive) {
+  server.Get("/api/times", [&](const httplib::Request&, httplib::Response& response) {
+    const auto view = hub.view();
+    const json times = view ? times_json(archive.times_us(), *view) : json::array();
+    response.set_content(json_text(times), kJson);
+  });
+  const auto one_at_a_time = std::make_shared<std::mutex>();
+  server.Get("/api/moment/([0-9]{1,16})(?:/([0-9]{1,3}))?",
+             [&, one_at_a_time](const httplib::Request& request, httplib::Response& response) {
+               const auto now = hub.view();
+               if (!now) {
+                 response.status = kUnavailable;
+                 return;
+               }
+               const std::lock_guard lock(*one_at_a_time);
+               send_moment(response, archive, *now, request.matches);
+             });
+}
+
+void exports(httplib::Server& server, const Hub& hub, const FrameArchive& archive) {
   server.Get("/export/([0-9]{1,3})\\.csv",
              [&hub](const httplib::Request& request, httplib::Response& response) {
                const auto view = hub.view();
@@ -281,8 +320,8 @@ void exports(httplib::Server& server, const Hub& hub, const FrameArchive* archiv
                name_file(response, "node-" + std::to_string(node->node) + ".csv");
                response.set_content(history_csv(*node), "text/csv; charset=utf-8");
              });
-  server.Get("/export/([0-9]{1,3})\\.candump", [&hub, archive](const httplib::Request& request,
-                                                               httplib::Response& response) {
+  server.Get("/export/([0-9]{1,3})\\.candump", [&hub, &archive](const httplib::Request& request,
+                                                                httplib::Response& response) {
     const auto view = hub.view();
     const NodeView* const node = node_of_path(view.get(), request.matches[1]);
     if (node == nullptr) {
@@ -292,7 +331,7 @@ void exports(httplib::Server& server, const Hub& hub, const FrameArchive* archiv
     send_log(response, archive, node->node, "node-" + std::to_string(node->node) + ".log");
   });
   server.Get("/export/all\\.candump",
-             [archive](const httplib::Request&, httplib::Response& response) {
+             [&archive](const httplib::Request&, httplib::Response& response) {
                send_log(response, archive, std::nullopt, "fleet.log");
              });
 }

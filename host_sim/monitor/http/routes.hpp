@@ -2,9 +2,9 @@
 
 #include <httplib.h>
 
-#include "host_sim/monitor/http/frame_archive.hpp"
 #include "host_sim/monitor/http/gate.hpp"
 #include "host_sim/monitor/http/hub.hpp"
+#include "host_sim/monitor/record/frame_archive.hpp"
 
 /// What the server answers. What is handed over outlives the server's threads.
 namespace host_sim::monitor::routes {
@@ -17,7 +17,9 @@ void files(httplib::Server& server);
 void events(httplib::Server& server, Hub& hub, std::size_t most_readers);
 /// /api/.. and /healthz
 void views(httplib::Server& server, const Hub& hub);
+/// /api/times and /api/moment/..
+void past(httplib::Server& server, const Hub& hub, const FrameArchive& archive);
 /// /export/..
-void exports(httplib::Server& server, const Hub& hub, const FrameArchive* archive);
+void exports(httplib::Server& server, const Hub& hub, const FrameArchive& archive);
 
 }  // namespace host_sim::monitor::routes

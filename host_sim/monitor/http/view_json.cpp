@@ -8,6 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -165,6 +166,36 @@ json point_json(const DamagePoint& point) {
   return result;
 }
 
+/// What the history of a node has of a time: damage, rate and life state; empty where it has none.
+json partial_json(const NodeView& node, std::int64_t time_ns) {
+  const auto after = [time_ns](const auto& one) { return one.time_ns > time_ns; };
+  const auto next_point = std::find_if(node.curve.begin(), node.curve.end(), after);
+  if (next_point == node.curve.begin()) {
+    return json::object();
+  }
+  const DamagePoint& point = *std::prev(next_point);
+  json result = {{"node", node.node},
+                 {"partial", true},
+                 {"highest_damage", point.damage_ppb / kPpb},
+                 {"status", {{"time_us", microseconds(point.time_ns)}, {"stale", false}}}};
+  if (is_at_least(kDamageSignal, point.damage_ppb)) {
+    result["at_least"] = {"highest_damage"};
+  }
+  if (point.rate_ppb_per_h) {
+    result["rate"] = {{"DamageRate", *point.rate_ppb_per_h / kPpb},
+                      {"time_us", microseconds(point.time_ns)},
+                      {"stale", false}};
+  }
+  const auto next_event = std::find_if(node.events.begin(), node.events.end(), after);
+  if (next_event != node.events.begin()) {
+    result["life_state"] = name_of(std::prev(next_event)->state);
+  }
+  for (const char* none : {"streams", "tendons", "bins", "wires", "advice"}) {
+    result[none] = json::object();
+  }
+  return result;
+}
+
 bool same(const Event& one, const Event& other) {
   return one.time_ns == other.time_ns && one.kind == other.kind && one.state == other.state &&
          one.text == other.text;
@@ -246,6 +277,41 @@ json fleet_json(const FleetView& fleet) {
           {"bus_load_percent", fleet.bus_load_percent},
           {"frames_per_s", fleet.frames_per_s},
           {"nodes", std::move(nodes)}};
+}
+
+json moment_json(const Moment& moment, const FleetView& now) {
+  json result = fleet_json(moment.view);
+  result["from_us"] = moment.from_us;
+  for (const auto& [number, node] : now.nodes) {
+    if (!moment.view.nodes.contains(number)) {
+      if (json partial = partial_json(node, moment.view.now_ns); !partial.empty()) {
+        result["nodes"][std::to_string(number)] = std::move(partial);
+      }
+    }
+  }
+  return result;
+}
+
+json times_json(const std::vector<std::int64_t>& archived_us, const FleetView& now) {
+  std::set<std::int64_t> before_us;
+  for (const auto& [number, node] : now.nodes) {
+    for (const DamagePoint& point : node.curve) {
+      const std::int64_t time_us = microseconds(point.time_ns);
+      if (archived_us.empty() || time_us < archived_us.front()) {
+        before_us.insert(time_us);
+      }
+    }
+  }
+  const std::size_t apart = before_us.size() / FrameArchive::kMostTimes + 1;
+  std::vector<std::int64_t> times;
+  std::size_t number = 0;
+  for (const std::int64_t time_us : before_us) {
+    if (number++ % apart == 0) {
+      times.push_back(time_us);
+    }
+  }
+  times.insert(times.end(), archived_us.begin(), archived_us.end());
+  return times;
 }
 
 nlohmann::json new_events(const FleetView& before, const FleetView& after) {

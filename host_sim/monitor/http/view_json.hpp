@@ -1,9 +1,12 @@
 #pragma once
 
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "host_sim/monitor/fleet/node_view.hpp"
+#include "host_sim/monitor/record/moment.hpp"
 
 /// Views as JSON. Messages have the names and physical values of the frame plan, times are whole
 /// microseconds, what is not known is left out; there is no null.
@@ -18,6 +21,15 @@ nlohmann::json node_json(const NodeView& node);
 /// Events and the damage curve, oldest first:
 /// {"events": [..], "curve": [[time_us, damage, rate per hour], [time_us, damage], ..]}.
 nlohmann::json history_json(const NodeView& node);
+
+/// The fleet at a moment, and "from_us", the time from which on frames were read. A node that `now`
+/// has and the frames have not is there as far as its history goes back: "partial", with damage,
+/// rate and life state alone.
+nlohmann::json moment_json(const Moment& moment, const FleetView& now);
+
+/// The moments that can be asked for: those of the archive, and before it those of the damage
+/// curves. Microseconds, rising, FrameArchive::kMostTimes at most of each.
+nlohmann::json times_json(const std::vector<std::int64_t>& archived_us, const FleetView& now);
 
 /// The events that `after` has and `before` has not, by node: {"5": [event, ..]}.
 nlohmann::json new_events(const FleetView& before, const FleetView& after);

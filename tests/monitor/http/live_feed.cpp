@@ -31,8 +31,8 @@
 
 #include "hal/files/candump.hpp"
 #include "host_sim/monitor/fleet/fleet.hpp"
-#include "host_sim/monitor/http/frame_archive.hpp"
 #include "host_sim/monitor/http/live_page.hpp"
+#include "host_sim/monitor/record/frame_archive.hpp"
 #include "tests/monitor/fleet/sender.hpp"
 
 namespace host_sim::monitor::test {
@@ -244,7 +244,7 @@ void MadeBus::run(std::int64_t time_ns, const MadeNode::Take& take) {
 class Feed {
  public:
   Feed(const std::string& log, std::uint16_t port, int nodes)
-      : log_(log), bus_(nodes), page_({{"127.0.0.1", port}, {}, &archive_}) {
+      : log_(log), bus_(nodes), page_({{"127.0.0.1", port}, archive_}) {
     fleet_.source_is(FrameSource::State::running, "can0");
     publisher_ = std::jthread([this](const std::stop_token& stop) { publish(stop); });
     fmt::print("{}\n", page_.url());

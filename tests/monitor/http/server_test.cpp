@@ -21,6 +21,10 @@ using nlohmann::json;
 
 class TwoLines : public FrameArchive {
  public:
+  void read_from(std::int64_t, const std::function<bool(std::string_view)>& take) const override {
+    take("(8.000000) can0 705#05\n(9.000000) can0 705#05\n");
+  }
+  [[nodiscard]] std::vector<std::int64_t> times_us() const override { return {8'000'000}; }
   void read(std::optional<protocol::Node> node,
             const std::function<bool(std::string_view)>& take) const override {
     take(node ? "of a node\n" : "of all\n") && take("second\n");
@@ -30,14 +34,20 @@ class TwoLines : public FrameArchive {
 /// A page on a free port with a view, and a client.
 class Served {
  public:
-  explicit Served(std::optional<std::string> token = {}, const FrameArchive* archive = nullptr)
-      : page({{"127.0.0.1", 0}, std::move(token), archive}), client("127.0.0.1", page.port()) {
+  explicit Served(std::optional<std::string> token = {}) : Served(std::move(token), nothing()) {}
+  Served(std::optional<std::string> token, const FrameArchive& archive)
+      : page({{"127.0.0.1", 0}, archive, std::move(token)}), client("127.0.0.1", page.port()) {
     page.update(test::made_view());
     while (!token_is_needed() && !client.Get("/api/fleet")->body.size()) {
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     }
   }
   [[nodiscard]] bool token_is_needed() { return client.Get("/api/fleet")->status == 401; }
+
+  static const FrameArchive& nothing() {
+    static const RecentFrames none("can0");
+    return none;
+  }
 
   LivePage page;
   httplib::Client client;
@@ -96,7 +106,7 @@ TEST(Server, TellsTheFleetAndANode) {
 
 TEST(Server, ExportsWhatWasRecorded) {
   const TwoLines log;
-  Served served({}, &log);
+  Served served({}, log);
   const auto csv = served.client.Get("/export/5.csv");
   EXPECT_EQ(csv->body.substr(0, 7), "time_s,");
   EXPECT_EQ(csv->get_header_value("Content-Disposition"), "attachment; filename=\"node-5.csv\"");
@@ -106,11 +116,36 @@ TEST(Server, ExportsWhatWasRecorded) {
   EXPECT_EQ(served.client.Get("/export/6.candump")->status, 404);
 }
 
-TEST(Server, SaysWhereNothingIsRecorded) {
-  Served served;
-  const auto log = served.client.Get("/export/all.candump");
-  EXPECT_EQ(log->status, 404);
-  EXPECT_NE(log->body.find("No frames are recorded"), std::string::npos);
+TEST(Server, TellsMomentsOfThePast) {
+  const TwoLines log;
+  Served served({}, log);
+  EXPECT_EQ(served.client.Get("/api/times")->body, "[1000000,8000000]");
+  const json eight = json::parse(served.client.Get("/api/moment/8500000")->body);
+  EXPECT_EQ(eight["now_us"], 8'500'000);
+  EXPECT_EQ(eight["frames"], 1);
+  EXPECT_FALSE(eight.contains("history"));
+  const json nine = json::parse(served.client.Get("/api/moment/9000000/5")->body);
+  EXPECT_EQ(nine["frames"], 2);
+  EXPECT_EQ(nine["nodes"]["5"]["heartbeat"]["time_us"], 9'000'000);
+  EXPECT_EQ(nine["history"]["curve"], json::array());
+  EXPECT_EQ(served.client.Get("/api/moment/9000000/261")->status, 200);
+  EXPECT_EQ(served.client.Get("/api/moment/9999999999999999")->status, 200);
+  EXPECT_EQ(served.client.Get("/api/moment/x")->status, 404);
+}
+
+class BadLine : public TwoLines {
+ public:
+  void read_from(std::int64_t, const std::function<bool(std::string_view)>& take) const override {
+    take("(8.000000) can0\n");
+  }
+};
+
+TEST(Server, SaysWhatOfTheRecordCannotBeRead) {
+  const BadLine log;
+  Served served({}, log);
+  const auto answer = served.client.Get("/api/moment/9000000");
+  EXPECT_EQ(answer->status, 500);
+  EXPECT_TRUE(answer->body.starts_with("the record:1:")) << answer->body;
 }
 
 TEST(Server, AsksForItsToken) {
@@ -193,7 +228,7 @@ int connection_that_sent(std::uint16_t port, std::string_view text) {
 }
 
 /// Much more than the buffers of two sockets hold, as long as somebody takes it.
-class EndlessLog : public FrameArchive {
+class EndlessLog : public TwoLines {
  public:
   void read(std::optional<protocol::Node>,
             const std::function<bool(std::string_view)>& take) const override {
@@ -206,7 +241,7 @@ class EndlessLog : public FrameArchive {
 // Requests that never end, downloads that nobody reads, and connections that say nothing.
 TEST(Server, SlowConnectionsKeepNobodyOut) {
   const EndlessLog log;
-  Served served({}, &log);
+  Served served({}, log);
   const std::string host = "Host: 127.0.0.1\r\n";
   std::vector<int> slow;
   for (int i = 0; i < 40; ++i) {
@@ -261,11 +296,11 @@ TEST(Server, IgnoresRanges) {
 
 TEST(Server, RefusesAPortThatIsTaken) {
   Served served;
-  EXPECT_THROW(LivePage({{"127.0.0.1", served.page.port()}, {}, nullptr}), InputError);
+  EXPECT_THROW(LivePage({{"127.0.0.1", served.page.port()}, Served::nothing()}), InputError);
 }
 
 TEST(Server, RefusesAnOpenAddressWithoutToken) {
-  EXPECT_THROW(LivePage({{"0.0.0.0", 0}, {}, nullptr}), InputError);
+  EXPECT_THROW(LivePage({{"0.0.0.0", 0}, Served::nothing()}), InputError);
 }
 
 TEST(Server, EndsWhileOneReads) {

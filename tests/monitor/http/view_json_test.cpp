@@ -53,6 +53,45 @@ TEST(ViewJson, NamesWhatIsAtTheEndOfItsRange) {
   EXPECT_FALSE(full["identity"].contains("at_least"));
 }
 
+TEST(ViewJson, AMomentHasTheNodesThatItsFramesDoNotHave) {
+  constexpr std::int64_t kS = 1'000'000'000;
+  FleetView now = test::made_view();
+  Moment moment;
+  moment.from_us = 2'000'000;
+  moment.view.now_ns = 5 * kS;
+  const json five = moment_json(moment, now);
+  EXPECT_EQ(five["from_us"], 2'000'000);
+  EXPECT_EQ(five["now_us"], 5'000'000);
+  EXPECT_EQ(five["nodes"]["5"], json::parse(R"({"node": 5, "partial": true,
+      "highest_damage": 0.123, "status": {"time_us": 1000000, "stale": false},
+      "life_state": "inspect", "streams": {}, "tendons": {}, "bins": {}, "wires": {}, "advice": {}})"));
+  moment.view.now_ns = 9 * kS;
+  now.nodes.at(5).curve.back().damage_ppb = 0xffff'ffff;
+  const json nine = moment_json(moment, now)["nodes"]["5"];
+  EXPECT_EQ(nine["rate"],
+            json::parse(R"({"DamageRate": 5e-9, "time_us": 9000000, "stale": false})"));
+  EXPECT_EQ(nine["at_least"], json::parse(R"(["highest_damage"])"));
+  moment.view.now_ns = kS / 2;
+  EXPECT_TRUE(moment_json(moment, now)["nodes"].empty());
+  moment.view.nodes[5].node = 5;
+  EXPECT_FALSE(moment_json(moment, now)["nodes"]["5"].contains("partial"));
+}
+
+TEST(ViewJson, TimesBeforeTheArchiveAreThoseOfTheCurves) {
+  FleetView now = test::made_view();
+  EXPECT_EQ(times_json({}, now), json::parse("[1000000, 9000000]"));
+  EXPECT_EQ(times_json({9'000'000, 9'500'000}, now), json::parse("[1000000, 9000000, 9500000]"));
+  EXPECT_EQ(times_json({500'000}, now), json::parse("[500000]"));
+  NodeView& node = now.nodes.at(5);
+  node.curve.clear();
+  for (std::int64_t i = 0; i < 4000; ++i) {
+    node.curve.push_back({i * 1'000'000, 1, std::nullopt});
+  }
+  const json many = times_json({}, now);
+  EXPECT_EQ(many.size(), 500u);  // every eighth
+  EXPECT_EQ(many[1], 8000);
+}
+
 TEST(ViewJson, TwoControllersAreTheGravestState) {
   NodeView node = test::made_view().nodes.at(5);
   EXPECT_EQ(node_json(node)["state"], "inspect");

@@ -1,14 +1,17 @@
-#include "host_sim/monitor/http/frame_archive.hpp"
+#include "host_sim/monitor/record/frame_archive.hpp"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 namespace host_sim::monitor {
 namespace {
@@ -111,6 +114,37 @@ TEST(RecentFrames, AreWholeWhileMoreAreSeen) {
   EXPECT_TRUE(seen.ends_with(read_all(frames)));
 }
 
+/// The first line that is read from a time on.
+std::string first_from(const FrameArchive& archive, std::int64_t from_us) {
+  std::string first;
+  archive.read_from(from_us, [&](std::string_view lines) {
+    first = lines.substr(0, lines.find('\n') + 1);
+    return false;
+  });
+  return first;
+}
+
+constexpr std::int64_t kBegin_us = 1'000'000'000'000'000;
+
+TEST(RecentFrames, AreLookedUpByTime) {
+  RecentFrames frames("can0", 8192);
+  EXPECT_TRUE(frames.times_us().empty());
+  EXPECT_EQ(first_from(frames, kBegin_us), "");
+  see(frames, 0, 100);
+  const std::vector<std::int64_t> times_us = frames.times_us();
+  EXPECT_EQ(times_us.front(), kBegin_us);
+  EXPECT_GT(times_us.back(), kBegin_us + 90);
+  EXPECT_TRUE(std::is_sorted(times_us.begin(), times_us.end()));
+  // A piece of 256 bytes has 8 lines of 31 bytes.
+  EXPECT_EQ(first_from(frames, kBegin_us + 50), line_at(48));
+  EXPECT_EQ(first_from(frames, kBegin_us + 48), line_at(48));
+  EXPECT_EQ(first_from(frames, kBegin_us + 47), line_at(40));
+  EXPECT_EQ(first_from(frames, 0), line_at(0));
+  see(frames, 100, 5000);
+  EXPECT_LE(frames.times_us().size(), FrameArchive::kMostTimes);
+  EXPECT_GT(frames.times_us().front(), kBegin_us + 4000);
+}
+
 class RecordedFolderTest : public testing::Test {
  protected:
   RecordedFolderTest() {
@@ -180,11 +214,65 @@ TEST_F(RecordedFolderTest, StopsWhereNobodyTakes) {
   EXPECT_EQ(pieces, 1);
 }
 
+/// Of each second from `begin` on: 24 bytes each.
+std::string lines_of_seconds(int begin, int end) {
+  std::string lines;
+  for (int i = begin; i < end; ++i) {
+    lines += fmt::format("({:05}.000000) can0 185#\n", i);
+  }
+  return lines;
+}
+
+TEST_F(RecordedFolderTest, IsLookedUpByTime) {
+  write("frames-00000001.log", lines_of_seconds(10'000, 20'000));
+  write("frames-00000002.log", "# a comment\n" + lines_of_seconds(20'000, 20'010));
+  write("frames-00000003.log", lines_of_seconds(30'000, 50'000));
+  const RecordedFolder recorded(folder, [] {});
+  const auto second_of = [&](std::int64_t from_s) {
+    return std::stoi(first_from(recorded, from_s * 1'000'000).substr(1));
+  };
+  EXPECT_EQ(second_of(0), 10'000);
+  EXPECT_EQ(second_of(10'000), 10'000);
+  // No more than 16 KiB, which are 682 lines, too early.
+  for (const int at_s : {12'345, 19'999, 30'000, 31'000, 49'999, 60'000}) {
+    EXPECT_LE(second_of(at_s), at_s);
+    EXPECT_GE(second_of(at_s), std::min(at_s, 49'999) - 684) << at_s;
+  }
+  EXPECT_TRUE(first_from(recorded, 20'005'000'000).starts_with("# a comment\n"));
+  EXPECT_TRUE(first_from(recorded, 29'000'000'000).starts_with("# a comment\n"));
+
+  const std::vector<std::int64_t> times_us = recorded.times_us();
+  EXPECT_GT(times_us.size(), 300u);
+  EXPECT_LE(times_us.size(), FrameArchive::kMostTimes);
+  EXPECT_EQ(times_us.front(), 10'000'000'000);
+  EXPECT_GT(times_us.back(), 49'800'000'000);
+  EXPECT_EQ(std::adjacent_find(times_us.begin(), times_us.end(), std::greater_equal<>()),
+            times_us.end());
+}
+
+TEST_F(RecordedFolderTest, AClockThatWasSetBackHasItsLaterTimes) {
+  write("frames-00000001.log", lines_of_seconds(10'000, 20'000));
+  write("frames-00000002.log", lines_of_seconds(15'000, 16'000));
+  const RecordedFolder recorded(folder, [] {});
+  EXPECT_LT(recorded.times_us().back(), 16'000'000'000);
+  EXPECT_EQ(first_from(recorded, 15'000'000'000), "(15000.000000) can0 185#\n");
+}
+
+TEST_F(RecordedFolderTest, ManyLogsHaveAFewTimesEach) {
+  for (int i = 1; i <= 600; ++i) {
+    write(fmt::format("frames-{:08}.log", i), lines_of_seconds(10'000 + i, 10'001 + i));
+  }
+  const std::vector<std::int64_t> times_us = RecordedFolder(folder, [] {}).times_us();
+  EXPECT_EQ(times_us.size(), 300u);
+  EXPECT_EQ(times_us.front(), 10'001'000'000);
+}
+
 TEST(RecordedFolder, IsEmptyWithoutAFolder) {
   RecordedFolder("/nonexistent", [] {}).read({}, [](std::string_view) {
     ADD_FAILURE();
     return true;
   });
+  EXPECT_TRUE(RecordedFolder("/nonexistent", [] {}).times_us().empty());
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <filesystem>
 #include <functional>
@@ -10,13 +11,14 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "firmware/protocol/messages.hpp"
 #include "host_sim/monitor/fleet/watch.hpp"
 
 namespace host_sim::monitor {
 
-/// Frames that were seen, for export.
+/// Frames that were seen, for export and for looking back.
 class FrameArchive {
  public:
   FrameArchive() = default;
@@ -29,9 +31,19 @@ class FrameArchive {
   /// at once, while frames are recorded.
   virtual void read(std::optional<protocol::Node> node,
                     const std::function<bool(std::string_view)>& take) const = 0;
+  /// The same of all nodes, from a line on that is seldom much earlier than `from_us`, and later
+  /// only where the oldest is.
+  virtual void read_from(std::int64_t from_us,
+                         const std::function<bool(std::string_view)>& take) const = 0;
+  /// Times of lines that are spread through the archive, about as many bytes apart, rising,
+  /// kMostTimes at most; the first is that of the oldest line. Where a clock was set back, of what
+  /// came after it.
+  [[nodiscard]] virtual std::vector<std::int64_t> times_us() const = 0;
+
+  static constexpr std::size_t kMostTimes = 512;
 };
 
-/// The newest frames, in memory: what can be exported where nothing is recorded.
+/// The newest frames, in memory: what there is of the past where nothing is recorded.
 class RecentFrames final : public Observer, public FrameArchive {
  public:
   /// Bytes of lines: about 700,000 frames.
@@ -44,12 +56,19 @@ class RecentFrames final : public Observer, public FrameArchive {
   void see(const SeenFrame& seen) override;
   void read(std::optional<protocol::Node> node,
             const std::function<bool(std::string_view)>& take) const override;
+  void read_from(std::int64_t from_us,
+                 const std::function<bool(std::string_view)>& take) const override;
+  [[nodiscard]] std::vector<std::int64_t> times_us() const override;
 
  private:
+  using Piece = std::shared_ptr<const std::string>;
+  /// All that is kept, the oldest first.
+  [[nodiscard]] std::vector<Piece> pieces() const;
+
   std::string interface_;
   std::size_t piece_;
   mutable std::mutex mutex_;
-  std::deque<std::shared_ptr<const std::string>> full_;
+  std::deque<Piece> full_;
   std::string open_;
 };
 
@@ -63,6 +82,9 @@ class RecordedFolder final : public FrameArchive {
 
   void read(std::optional<protocol::Node> node,
             const std::function<bool(std::string_view)>& take) const override;
+  void read_from(std::int64_t from_us,
+                 const std::function<bool(std::string_view)>& take) const override;
+  [[nodiscard]] std::vector<std::int64_t> times_us() const override;
 
  private:
   std::filesystem::path folder_;
