@@ -161,11 +161,22 @@ class Page {
   }
 
   async press(key, code = key) {
-    const text = key === 'Enter' ? '\r' : undefined;
+    const text = { Enter: '\r', '+': '+', 0: '0' }[key];
     const keys = { Enter: 13, Tab: 9, ArrowLeft: 37, ArrowRight: 39, Home: 36, End: 35, ' ': 32 };
     const event = { key, code, windowsVirtualKeyCode: keys[key] };
     await this.send('Input.dispatchKeyEvent', { type: 'keyDown', text, ...event });
     await this.send('Input.dispatchKeyEvent', { type: 'keyUp', ...event });
+  }
+
+  /** With the left button, between two points of the window. */
+  async drag(from, to) {
+    const mouse = (type, [x, y], buttons) =>
+      this.send('Input.dispatchMouseEvent', { type, x, y, buttons, button: 'left', clickCount: 1 });
+    await mouse('mouseMoved', from, 0);
+    await mouse('mousePressed', from, 1);
+    await mouse('mouseMoved', [(from[0] + to[0]) / 2, to[1]], 1);
+    await mouse('mouseMoved', to, 1);
+    await mouse('mouseReleased', to, 0);
   }
 
   /** Of the whole page, or of `height` pixels from `top`. */

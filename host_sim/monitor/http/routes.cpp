@@ -27,6 +27,7 @@ extern const std::string_view events_js;
 extern const std::string_view fleet_js;
 extern const std::string_view history_js;
 extern const std::string_view main_js;
+extern const std::string_view moments_js;
 extern const std::string_view node_js;
 extern const std::string_view prose_js;
 extern const std::string_view stream_js;
@@ -80,6 +81,7 @@ const PageFile* find_page_file(std::string_view name) {
       PageFile{"/assets/fleet.js", kScript, assets::fleet_js},
       PageFile{"/assets/history.js", kScript, assets::history_js},
       PageFile{"/assets/main.js", kScript, assets::main_js},
+      PageFile{"/assets/moments.js", kScript, assets::moments_js},
       PageFile{"/assets/node.js", kScript, assets::node_js},
       PageFile{"/assets/prose.js", kScript, assets::prose_js},
       PageFile{"/assets/stream.js", kScript, assets::stream_js},

@@ -1,10 +1,15 @@
-// What the live page keeps stays within its bounds for a day. LIVE_ASSETS: the folder of its scripts.
+// What the live page keeps and makes of it: within its bounds for a day, in order, in words. LIVE_ASSETS:
+// the folder of its scripts.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 
 const assets = process.env.LIVE_ASSETS;
 const { kept, PastViews, NodeHistory } = await import(`${assets}/history.js`);
 const { merged } = await import(`${assets}/stream.js`);
+const { Moments, withAllNodes } = await import(`${assets}/moments.js`);
+const { spansOf } = await import(`${assets}/events.js`);
+const { ordered } = await import(`${assets}/fleet.js`);
+const { zoneText } = await import(`${assets}/prose.js`);
 
 const VIEW_US = 200e3;
 const DAY_US = 86400e6;
@@ -74,15 +79,116 @@ test('the history of a node is bounded and keeps its ends', () => {
   assert.equal(history.events.at(-1).words, String(last));
 });
 
-test('the slider can stand at what a history has of earlier times', () => {
-  const curve = (count) => Array.from({ length: count }, (_, i) => [10 * i, 0.1]);
-  const few = new NodeHistory({ node: 3, curve: curve(4), events: [] });
-  assert.deepEqual(few.timesBefore(20), [0, 10]);
-  assert.deepEqual(few.timesBefore(0), []);
-  const many = new NodeHistory({ node: 3, curve: curve(4000), events: [] });
-  const times = many.timesBefore(30_000);
-  assert.equal(times.length, 300);
-  times.forEach((time_us, i) => assert.equal(time_us, 100 * i));
+/** Answers of the monitor by path; each is asked for once. */
+function monitorThatKnows(answers, asked) {
+  globalThis.fetch = async (path) => {
+    asked.push(path);
+    const found = answers[path];
+    return { ok: Boolean(found), json: async () => found, text: async () => 'not there\n' };
+  };
+}
+
+const nextTurn = () => new Promise((resolve) => { setTimeout(resolve); });
+
+test('before what the page has seen, the monitor is asked', async () => {
+  const asked = [];
+  const history = { curve: [[4, 0.1]], events: [] };
+  monitorThatKnows(
+    {
+      '/api/times': [3, 5, 10, 12],
+      '/api/moment/5': { now_us: 5, from_us: 1, nodes: { 2: { bins: {} } } },
+      '/api/moment/5/2': { now_us: 5, from_us: 1, nodes: { 2: { bins: {} } }, history },
+    },
+    asked,
+  );
+  const moments = new Moments(() => {});
+  moments.add(fleetOf(1, 10));
+  moments.add(fleetOf(1, 20));
+  await moments.look();
+  assert.deepEqual(moments.steps(), [3, 5, 10, 20]);
+  assert.equal(moments.viewAt(15).now_us, 10);
+  assert.deepEqual(moments.viewAt(5), { now_us: 5, nodes: {}, asked: true });
+  moments.viewAt(5);
+  await nextTurn();
+  assert.equal(moments.viewAt(5).from_us, 1);
+  moments.viewAt(5, '2');
+  await nextTurn();
+  assert.equal(moments.viewAt(5, '2').history.node, '2');
+  moments.viewAt(3);
+  await nextTurn();
+  assert.equal(moments.viewAt(3).trouble, 'not there');
+  assert.deepEqual(asked, ['/api/times', '/api/moment/5', '/api/moment/5/2', '/api/moment/3']);
+});
+
+test('of moments that are wanted while one is read, the last is read', async () => {
+  const asked = [];
+  const view = { now_us: 1, nodes: {} };
+  monitorThatKnows({ '/api/moment/1': view, '/api/moment/4': { ...view, now_us: 4 } }, asked);
+  const moments = new Moments(() => {});
+  moments.add(fleetOf(1, 10));
+  [1, 2, 3, 4].forEach((at) => moments.viewAt(at));
+  await nextTurn();
+  assert.equal(moments.viewAt(4).now_us, 4);
+  assert.deepEqual(asked, ['/api/moment/1', '/api/moment/4']);
+});
+
+test('a fleet does not shrink where nothing is known of a node', () => {
+  const all = withAllNodes({ now_us: 1, nodes: { 2: { node: 2 } } }, fleetOf(3, 9));
+  assert.deepEqual(Object.keys(all.nodes), ['1', '2', '3']);
+  assert.equal(all.nodes[2].absent, undefined);
+  assert.equal(all.nodes[3].absent, true);
+});
+
+test('the strip of a node that has vanished ends until it is heard again', () => {
+  const event = (time_us, kind, state) => ({ time_us, kind, state, words: '' });
+  const events = [
+    event(1, 'state', 'normal'),
+    event(2, 'emergency', 'normal'),
+    event(3, 'state', 'inspect'),
+    event(5, 'vanished', 'inspect'),
+    event(8, 'back', 'inspect'),
+    event(9, 'state', 'replace'),
+    event(11, 'vanished', 'replace'),
+  ];
+  assert.deepEqual(spansOf(events, 20), [
+    { from_us: 1, to_us: 3, state: 'normal' },
+    { from_us: 3, to_us: 5, state: 'inspect' },
+    { from_us: 8, to_us: 9, state: 'inspect' },
+    { from_us: 9, to_us: 11, state: 'replace' },
+  ]);
+  assert.equal(spansOf(events.slice(0, 5), 20).at(-1).to_us, 20);
+});
+
+test('the gravest nodes come first, and others by their numbers', () => {
+  const node = (life_state, rest) => ({ status: {}, life_state, integrity_failures: 0, ...rest });
+  const nodes = {
+    1: node('normal'),
+    2: node('inspect'),
+    3: node('normal', { vanished: true }),
+    4: node('worn'),
+    5: node('normal', { integrity_failures: 1 }),
+    6: node('normal', { status: { Broken: true } }),
+    7: node('replace'),
+    8: { integrity_failures: 0 },
+    9: node('inspect'),
+    10: node('normal', { two_controllers: true }),
+  };
+  const gravest = ['10', '6', '3', '4', '7', '8', '2', '9', '5', '1'];
+  assert.deepEqual(ordered(nodes, 'severity'), gravest);
+  assert.deepEqual(ordered(nodes, 'number'), Object.keys(nodes));
+});
+
+test('clock times have their zone, and times from the start of a log none', () => {
+  const time_us = Date.UTC(2026, 5, 1) * 1000;
+  const zoneIn = (zone) => {
+    process.env.TZ = zone;
+    return zoneText(time_us);
+  };
+  assert.equal(zoneIn('UTC'), 'UTC');
+  assert.equal(zoneIn('Asia/Kolkata'), 'UTC+5:30');
+  assert.equal(zoneIn('America/New_York'), 'UTC−4');
+  assert.equal(zoneText(12e6), '');
+  delete process.env.TZ;
 });
 
 test('events that are known are not added twice', () => {
@@ -131,17 +237,17 @@ test('what is not known is no number, and the end of a range no exact one', asyn
   const { runInThisContext } = await import('node:vm');
   runInThisContext(readFileSync(`${assets}/../../../report/page/assets/format.js`, 'utf8'));
   const { percentField, rateText, remainingText, wholeField } = await import(`${assets}/prose.js`);
-  const history = new NodeHistory({ node: 5, curve: [[1e6, 0.25, 0.5], [2e6, 4.294967295]], events: [] });
-  const before = history.at(1e6);
+  const before = { highest_damage: 0.25, status: { time_us: 1e6 }, rate: { DamageRate: 0.5 } };
   assert.equal(percentField(before.rate, 'UnsavedDamage'), 'not known');
   assert.equal(percentField(before.storage, 'WorstUnsavedDamage'), 'not known');
   assert.equal(wholeField(before.cycles, 'Cycles'), 'not known');
-  assert.equal(percentField(before, 'highest_damage', 7), '25 %');
-  assert.equal(rateText(before.rate), '50 % per h');
-  assert.equal(percentField(history.at(2e6), 'highest_damage', 7), '≥ 429.4967 %');
-  assert.equal(wholeField({ Refused: 65535, at_least: ['Refused'] }, 'Refused'), '≥ 65\u202f535');
+  assert.equal(percentField(before, 'highest_damage', 7), '25\u00a0%');
+  assert.equal(rateText(before.rate), '50\u00a0%\u00a0per\u00a0h');
+  const ended = { highest_damage: 4.294967295, at_least: ['highest_damage'] };
+  assert.equal(percentField(ended, 'highest_damage', 7), '≥\u00a0429.4967\u00a0%');
+  assert.equal(wholeField({ Refused: 65535, at_least: ['Refused'] }, 'Refused'), '≥\u00a065\u202f535');
   const unknown = { RemainingB10: 'unknown', RemainingB90: 'unknown' };
   assert.equal(remainingText(unknown), 'unknown');
   const ending = { RemainingB10: 1.5, RemainingB90: 6553.4, at_least: ['RemainingB90'] };
-  assert.equal(remainingText(ending), '1.5 to ≥ 6553.4 h');
+  assert.equal(remainingText(ending), '1.5 to ≥\u00a06553.4\u00a0h');
 });

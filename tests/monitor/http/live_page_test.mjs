@@ -9,7 +9,7 @@ import { faintTexts, nameless, smallTargets } from './access.mjs';
 import { compareFleet, compareNode, Problems } from './compare.mjs';
 import { decodedLog } from './decoded_log.mjs';
 import { LiveFeed } from './live_feed.mjs';
-import { shownFleet, shownNode, shownPage } from './shown.mjs';
+import { shownFleet, shownNode, shownOrder, shownPage } from './shown.mjs';
 
 const [, , program, decoderFile, folder] = process.argv;
 const decoder = await import(pathToFileURL(decoderFile));
@@ -39,6 +39,7 @@ const openNode = async (number) => {
   );
 };
 const decoded = (until_us) => decodedLog(log, decoder, until_us);
+const textOf = (id) => page.evaluate((wanted) => document.getElementById(wanted).innerText, id);
 const press = (id) => page.evaluate((wanted) => document.getElementById(wanted).click(), id);
 
 async function everyValueEqualsTheLog() {
@@ -50,8 +51,11 @@ async function everyValueEqualsTheLog() {
     await openNode(number);
     compareNode(await page.evaluate(shownNode), number, wanted, problems);
   }
-  const { connection } = await page.evaluate(shownPage);
+  const { connection, title } = await page.evaluate(shownPage);
   problems.same('connection', connection, 'Live.');
+  problems.same('title', title, 'Fleet on can0');
+  const lost = Object.values(await page.evaluate(shownFleet)).map(({ Lost }) => Lost.text);
+  problems.same('nothing was lost', lost.join(), '0,0,0,0,0,0,0,0');
 }
 
 async function troublesAreShown() {
@@ -80,6 +84,15 @@ async function troublesAreShown() {
   await openNode(5);
   const gone = await page.evaluate(shownNode);
   problems.expect('vanished in words', gone.note.startsWith('VANISHED'));
+  const { end, width } = await page.evaluate(() => {
+    const { x, width: length } = [...document.querySelectorAll('#timeline rect')].at(-1);
+    return {
+      end: x.baseVal.value + length.baseVal.value,
+      width: document.querySelector('#timeline svg').clientWidth,
+    };
+  });
+  problems.expect(`its strip ends at ${end} of ${width}`, end < width - 12);
+  problems.same('the gravest first', (await page.evaluate(shownOrder)).slice(0, 2).join(), '2,5');
   problems.expect(
     'tiles of a vanished node are stale',
     gone.tiles.Damage.stale && gone.tiles['Bus load'].stale === false,
@@ -114,7 +127,10 @@ async function pauseAndScrub() {
   await page.evaluate(() => document.getElementById('pause').focus());
   await page.press('Enter');
   await page.waitFor(() => document.querySelector('#moment').innerText.startsWith('PAUSED'));
-  const paused_us = (await page.evaluate(shownPage)).shown_us;
+  const { shown_us: paused_us, connection, title } = await page.evaluate(shownPage);
+  problems.expect('paused is not live', connection.startsWith('PAUSED:'));
+  problems.same('title while paused', title, 'PAUSED: Fleet on can0');
+  problems.same('what the button does', await textOf('pause'), 'Go on');
   const before = JSON.stringify(await page.evaluate(shownNode));
   for (let i = 0; i < 4; i += 1) {
     await feed.say('run 3');
@@ -158,39 +174,147 @@ async function reloadKeepsThePlace(shown_us) {
     'the same axes',
     await page.evaluate(() => document.querySelector('#axes input[value=log]').checked),
   );
-  const { tiles } = await page.evaluate(shownNode);
-  problems.number(
-    'damage of the moment from the history',
-    tiles.Damage.text,
-    100 * decoded(shown_us).nodes[1].damage,
-    7,
-  );
+  await page.waitFor(() => document.querySelector('#node-note').innerText.includes('From the record'));
+  compareNode(await page.evaluate(shownNode), '1', decoded(shown_us + 1), problems);
   await press('pause');
   await settle();
   problems.same('live again', (await page.evaluate(shownPage)).connection, 'Live.');
 }
+
+const steps = async (key, count) => {
+  for (let i = 0; i < count; i += 1) {
+    await page.press(key);
+  }
+  await page.waitFor(() => {
+    const at = new URLSearchParams(window.location.hash.slice(1)).get('at');
+    return at !== null && at === document.documentElement.dataset.shown;
+  });
+  await page.waitFor(() => !/being read/.test(document.querySelector('#fleet-note').innerText));
+};
+const noNumbers = ({ tiles }) =>
+  Object.values(tiles)
+    .flatMap((tile) => [tile.text, tile.note])
+    .filter((text) => /NaN|undefined/.test(text))
+    .join();
 
 async function scrubsBackBeforeItWasOpened() {
   const opened_us = feed.time_us;
   await page.reload();
   await page.waitFor(() => document.querySelectorAll('#node canvas').length === 2);
   await page.evaluate(() => document.getElementById('scrub').focus());
-  await page.press('Home');
-  await page.waitFor(() => document.querySelector('#moment').innerText.startsWith('PAUSED'));
-  await sleep(400);
-  const { shown_us } = await page.evaluate(shownPage);
-  const { note, tiles } = await page.evaluate(shownNode);
-  problems.same('before it nothing was sent', decoded(shown_us).nodes[1]?.messages.LifeStatus, undefined);
-  problems.expect('long before the page was opened', shown_us < opened_us - 60e6);
-  problems.expect('said in words', note.includes('before this page was opened'));
-  const texts = Object.values(tiles).flatMap((tile) => [tile.text, tile.note]);
-  problems.same('no NaN', texts.filter((text) => /NaN|undefined/.test(text)).join(), '');
-  problems.same('no unsaved damage', tiles['Unsaved damage'].text, 'not known');
-  problems.number('its damage', tiles.Damage.text, 100 * decoded(shown_us + 1).nodes[1].damage, 7);
-  await page.press('ArrowRight');
-  await page.waitFor((us) => Number(document.documentElement.dataset.shown) > us, shown_us);
+  await steps('Home', 1);
+  const first = await page.evaluate(shownNode);
+  problems.same('before it nothing was sent', noNumbers(first), '');
+  problems.same('and it is said', first.note, 'Of this node nothing is known at this moment.');
+  problems.same('the fleet is whole', Object.keys(await page.evaluate(shownFleet)).length, 8);
+  problems.same('no damage', first.tiles.Damage.text, 'not known');
+  await steps('ArrowRight', 13);
+  const { shown_us, moment } = await page.evaluate(shownPage);
+  problems.expect('long before the page was opened', shown_us < opened_us - 20e6);
+  problems.expect('with its time zone', / UTC([+−]\d+(:\d+)?)?$/.test(moment));
+  const shown = await page.evaluate(shownNode);
+  problems.expect('said in words', shown.note.includes('From the record: what was sent since'));
+  problems.same('no NaN', noNumbers(shown), '');
+  compareNode(shown, '1', decoded(shown_us + 1), problems);
+  compareFleet(await page.evaluate(shownFleet), decoded(shown_us + 1), problems);
   await page.press('End');
   await page.waitFor(() => !document.querySelector('#moment').innerText.startsWith('PAUSED'));
+}
+
+const chartLabel = () =>
+  page.evaluate(() => document.querySelector('#damage-chart canvas').getAttribute('aria-label'));
+const isZoomed = (wanted) =>
+  page.waitFor(
+    (zoomed) =>
+      /zoomed to/.test(document.querySelector('#damage-chart canvas').getAttribute('aria-label'))
+      === zoomed,
+    wanted,
+  );
+
+async function chartsZoomByDragging() {
+  const box = await page.evaluate(() => {
+    const over = document.querySelector('#damage-chart .u-over');
+    over.scrollIntoView({ block: 'center' });
+    const { left, top, width, height } = over.getBoundingClientRect();
+    return { left, top, width, height };
+  });
+  const at = (share) => [box.left + share * box.width, box.top + box.height / 2];
+  await page.drag(at(0.25), at(0.5));
+  await feed.say('run 1');
+  await isZoomed(true);
+  const [zoomed] = /zoomed to.*/.exec(await chartLabel());
+  for (let i = 0; i < 3; i += 1) {
+    await feed.say('run 2');
+    await sleep(700);
+  }
+  problems.same('the view stays while more comes', /zoomed to.*/.exec(await chartLabel())[0], zoomed);
+  await page.evaluate(() => document.querySelector('#damage-chart .chart').focus());
+  await page.press('0');
+  await isZoomed(false);
+}
+
+async function theEndOfALogIsSaid() {
+  await feed.say('source ended');
+  await page.waitFor(() => document.querySelector('#connection').innerText.startsWith('END:'));
+  problems.same('title', (await page.evaluate(shownPage)).title, 'END: Fleet on can0');
+  await feed.say('source running');
+  await page.waitFor(() => document.querySelector('#connection').innerText === 'Live.');
+}
+
+/** Tab until the element of a selector has the focus. */
+async function tabTo(selector) {
+  for (let i = 0; i < 60; i += 1) {
+    await page.press('Tab');
+    const there = await page.evaluate((wanted) => document.activeElement?.matches(wanted), selector);
+    if (there) {
+      return;
+    }
+  }
+  problems.expect(`Tab reaches ${selector}`, false);
+}
+
+async function worksByKeyboardAlone() {
+  await page.evaluate(() => {
+    window.location.hash = '';
+    document.activeElement.blur();
+    window.scrollTo(0, 0);
+  });
+  await page.waitFor(() => document.getElementById('node').hidden);
+  for (const selector of ['#skip', '#pause', '#scrub', '#export-all', '#order']) {
+    await tabTo(selector);
+  }
+  await page.press('ArrowDown');
+  await page.waitFor(() => document.querySelector('#fleet tbody tr').dataset.node === '1');
+  problems.same('by node', (await page.evaluate(shownOrder)).join(), '1,2,3,4,5,6,7,8');
+  await tabTo('[data-node="3"] a');
+  await page.press('Enter');
+  await page.waitFor(() => document.activeElement.id === 'node-heading');
+  problems.same('opened', (await page.evaluate(shownNode)).heading, 'Node 3');
+  await tabTo('#damage-chart .chart');
+  await page.press('+');
+  await feed.say('run 2');
+  await isZoomed(true);
+  await page.press('0');
+  await isZoomed(false);
+  await page.evaluate(() => document.getElementById('close-node').focus());
+  await page.press('Enter');
+  await page.waitFor(() => document.activeElement.matches('[data-node="3"] a'));
+}
+
+async function theDetailComesIntoViewOnAPhone() {
+  await page.look({ width: 390, height: 800 });
+  await page.evaluate(() => window.scrollTo(0, 0));
+  for (const number of ['3', '3', '7']) {
+    await page.evaluate((wanted) => document.querySelector(`[data-node="${wanted}"] a`).click(), number);
+    await page.waitFor((wanted) => {
+      const bar = document.querySelector('.moments').getBoundingClientRect();
+      const { top, bottom } = document.getElementById('node-heading').getBoundingClientRect();
+      const shown = document.getElementById('node-heading').innerText === `Node ${wanted}`;
+      return shown && top >= bar.bottom && bottom < window.innerHeight / 2;
+    }, number);
+    await page.evaluate(() => window.scrollTo(0, 0));
+  }
+  await page.look({});
 }
 
 async function exportsWork() {
@@ -270,7 +394,11 @@ try {
   await troublesAreShown();
   await reloadKeepsThePlace(await pauseAndScrub());
   await scrubsBackBeforeItWasOpened();
+  await chartsZoomByDragging();
+  await theEndOfALogIsSaid();
   await exportsWork();
+  await worksByKeyboardAlone();
+  await theDetailComesIntoViewOnAPhone();
   await lostServerIsShown();
   await canBeUsedByAll();
   problems.same('errors of the page', (await page.evaluate(shownPage)).error, undefined);

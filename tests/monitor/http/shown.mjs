@@ -53,12 +53,18 @@ export function shownNode() {
   };
 }
 
+/** The numbers of the nodes from top to bottom. */
+export function shownOrder() {
+  return [...document.querySelectorAll('#fleet tbody tr')].map((row) => row.dataset.node);
+}
+
 export function shownPage() {
   const root = document.documentElement;
   return {
     connection: document.querySelector('#connection').innerText,
     moment: document.querySelector('#moment').innerText,
     shown_us: Number(root.dataset.shown),
+    title: document.title,
     error: root.dataset.error,
     overhang: root.scrollWidth - root.clientWidth,
   };

@@ -62,7 +62,9 @@ export class Keyed {
     this.items = new Map();
   }
 
+  /** What has the focus keeps it, also where its element is moved. */
   show(keys) {
+    const focused = document.activeElement;
     for (const [key, item] of this.items) {
       if (!keys.includes(key)) {
         item.element.remove();
@@ -78,6 +80,9 @@ export class Keyed {
         this.holder.insertBefore(element, this.holder.children[index] || null);
       }
     });
+    if (focused !== document.activeElement && this.holder.contains(focused)) {
+      focused.focus({ preventScroll: true });
+    }
     return this.items;
   }
 }

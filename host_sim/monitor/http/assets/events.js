@@ -1,5 +1,5 @@
 import { byId, make, makeSvg, setText } from './dom.js';
-import { clockText, momentText, plain } from './prose.js';
+import { clockText, momentText, plain, zoneText } from './prose.js';
 
 const MOST_LISTED = 200;
 const REDRAW_MS = 1000;
@@ -15,16 +15,21 @@ const MARKS = {
   integrity: ['bad', 'M0 -14L5 -8L0 -2L-5 -8Z'],
 };
 
-/** Spans of one life state: [{ from_us, to_us, state }, ..]. */
+/**
+ * Spans of one life state: [{ from_us, to_us, state }, ..]. Where a node has vanished there is none
+ * until it is heard again.
+ */
 export function spansOf(events, end_us) {
   const spans = [];
-  for (const { time_us, state } of events) {
-    const last = spans.at(-1);
-    if (!last || last.state !== state) {
-      if (last) {
-        last.to_us = time_us;
-      }
-      spans.push({ from_us: time_us, to_us: end_us, state });
+  let open;
+  for (const { time_us, kind, state } of events) {
+    if (open && (kind === 'vanished' || open.state !== state)) {
+      open.to_us = time_us;
+      open = undefined;
+    }
+    if (!open && kind !== 'vanished') {
+      open = { from_us: time_us, to_us: end_us, state };
+      spans.push(open);
     }
   }
   return spans;
@@ -36,7 +41,9 @@ export function eventText({ kind, words }) {
 }
 
 function summaryOf(events, spans) {
-  const states = spans.map(({ from_us, state }) => `${state} from ${clockText(from_us)}`);
+  const states = spans.map(
+    ({ from_us, to_us, state }) => `${state} from ${clockText(from_us)} to ${clockText(to_us)}`,
+  );
   const emergencies = events.filter(({ kind }) => kind === 'emergency').length;
   return `${states.slice(-10).join(', ')}; emergencies: ${emergencies}`;
 }
@@ -121,7 +128,11 @@ export class Timeline {
     const y = STRIP.y + STRIP.height + 18;
     svg.append(
       makeSvg('text', { x: 8, y }, clockText(start_us)),
-      makeSvg('text', { x: width - 8, y, 'text-anchor': 'end' }, clockText(end_us)),
+      makeSvg(
+        'text',
+        { x: width - 8, y, 'text-anchor': 'end' },
+        `${clockText(end_us)} ${zoneText(end_us)}`.trim(),
+      ),
     );
     this.holder.replaceChildren(svg);
   }

@@ -4,7 +4,9 @@ import {
   ageText,
   percentField,
   rateText,
+  recordText,
   remainingText,
+  severityOf,
   stateTexts,
   UNKNOWN,
   wholeText,
@@ -16,6 +18,7 @@ const COLUMNS = [
   'Remaining life',
   'Damage rate',
   'Heartbeat',
+  'Lost',
   'Integrity failures',
 ];
 
@@ -59,6 +62,21 @@ function showStates(row, node, stale) {
   row.cells[0].classList.toggle('stale', stale);
 }
 
+/** Frames that did not come, of all kinds. */
+function lostText(node) {
+  const streams = Object.values(node.streams);
+  return node.partial ? UNKNOWN : wholeText(streams.reduce((sum, { lost }) => sum + lost, 0));
+}
+
+/** The numbers of the nodes in the order in which they are shown. */
+export function ordered(nodes, order) {
+  const numbers = Object.keys(nodes);
+  const severity = (number) => severityOf(nodes[number]);
+  return order === 'number'
+    ? numbers
+    : numbers.sort((a, b) => severity(b) - severity(a) || Number(a) - Number(b));
+}
+
 export class FleetTable {
   constructor() {
     this.table = byId('fleet');
@@ -66,7 +84,9 @@ export class FleetTable {
   }
 
   show({ view, isStale, selection }) {
-    const numbers = Object.keys(view.nodes);
+    setText(byId('fleet-note'), recordText(view));
+    const numbers = ordered(view.nodes, selection.order);
+    byId('order').value = selection.order;
     this.table.hidden = numbers.length === 0;
     byId('no-nodes').hidden = numbers.length > 0;
     const rows = this.rows.show(numbers);
@@ -81,14 +101,21 @@ export class FleetTable {
     }
   }
 
+  /** The link to a node, to return to. */
+  linkOf(number) {
+    return this.rows.items.get(number)?.link;
+  }
+
   showNode(row, node, now_us, isStale) {
     const { status, remaining, rate, heartbeat } = node;
     showStates(row, node, isStale(status));
-    const [damage, left, wear, beat, integrity] = row.values;
+    const [damage, left, wear, beat, lost, integrity] = row.values;
     damage.show(status ? percentField(node, 'highest_damage') : UNKNOWN, isStale(status));
     left.show(remainingText(remaining), isStale(remaining));
     wear.show(rateText(rate), isStale(rate));
-    beat.show(heartbeat ? ageText(now_us, heartbeat.time_us) : 'none', isStale(heartbeat));
+    const none = node.partial ? UNKNOWN : 'none';
+    beat.show(heartbeat ? ageText(now_us, heartbeat.time_us) : none, isStale(heartbeat));
+    lost.show(lostText(node), isStale({}));
     const failures = node.integrity_failures;
     integrity.show(wholeText(failures), isStale({}));
     integrity.holder.classList.toggle('bad', failures > 0);

@@ -5,8 +5,6 @@ const FEWEST_MOMENTS = 100;
 const MOST_MOMENTS = 600;
 const MOST_POINTS = 4000;
 const MOST_EVENTS = 1000;
-const MOST_EARLIER_TIMES = 300;
-const MOST_DAMAGE = 4.294967295; // it stops there
 
 const CLASSES = 8;
 const packedBins = new WeakMap();
@@ -127,31 +125,5 @@ export class NodeHistory {
       ),
     );
     this.events.splice(0, this.events.length - MOST_EVENTS);
-  }
-
-  /** The times of its curve before this one, spread evenly where they are many, the first among them. */
-  timesBefore(time_us) {
-    const times = this.curve.map(([at_us]) => at_us).filter((at_us) => at_us < time_us);
-    const step = Math.ceil(times.length / MOST_EARLIER_TIMES);
-    return times.filter((_, i) => i % step === 0);
-  }
-
-  /** What the history alone knows of a moment: damage, rate and state. */
-  at(time_us) {
-    const point = this.curve.findLast(([at_us]) => at_us <= time_us);
-    const event = this.events.findLast((one) => one.time_us <= time_us);
-    const none = { streams: {}, tendons: {}, bins: {}, wires: {}, advice: {} };
-    const node = { node: Number(this.node), ...none, partial: true };
-    if (point) {
-      const [at_us, damage, rate] = point;
-      node.highest_damage = damage;
-      node.at_least = damage >= MOST_DAMAGE ? ['highest_damage'] : [];
-      node.status = { time_us: at_us, stale: false };
-      node.life_state = event?.state;
-      if (rate !== undefined) {
-        node.rate = { DamageRate: rate, time_us: at_us, stale: false };
-      }
-    }
-    return node;
   }
 }

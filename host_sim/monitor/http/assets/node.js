@@ -17,10 +17,12 @@ import {
   percentField,
   plain,
   rateText,
+  recordText,
   remainingText,
   tightestAdvice,
   UNKNOWN,
   wholeField,
+  withUnit,
 } from './prose.js';
 import { Bins, Tendons, Wires } from './tendons.js';
 import { Trust } from './trust.js';
@@ -35,6 +37,7 @@ class NodeTiles {
     const { status, remaining, conditional, rate, cycles, heartbeat, emergency } = node;
     const risk = node.break_risk;
     const advice = tightestAdvice(node);
+    const none = node.partial ? UNKNOWN : 'none';
     this.tiles.show([
       [
         'Damage',
@@ -58,7 +61,7 @@ class NodeTiles {
           ? `B50 ${
               remaining.RemainingB50 === 'unknown'
                 ? 'unknown'
-                : `${hoursField(remaining, 'RemainingB50')} h`
+                : withUnit(hoursField(remaining, 'RemainingB50'), 'h')
             }`
           : '',
       ],
@@ -90,13 +93,13 @@ class NodeTiles {
       ],
       [
         'Heartbeat',
-        heartbeat ? plain(heartbeat.NmtState) : 'none',
+        heartbeat ? plain(heartbeat.NmtState) : none,
         isStale(heartbeat),
         heartbeat ? ageText(view.now_us, heartbeat.time_us) : '',
       ],
       [
         'Last emergency',
-        emergency ? emergencyText(emergency) : 'none heard',
+        emergency ? emergencyText(emergency) : `${none} heard`,
         isStale({}),
         emergency
           ? `error register ${emergency.ErrorRegister}, ${ageText(view.now_us, emergency.time_us)}`
@@ -172,7 +175,7 @@ export class NodeView {
     const node = view.nodes[selection.node];
     this.section.hidden = false;
     setText(byId('node-heading'), `Node ${selection.node}`);
-    setText(byId('node-note'), this.note(node));
+    setText(byId('node-note'), this.note(node, view));
     setAttribute(byId('export-csv'), 'href', `/export/${selection.node}.csv`);
     setAttribute(byId('export-candump'), 'href', `/export/${selection.node}.candump`);
     setAttribute(byId('close-node'), 'href', hashOf({ ...selection, node: undefined }));
@@ -183,21 +186,37 @@ export class NodeView {
       return;
     }
     this.panels ??= [new NodeTiles(), new Tendons(), new Bins(), new Wires(), new Trust()];
-    const all = { ...shown, node, history: this.history };
+    const history = this.historyOf(view);
+    const all = { ...shown, node, history };
     this.panels.forEach((panel) => panel.show(all));
     this.drawn ??= [new Curves(), new Timeline()];
-    const known = this.history && this.history.node === selection.node;
+    const known = history?.node === selection.node;
     this.drawn.forEach((panel) => (known ? panel.show(all) : panel.clear()));
   }
 
-  note(node) {
+  /** That of all the time; of moments before it, that of the record. */
+  historyOf({ now_us, history }) {
+    const reaches = !history || this.history?.curve[0]?.[0] <= now_us;
+    return reaches ? this.history : history;
+  }
+
+  note(node, view) {
     if (!node) {
       return 'This node has not been heard.';
     }
+    if (view.asked || view.trouble) {
+      return recordText(view);
+    }
+    if (node.absent) {
+      return 'Of this node nothing is known at this moment.';
+    }
     if (node.partial) {
-      return 'Of this moment, before this page was opened, only damage, rate and state are known.';
+      return 'Of this moment only damage, rate and state are known: its frames are not on record.';
     }
     const seen = `last frame ${momentText(node.last_seen_us)}`;
-    return node.vanished ? `VANISHED: nothing has come from it since; ${seen}.` : `Heard; ${seen}.`;
+    const heard = node.vanished
+      ? `VANISHED: nothing has come from it since; ${seen}.`
+      : `Heard; ${seen}.`;
+    return `${heard} ${recordText(view)}`.trim();
   }
 }

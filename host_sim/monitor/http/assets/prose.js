@@ -4,6 +4,12 @@
  */
 
 export const UNKNOWN = 'not known';
+const FIXED_SPACE = '\u00a0';
+
+/** A number with its unit, which no line end parts. */
+export function withUnit(number, unit) {
+  return `${number}${FIXED_SPACE}${unit}`;
+}
 
 /** A whole number in full. */
 export function wholeText(value) {
@@ -11,12 +17,12 @@ export function wholeText(value) {
 }
 
 export function percentText(share, significant = 5) {
-  return Number.isFinite(share) ? `${numberText(100 * share, significant)} %` : UNKNOWN;
+  return Number.isFinite(share) ? withUnit(numberText(100 * share, significant), '%') : UNKNOWN;
 }
 
 /** A field at the end of its range stands for itself or more. */
 function orMore(message, name, text) {
-  return message.at_least?.includes(name) ? `≥ ${text}` : text;
+  return message.at_least?.includes(name) ? `≥${FIXED_SPACE}${text}` : text;
 }
 
 /** A field of a message, or of none. */
@@ -35,13 +41,13 @@ export function rateText(rate) {
   }
   return rate.DamageRate === 'unknown'
     ? 'unknown'
-    : `${percentField(rate, 'DamageRate', 4)} per h`;
+    : withUnit(percentField(rate, 'DamageRate', 4), 'per\u00a0h');
 }
 
 export function cycleRateText(cycles) {
   return cycles.CycleRate === 'unknown'
     ? 'rate unknown'
-    : `${wholeField(cycles, 'CycleRate')} per min`;
+    : withUnit(wholeField(cycles, 'CycleRate'), 'per\u00a0min');
 }
 
 /** Until the controller has seen a minute there is no remaining life. */
@@ -52,7 +58,7 @@ export function hoursField(remaining, name) {
 
 /** A whole number of a unit. */
 export function unitField(message, name, unit) {
-  return orMore(message, name, `${wholeText(message[name])} ${unit}`);
+  return orMore(message, name, withUnit(wholeText(message[name]), unit));
 }
 
 /** Until it has broken with 10 and 50 % probability, given that it is whole now. */
@@ -62,14 +68,14 @@ export function givenSurvivalText(conditional) {
   }
   return conditional.HoursToRisk10 === 'unknown'
     ? UNKNOWN
-    : `${hoursField(conditional, 'HoursToRisk10')} to ${hoursField(conditional, 'HoursToRisk50')} h`;
+    : withUnit(`${hoursField(conditional, 'HoursToRisk10')} to ${hoursField(conditional, 'HoursToRisk50')}`, 'h');
 }
 
 /** Probability of a break within the horizon. */
 export function breakRiskText(risk) {
   return !risk || risk.BreakRisk === 'unknown'
     ? UNKNOWN
-    : `${numberText(100 * risk.BreakRisk, 4)} % within ${risk.BreakHorizon} h`;
+    : `${percentText(risk.BreakRisk, 4)} within ${withUnit(risk.BreakHorizon, 'h')}`;
 }
 
 const ADVICE_RANKS = ['off', 'unknown', 'over', 'no_limit', 'limited', 'unreachable'];
@@ -97,7 +103,7 @@ export function adviceText(page) {
     off: 'off',
     over: 'no limit, the hours are over',
     unreachable: 'no tension lasts',
-  }[page.AdviceState] ?? `at most ${numberText(100 * page.AdviceTension, 4)} % tension`;
+  }[page.AdviceState] ?? `at most ${percentText(page.AdviceTension, 4)} tension`;
 }
 
 /** What would do instead, and of which tendon. */
@@ -105,7 +111,7 @@ export function adviceNote(page) {
   if (!page || page.AdvicePace === 'unknown') {
     return '';
   }
-  const pace = `or ${numberText(100 * page.AdvicePace, 4)} % of the heaviest pace`;
+  const pace = `or ${percentText(page.AdvicePace, 4)} of the heaviest pace`;
   return `${pace}; tendon ${page.AdviceTendon}, ${plain(page.AdviceState)}`;
 }
 
@@ -117,7 +123,7 @@ export function remainingText(remaining) {
   const { RemainingB10: low, RemainingB90: high } = remaining;
   return low === 'unknown' && high === 'unknown'
     ? 'unknown'
-    : `${hoursField(remaining, 'RemainingB10')} to ${hoursField(remaining, 'RemainingB90')} h`;
+    : withUnit(`${hoursField(remaining, 'RemainingB10')} to ${hoursField(remaining, 'RemainingB90')}`, 'h');
 }
 
 export function plain(name) {
@@ -151,6 +157,21 @@ export function stateTexts(node) {
     texts.push([plain(node.heartbeat.NmtState), 'gone']);
   }
   return texts;
+}
+
+/** How much a node needs somebody to look at it: what is graver is more. */
+export function severityOf(node) {
+  const { status, emergency } = node;
+  const alarms = [
+    [90, node.two_controllers],
+    [80, emergency && emergency.EmergencyCode !== 'none'],
+    [80, status && (status.Broken || status.Slack || status.Locked)],
+    [70, node.vanished],
+    [5, node.integrity_failures > 0],
+  ];
+  const states = { worn: 60, replace: 50, unknown: 40, inspect: 30, normal: 0 };
+  const state = states[(status && node.life_state) || 'unknown'];
+  return Math.max(state, ...alarms.map(([weight, on]) => (on ? weight : 0)));
 }
 
 export function emergencyText({ EmergencyCode: code }) {
@@ -191,13 +212,21 @@ function two(number) {
 /** "14:03:05.2" in the time of this place, or "12.3 s" from the start. */
 export function clockText(time_us, digits = 1) {
   if (!isCalendar(time_us)) {
-    return `${(time_us / 1e6).toFixed(digits)} s`;
+    return withUnit((time_us / 1e6).toFixed(digits), 's');
   }
   const unit = 10 ** (6 - digits);
   const rounded_us = Math.floor(time_us / unit) * unit;
   const date = new Date(rounded_us / 1000);
   const seconds = ((rounded_us % 60e6) / 1e6).toFixed(digits);
   return `${two(date.getHours())}:${two(date.getMinutes())}:${seconds.padStart(digits ? digits + 3 : 2, '0')}`;
+}
+
+/** The zone of clock times at a time: "UTC+5:30"; empty where the time is of no calendar. */
+export function zoneText(time_us) {
+  const east_min = -new Date(time_us / 1000).getTimezoneOffset();
+  const [hours, minutes] = [Math.floor(Math.abs(east_min) / 60), Math.abs(east_min) % 60];
+  const offset = `${east_min < 0 ? '−' : '+'}${hours}${minutes ? `:${two(minutes)}` : ''}`;
+  return isCalendar(time_us) ? `UTC${east_min ? offset : ''}` : '';
 }
 
 /** With the date, where the time is of the calendar. */
@@ -210,8 +239,21 @@ export function momentText(time_us) {
   return `${day} ${clockText(time_us)}`;
 }
 
+/** What there is of a moment that this page has not seen; empty for one that it has. */
+export function recordText({ from_us: from, asked, trouble }) {
+  if (asked) {
+    return 'This moment is being read from the record.';
+  }
+  if (trouble) {
+    return `This moment cannot be read from the record: ${trouble}`;
+  }
+  return from === undefined
+    ? ''
+    : `From the record: what was sent since ${momentText(from)}. Counts begin there.`;
+}
+
 /** How long ago, in seconds. */
 export function ageText(now_us, time_us) {
   const age_s = Math.max(0, (now_us - time_us) / 1e6);
-  return age_s < 100 ? `${age_s.toFixed(1)} s ago` : `${numberText(age_s, 3)} s ago`;
+  return `${withUnit(age_s < 100 ? age_s.toFixed(1) : numberText(age_s, 3), 's')} ago`;
 }

@@ -90,11 +90,11 @@ export class Tendons {
         ? `At about ${Object.keys(thresholds)
             .map((name) => `${percentText(thresholds[name], 3)} ${name}`)
             .join(', ')}: from the remaining life that the controller reports.`
-        : `Thresholds are ${UNKNOWN} yet: the controller reports no remaining life.`,
+        : `Thresholds are ${UNKNOWN}: they follow from a rate and a remaining life that are reported and above 0. The bars are of ${percentText(1)}, the characteristic life.`,
     );
     const numbers = Object.keys(node.tendons);
     const damages = numbers.map((number) => node.tendons[number].TendonDamage);
-    const most = Math.max(1e-9, ...damages, thresholds ? 1.05 * thresholds.worn : 0);
+    const most = Math.max(...damages, thresholds ? 1.05 * thresholds.worn : 1);
     const rows = this.rows.show(numbers);
     for (const number of numbers) {
       const tendon = node.tendons[number];

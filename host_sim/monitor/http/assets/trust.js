@@ -1,5 +1,13 @@
 import { byId, Keyed, make, makeSvg, setText, Tiles } from './dom.js';
-import { percentField, UNKNOWN, wholeField, wholeText as whole } from './prose.js';
+import {
+  percentField,
+  percentText,
+  unitField,
+  UNKNOWN,
+  wholeField,
+  wholeText as whole,
+  withUnit,
+} from './prose.js';
 
 const COUNTS = [
   ['good', 'Good'],
@@ -45,9 +53,9 @@ function nodeTiles(
     ],
     [
       'Jitter, 99th percentile',
-      when(timing, (t) => `${wholeField(t, 'P99Jitter')} µs`),
+      when(timing, (t) => unitField(t, 'P99Jitter', 'µs')),
       isStale(timing),
-      when(timing, (t) => `worst ${wholeField(t, 'WorstJitter')} µs`),
+      when(timing, (t) => `worst ${unitField(t, 'WorstJitter', 'µs')}`),
     ],
     ['Missed deadlines', wholeField(timing, 'MissedDeadlines'), isStale(timing)],
     [
@@ -71,9 +79,9 @@ function busTiles(view, old) {
   return [
     [
       'Bus load',
-      load === undefined ? UNKNOWN : `${numberText(load, 4)} %`,
+      load === undefined ? UNKNOWN : percentText(load / 100, 4),
       old,
-      view.bit_rate_bit_s ? `of ${numberText(view.bit_rate_bit_s / 1000, 6)} kbit/s` : '',
+      view.bit_rate_bit_s ? `of ${withUnit(numberText(view.bit_rate_bit_s / 1000, 6), 'kbit/s')}` : '',
     ],
     [
       'Frames',
@@ -131,7 +139,7 @@ function drawHistogram({ svg, note }, { intervals, interval_class_ms: class_ms }
   );
   const ticks = [0, 1, 2, 3].map((quarter) => {
     const first = (quarter * CLASSES) / 4;
-    return makeSvg('text', { x: first * step, y: SIZE.height - 4 }, `${first * class_ms} ms`);
+    return makeSvg('text', { x: first * step, y: SIZE.height - 4 }, withUnit(first * class_ms, 'ms'));
   });
   svg.replaceChildren(
     makeSvg('path', { class: 'axis', d: `M0 ${foot}H${SIZE.width}` }),
