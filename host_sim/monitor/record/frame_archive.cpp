@@ -55,9 +55,15 @@ bool take_lines(std::string_view lines, std::optional<protocol::Node> node,
   return of_node.empty() || take(of_node);
 }
 
-/// Of the first line of `lines` that is whole and a frame.
+/// Of the first line of `lines` that is whole and a frame; none where it is not among the first
+/// few.
 std::optional<std::int64_t> time_of_first(std::string_view lines) {
-  for (std::size_t end = lines.find('\n'); end != std::string_view::npos; end = lines.find('\n')) {
+  constexpr int kMostLines = 16;
+  for (int i = 0; i < kMostLines; ++i) {
+    const std::size_t end = lines.find('\n');
+    if (end == std::string_view::npos) {
+      break;
+    }
     try {
       const auto line = lines.substr(0, end);
       return static_cast<std::int64_t>(
