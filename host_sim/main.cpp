@@ -77,6 +77,7 @@ int run(int argc, char** argv) {
   StandardOutput output;
   host_sim::add_replay(app, status);
   host_sim::add_calibrate(app, status);
+  host_sim::add_compare(app, status);
   host_sim::add_design(app, status);
   host_sim::add_diagnose(app, status);
   host_sim::add_fleet(app, status);

@@ -6,10 +6,10 @@ namespace host_sim {
 
 using lifemodel::Tension;
 
-Plots::Plots(const Model& model, const lifemodel::Parameters& parameters)
+Plots::Plots(const Model& model, const lifemodel::Parameters& parameters, double class_N)
     : ultimate_tension_N_(model.cable.ultimate_tension_N),
       hysteresis_(parameters.hysteresis),
-      range_mean_(model.cable.ultimate_tension_N / 1024) {}
+      range_mean_(class_N) {}
 
 double Plots::newtons(Tension tension) const {
   return lifemodel::pack::to_double(tension) * ultimate_tension_N_;

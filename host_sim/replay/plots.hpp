@@ -13,7 +13,8 @@ namespace host_sim {
 /// Gathers the plots of the report while the samples go by, in bounded memory.
 class Plots {
  public:
-  Plots(const Model& model, const lifemodel::Parameters& parameters);
+  /// @param class_N the narrowest classes of cycles, above 0
+  Plots(const Model& model, const lifemodel::Parameters& parameters, double class_N);
 
   void sample(double time_s, lifemodel::Tension tension);
   /// A counted cycle; `count` is 1 or 0.5.

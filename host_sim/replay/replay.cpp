@@ -72,6 +72,9 @@ Model with(Model model, const std::vector<Extension>& extensions) {
   return model;
 }
 
+/// Narrowest classes of cycles in the ultimate tension.
+constexpr double kClasses = 1024;
+
 /// One pass of a profile.
 class Pass {
  public:
@@ -90,7 +93,9 @@ class Pass {
         wire_(model, parameters_.nominal, input_.has_motion()),
         clock_(1 / model.counting.sample_rate_Hz) {
     if (options.report != nullptr) {
-      plots_.emplace(model, parameters_.nominal);
+      plots_.emplace(
+          model, parameters_.nominal,
+          options.class_N > 0 ? options.class_N : model.cable.ultimate_tension_N / kClasses);
     }
     if (options.trajectory != nullptr) {
       trajectory_.emplace(*options.trajectory, model.cable.ultimate_tension_N);

@@ -59,8 +59,11 @@ struct ReplayOptions {
   std::ostream* trajectory = nullptr;
   double trajectory_step_s = 0.1;  ///< at most one row of the trajectory in this time
   ReplayReport* report = nullptr;  ///< its plots are filled
-  VirtualBoard::Listener can;      ///< hears what the firmware sends; time 0 is the first sample
-  protocol::Node node = 1;         ///< of that firmware
+  /// Width of the narrowest classes of cycles in the report, which are as wide or 2, 4, 8 ... times
+  /// that; 0 is one by the model.
+  double class_N = 0;
+  VirtualBoard::Listener can;  ///< hears what the firmware sends; time 0 is the first sample
+  protocol::Node node = 1;     ///< of that firmware
   std::optional<AskedOfSurvivor> survivor;
   std::optional<AskedUntil> until;
   std::uint32_t start_cycle = 0;  ///< cycles that the sheath has seen before, for its wear

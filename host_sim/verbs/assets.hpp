@@ -11,6 +11,7 @@ extern const std::string_view campaign_toml;
 extern const std::string_view plan_toml;
 extern const std::string_view controller_toml;
 extern const std::string_view calibrate_schema;
+extern const std::string_view compare_schema;
 extern const std::string_view design_schema;
 extern const std::string_view diagnose_schema;
 extern const std::string_view fleet_schema;

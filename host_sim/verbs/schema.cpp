@@ -18,8 +18,9 @@ struct SchemaOfVerb {
   std::string_view text;
 };
 
-const std::array<SchemaOfVerb, 8>& schemas() {
-  static const std::array<SchemaOfVerb, 8> all{{{"calibrate", verb_assets::calibrate_schema},
+const std::array<SchemaOfVerb, 9>& schemas() {
+  static const std::array<SchemaOfVerb, 9> all{{{"calibrate", verb_assets::calibrate_schema},
+                                                {"compare", verb_assets::compare_schema},
                                                 {"design", verb_assets::design_schema},
                                                 {"diagnose", verb_assets::diagnose_schema},
                                                 {"fleet", verb_assets::fleet_schema},

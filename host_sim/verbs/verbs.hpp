@@ -22,6 +22,7 @@ inline constexpr unsigned kMostThreads = 1024;
 /// Each adds one verb to the program; running it sets `status`, which becomes the exit status.
 void add_replay(CLI::App& app, int& status);
 void add_calibrate(CLI::App& app, int& status);
+void add_compare(CLI::App& app, int& status);
 void add_completion(CLI::App& app, int& status);
 void add_design(CLI::App& app, int& status);
 void add_diagnose(CLI::App& app, int& status);

@@ -22,7 +22,7 @@ except ImportError:
     sys.exit(1 if os.environ.get("CI") == "true" else 77)
 
 PATIENCE_S = 30
-VERBS = ("calibrate", "design", "diagnose", "fleet", "fmeca", "monitor", "plan", "replay")
+VERBS = ("calibrate", "compare", "design", "diagnose", "fleet", "fmeca", "monitor", "plan", "replay")
 MODEL = "--model examples/upper_arm.toml"
 ARM = f"examples/upper_arm.csv {MODEL}"
 LAW = "--levels 42.5,55,71 --use-tension 38 --simulations 100"
@@ -84,6 +84,9 @@ RUNS = (
     "replay slack.csv --model examples/upper_arm.toml",
     "replay constant.csv --model examples/upper_arm.toml",
     f"replay examples/upper_arm.csv bad.csv {MODEL}",
+    "compare examples/upper_arm.toml current.toml --profile examples/upper_arm.csv",
+    f"compare examples/upper_arm.csv slack.csv {MODEL}",
+    f"compare examples/upper_arm.csv examples/upper_arm.csv {MODEL}",
     "calibrate examples/tendon_alt --bootstraps 50 --use-tension 30",
     "calibrate lives --bootstraps 50",
     "calibrate few --bootstraps 50",
