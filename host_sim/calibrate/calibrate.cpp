@@ -66,6 +66,7 @@ class Warnings {
       : campaign_(campaign), sources_(sources), result_(result) {}
 
   void add_all() {
+    add_specimens();
     add_levels();
     add_shape();
     if (result_.stress_life) {
@@ -79,6 +80,15 @@ class Warnings {
   template <typename... Values>
   void add(fmt::format_string<Values...> text, Values&&... values) {
     result_.warnings.push_back(fmt::format(text, std::forward<Values>(values)...));
+  }
+
+  /// ASTM E739 has 6 to 12 specimens for exploration, 12 to 24 where a design rests on them.
+  void add_specimens() {
+    constexpr std::size_t kFewForADesign = 12;
+    if (result_.specimens < kFewForADesign) {
+      add("{} specimens are few: enough to explore, but a design rests on {} and more (ASTM E739)",
+          result_.specimens, kFewForADesign);
+    }
   }
 
   void add_levels() {
@@ -278,28 +288,39 @@ class Calibration {
     const LifeLaw law = fit.law();
     const std::vector<LifeLaw> refits = refitted_laws(data, law, options_);
     progress(kAfterReplicates);
-    result_.stress_life =
-        stress_life(data, fit, refits, result_.levels, result_.common_shape, options_);
-    progress(kAfterLaw);
     result_.mixes = mixes(campaign_, law);
-    add_use_levels(data, fit, refits);
+    const std::vector<Use> uses = use_loads();
+    std::vector<double> use_N;
+    for (const Use& use : uses) {
+      use_N.push_back(use.tension_N);
+    }
+    result_.stress_life =
+        stress_life(data, fit, refits, result_.levels, result_.common_shape, use_N, options_);
+    progress(kAfterLaw);
+    for (const Use& use : uses) {
+      result_.use_levels.push_back(use_level(use.name, use.tension_N, data, fit, refits,
+                                             result_.use_levels.size(), options_));
+    }
     add_validation(law, refits);
   }
 
-  void add_use_levels(const life_law::LifeData& data, const life_law::LifeFit& fit,
-                      const std::vector<LifeLaw>& refits) {
-    const auto add = [&](const std::string& name, double tension_N) {
-      result_.use_levels.push_back(
-          use_level(name, tension_N, data, fit, refits, result_.use_levels.size(), options_));
-    };
+  struct Use {
+    std::string name;
+    double tension_N;  ///< effective
+  };
+
+  /// @pre the mixes are there
+  [[nodiscard]] std::vector<Use> use_loads() const {
+    std::vector<Use> uses;
     std::size_t next_mix = 0;
     for (const Campaign::Use& use : campaign_.uses) {
-      add(use.name, use.parts.size() > 1 ? result_.mixes[next_mix++].by_damage_N
-                                         : use.parts.front().load.effective_tension_N);
+      uses.push_back({use.name, use.parts.size() > 1 ? result_.mixes[next_mix++].by_damage_N
+                                                     : use.parts.front().load.effective_tension_N});
     }
     for (const double tension_N : options_.use_tensions_N) {
-      add(fmt::format("{:g} N", tension_N), tension_N);
+      uses.push_back({fmt::format("{:g} N", tension_N), tension_N});
     }
+    return uses;
   }
 
   void add_validation(const LifeLaw& law, const std::vector<LifeLaw>& refits) {

@@ -55,6 +55,9 @@ LevelResult level_result(const Level& level, std::size_t index, const CalibrateO
   result.load = level.load;
   result.role = level.role;
   result.sample = sample_of(level);
+  for (const Campaign::Specimen* specimen : level.specimens) {
+    result.specimens.push_back(specimen->name);
+  }
   for (std::size_t i = 0; i < kFamilies; ++i) {
     result.fits[i] = statistics::fit(static_cast<Family>(i), result.sample);
     if (result.fits[i].problem == statistics::FitProblem::none && result.found_broken() == 0) {

@@ -41,6 +41,7 @@ struct LevelResult {
   Campaign::Load load;
   Campaign::Role role = Campaign::Role::fit;
   statistics::Sample sample;
+  std::vector<std::string> specimens;   ///< their names, as long as the sample
   std::array<statistics::Fit, 3> fits;  ///< by statistics::Family
   std::array<std::optional<statistics::GoodnessOfFit>, 3>
       goodness;                   ///< none where the fit has a problem or a life lies between ends
@@ -89,7 +90,8 @@ struct StressLife {
   std::optional<Test> against_free_levels;  ///< none with two levels
   std::optional<Test> against_curvature;
   std::optional<Test> against_growing_scatter;
-  std::vector<double> band_tension_N;  ///< rising
+  Interval tested_N{1, 0};             ///< with some room beside; empty (low above high) without
+  std::vector<double> band_tension_N;  ///< rising; over what was tested and all use levels
   std::vector<Interval> band_mean;     ///< 95 %, profile likelihood, of the mean life
 };
 

@@ -212,11 +212,35 @@ std::vector<double> band_tensions(std::span<const LevelResult> levels,
   return tensions;
 }
 
+/// Further tensions in even ratios, a little beyond the least and the largest of the uses.
+void reach(std::vector<double>& tensions_N, std::span<const double> use_N) {
+  constexpr double kMargin = 1.05;
+  constexpr int kSteps = 8;
+  const auto steps = [](double from, double to) {
+    std::vector<double> further;
+    for (int i = 1; i <= kSteps; ++i) {
+      further.push_back(from * std::pow(to / from, static_cast<double>(i) / kSteps));
+    }
+    return further;
+  };
+  for (const double use : use_N) {
+    if (const double low = use / kMargin; low < tensions_N.front()) {
+      const std::vector<double> below = steps(tensions_N.front(), low);
+      tensions_N.insert(tensions_N.begin(), below.rbegin(), below.rend());
+    }
+    if (const double high = use * kMargin; high > tensions_N.back()) {
+      const std::vector<double> above = steps(tensions_N.back(), high);
+      tensions_N.insert(tensions_N.end(), above.begin(), above.end());
+    }
+  }
+}
+
 }  // namespace
 
 StressLife stress_life(std::span<const life_law::LifeDatum> data, const life_law::LifeFit& fit,
                        std::span<const LifeLaw> refits, std::span<const LevelResult> levels,
-                       const std::optional<CommonShape>& shape, const CalibrateOptions& options) {
+                       const std::optional<CommonShape>& shape, std::span<const double> use_N,
+                       const CalibrateOptions& options) {
   StressLife result;
   result.law = fit.law();
   result.log_likelihood = fit.log_likelihood;
@@ -232,6 +256,8 @@ StressLife stress_life(std::span<const life_law::LifeDatum> data, const life_law
   }
   test_adequacy(data, fit, options, result);
   result.band_tension_N = band_tensions(levels, data);
+  result.tested_N = {result.band_tension_N.front(), result.band_tension_N.back()};
+  reach(result.band_tension_N, use_N);
   result.band_mean.resize(result.band_tension_N.size());
   statistics::parallel_for(
       result.band_mean.size(),

@@ -20,8 +20,10 @@ void test_adequacy(std::span<const life_law::LifeDatum> data, const life_law::Li
 
 /// The law with its intervals and tests from a fit without problem.
 /// @param refits laws fitted to simulated campaigns, see refitted_laws()
+/// @param use_N effective tensions of the use levels, which the band reaches
 StressLife stress_life(std::span<const life_law::LifeDatum> data, const life_law::LifeFit& fit,
                        std::span<const LifeLaw> refits, std::span<const LevelResult> levels,
-                       const std::optional<CommonShape>& shape, const CalibrateOptions& options);
+                       const std::optional<CommonShape>& shape, std::span<const double> use_N,
+                       const CalibrateOptions& options);
 
 }  // namespace host_sim::calibrate

@@ -7,10 +7,12 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <span>
 #include <utility>
 
 #include "hal/files/input_error.hpp"
 #include "host_sim/model/model_tables.hpp"
+#include "host_sim/replay/replay.hpp"
 #include "host_sim/replay/results.hpp"
 
 namespace host_sim::compare {
@@ -29,14 +31,14 @@ ReplayResult replayed(const Replayed& of, const ReplayOptions& options) {
 }
 
 Side side_of(const Replayed& of, double class_N, const std::function<void()>& look) {
-  Side side;
-  side.of = of;
+  Side side{of.profile, of.model_file, {}, {}};
   ReplayOptions options;
   options.report = &side.report;
   options.class_N = class_N;
   options.progress = [&look](std::uint64_t) { look(); };
-  side.result = replayed(of, options);
-  fill_report(side.report, side.result, of.model);
+  const ReplayResult result = replayed(of, options);
+  fill_report(side.report, result, of.model);
+  side.unit = result.input == hal::files::InputKind::kMotorCurrent ? "A" : "N";
   return side;
 }
 
@@ -44,38 +46,6 @@ using Numbers = std::map<std::string, double>;
 
 bool has_table(const Model& model, std::string_view table) {
   return table != "drive" || model.drive.has_value();
-}
-
-/// The B10 life of A with one thing changed, over that of A.
-std::optional<double> life_ratio_with(const Side& a, const std::function<void(Model&)>& change) {
-  Replayed changed = a.of;
-  change(changed.model);
-  if (!(changed.model.counting.hysteresis_N < changed.model.cable.ultimate_tension_N)) {
-    return std::nullopt;
-  }
-  try {
-    return ratio(replayed(changed, {}).repeats_to.b10, a.result.repeats_to.b10);
-  } catch (const InputError&) {
-    return std::nullopt;
-  }
-}
-
-void add_keys(std::vector<Difference>& differences, const Side& a, const Side& b) {
-  Model of_a = a.of.model, of_b = b.of.model;
-  for (const ModelKey& key : model_keys()) {
-    const auto value = [&key](Model& model) {
-      return has_table(model, key.table) ? std::optional(key.value(model)) : std::nullopt;
-    };
-    const Difference found{fmt::format("{}.{}", key.table, key.key), value(of_a), value(of_b), {}};
-    if (found.a == found.b) {
-      continue;
-    }
-    differences.push_back(found);
-    if (found.a && found.b) {
-      differences.back().life_ratio =
-          life_ratio_with(a, [&](Model& model) { key.value(model) = *found.b; });
-    }
-  }
 }
 
 Numbers numbers_of(const Extension* extension) {
@@ -90,57 +60,100 @@ Numbers numbers_of(const Extension* extension) {
   return numbers;
 }
 
-/// Extensions are changed as a whole: their numbers are fitted together.
-void add_extension(std::vector<Difference>& differences, const Side& a, const Side& b,
-                   const std::string& id) {
-  const Extension* const other = extension_of(b.of.model.extensions, id);
-  const Numbers of_a = numbers_of(extension_of(a.of.model.extensions, id));
-  const Numbers of_b = numbers_of(other);
-  if (of_a == of_b) {
-    return;
-  }
-  const std::optional<double> life_ratio = life_ratio_with(a, [&](Model& model) {
-    std::erase_if(model.extensions, [&id](const Extension& one) { return one.id == id; });
-    if (other != nullptr) {
-      model.extensions.push_back(*other);
-      std::ranges::sort(model.extensions, {}, &Extension::id);
-    }
-  });
-  Numbers all = of_a;
-  all.insert(of_b.begin(), of_b.end());
-  for (const auto& [name, ignored] : all) {
-    const auto value = [&name = name](const Numbers& numbers) {
-      const auto found = numbers.find(name);
-      return found == numbers.end() ? std::nullopt : std::optional(found->second);
-    };
-    if (value(of_a) != value(of_b)) {
-      differences.push_back(
-          {fmt::format("extension.{}.{}", id, name), value(of_a), value(of_b), life_ratio});
-    }
-  }
-}
-
 /// How much it changes the life; what cannot be said stands last.
 double weight(const Difference& difference) {
   const double change = difference.life_ratio ? std::abs(std::log(*difference.life_ratio)) : -1;
   return std::isnan(change) ? -1 : change;
 }
 
-std::vector<Difference> differences_between(const Side& a, const Side& b) {
-  std::vector<Difference> differences;
-  add_keys(differences, a, b);
-  std::set<std::string> ids;
-  for (const Side* const side : {&a, &b}) {
-    for (const Extension& extension : side->of.model.extensions) {
-      ids.insert(extension.id);
+/// Exchanges what differs between two models, one thing after the other.
+class Exchange {
+ public:
+  /// @param a_B10 life of A
+  Exchange(const Replayed& a, const Replayed& b, double a_B10) : a_(a), b_(b), a_B10_(a_B10) {}
+
+  std::vector<Difference> differences() {
+    add_keys();
+    std::set<std::string> ids;
+    for (const Replayed* const one : {&a_, &b_}) {
+      for (const Extension& extension : one->model.extensions) {
+        ids.insert(extension.id);
+      }
+    }
+    for (const std::string& id : ids) {
+      add_extension(id);
+    }
+    std::ranges::stable_sort(differences_, std::greater<>(), weight);
+    return differences_;
+  }
+
+ private:
+  /// The B10 life of A with one thing changed, over that of A.
+  [[nodiscard]] std::optional<double> life_ratio_with(
+      const std::function<void(Model&)>& change) const {
+    Replayed changed = a_;
+    change(changed.model);
+    if (!(changed.model.counting.hysteresis_N < changed.model.cable.ultimate_tension_N)) {
+      return std::nullopt;
+    }
+    try {
+      return ratio(replayed(changed, {}).repeats_to.b10, a_B10_);
+    } catch (const InputError&) {
+      return std::nullopt;
     }
   }
-  for (const std::string& id : ids) {
-    add_extension(differences, a, b, id);
+
+  void add_keys() {
+    Model of_a = a_.model, of_b = b_.model;
+    for (const ModelKey& key : model_keys()) {
+      const auto value = [&key](Model& model) {
+        return has_table(model, key.table) ? std::optional(key.value(model)) : std::nullopt;
+      };
+      Difference found{fmt::format("{}.{}", key.table, key.key), value(of_a), value(of_b), {}};
+      if (found.a == found.b) {
+        continue;
+      }
+      if (found.a && found.b) {
+        found.life_ratio = life_ratio_with([&](Model& model) { key.value(model) = *found.b; });
+      }
+      differences_.push_back(std::move(found));
+    }
   }
-  std::ranges::stable_sort(differences, std::greater<>(), weight);
-  return differences;
-}
+
+  /// Extensions are changed as a whole: their numbers are fitted together.
+  void add_extension(const std::string& id) {
+    const Extension* const other = extension_of(b_.model.extensions, id);
+    const Numbers of_a = numbers_of(extension_of(a_.model.extensions, id));
+    const Numbers of_b = numbers_of(other);
+    if (of_a == of_b) {
+      return;
+    }
+    const std::optional<double> life_ratio = life_ratio_with([&](Model& model) {
+      std::erase_if(model.extensions, [&id](const Extension& one) { return one.id == id; });
+      if (other != nullptr) {
+        model.extensions.push_back(*other);
+        std::ranges::sort(model.extensions, {}, &Extension::id);
+      }
+    });
+    Numbers all = of_a;
+    all.insert(of_b.begin(), of_b.end());
+    for (const auto& [name, ignored] : all) {
+      const auto value = [&name = name](const Numbers& numbers) {
+        const auto found = numbers.find(name);
+        return found == numbers.end() ? std::nullopt : std::optional(found->second);
+      };
+      if (value(of_a) != value(of_b)) {
+        differences_.push_back(
+            {fmt::format("extension.{}.{}", id, name), value(of_a), value(of_b), life_ratio});
+      }
+    }
+  }
+
+  const Replayed& a_;
+  const Replayed& b_;
+  double a_B10_;
+  std::vector<Difference> differences_;
+};
 
 /// The rows of a profile one by one.
 class Rows {
@@ -253,7 +266,7 @@ std::optional<double> damage_at(const Trajectory& trajectory, double since_s) {
 std::optional<double> apart_after(const Side& a, const Side& b) {
   const Trajectory& of_a = a.report.trajectory;
   const Trajectory& of_b = b.report.trajectory;
-  const double least = kApart * std::max(a.result.damage.total, b.result.damage.total);
+  const double least = kApart * std::max(a.report.damage.total, b.report.damage.total);
   for (std::size_t i = 0; i < of_a.time_s.size(); ++i) {
     const double since_s = of_a.time_s[i] - of_a.time_s.front();
     const auto other = damage_at(of_b, since_s);
@@ -269,10 +282,6 @@ std::optional<double> apart_after(const Side& a, const Side& b) {
 
 }  // namespace
 
-double ratio(double b, double a) {
-  return a == b ? 1 : b / a;
-}
-
 Comparison compare(const Replayed& a, const Replayed& b, bool of_models,
                    const std::function<void()>& look) {
   Comparison comparison;
@@ -282,7 +291,7 @@ Comparison compare(const Replayed& a, const Replayed& b, bool of_models,
       kClassesInUltimate;
   comparison.sides = {side_of(a, class_N, look), side_of(b, class_N, look)};
   if (of_models) {
-    comparison.differences = differences_between(comparison.a(), comparison.b());
+    comparison.differences = Exchange(a, b, comparison.a().report.repeats_to.B10).differences();
   } else {
     comparison.first = first_difference(a.profile, b.profile);
   }

@@ -16,29 +16,29 @@ using nlohmann::ordered_json;
 constexpr std::array<std::string_view, 2> kNames{"A", "B"};
 
 ordered_json life_json(const Side& side, const std::function<double(double)>& of_repeats) {
-  const reference::LifePoints& to = side.result.repeats_to;
-  return {{"B10", json_number(of_repeats(to.b10))},
-          {"B50", json_number(of_repeats(to.b50))},
+  const RepeatsTo& to = side.report.repeats_to;
+  return {{"B10", json_number(of_repeats(to.B10))},
+          {"B50", json_number(of_repeats(to.B50))},
           {"mean", json_number(of_repeats(to.mean))},
-          {"B90", json_number(of_repeats(to.b90))}};
+          {"B90", json_number(of_repeats(to.B90))}};
 }
 
 ordered_json side_json(const Side& side) {
-  const ReplayResult& result = side.result;
-  return {{"profile", side.of.profile},
-          {"model", side.of.model_file},
-          {"model_digest", result.model_digest},
-          {"samples", result.samples},
-          {"missing_samples", result.missing_samples},
-          {"duration_s", result.duration_s},
-          {"cycles", {{"closed", result.cycles.closed}, {"open_half", result.cycles.open_half}}},
-          {"damage", result.damage.total},
-          {"equivalent_effective_tension_N", result.equivalent_effective_tension_N},
-          {"peak_tension_N", result.peak_tension_N},
+  const ReplayReport& report = side.report;
+  return {{"profile", side.profile},
+          {"model", side.model},
+          {"model_digest", report.model_digest},
+          {"samples", report.samples},
+          {"missing_samples", report.missing_samples},
+          {"duration_s", report.duration_s},
+          {"cycles", {{"closed", report.cycles.closed}, {"open_half", report.cycles.open_half}}},
+          {"damage", report.damage.total},
+          {"equivalent_effective_tension_N", report.equivalent_effective_tension_N},
+          {"peak_tension_N", side.peak_tension_N()},
           {"repeats_to", life_json(side, [](double repeats) { return repeats; })},
           {"hours_to", life_json(side, [&side](double repeats) { return side.hours(repeats); })},
-          {"flags", result.flags},
-          {"warnings", result.warnings}};
+          {"flags", report.flags},
+          {"warnings", report.warnings}};
 }
 
 ordered_json optional_json(const std::optional<double>& value) {
@@ -57,10 +57,6 @@ ordered_json first_json(const std::optional<FirstDifference>& first) {
           {"b", side(first->line_b, first->b)}};
 }
 
-std::string_view unit_of(hal::files::InputKind kind) {
-  return kind == hal::files::InputKind::kMotorCurrent ? "A" : "N";
-}
-
 std::string number_of(double value) {
   return std::isfinite(value) ? fmt::format("{:.6g}", value) : std::string("unlimited");
 }
@@ -75,76 +71,16 @@ std::string factor_of(double factor) {
 
 }  // namespace
 
-std::vector<Quantity> quantities_of(const Comparison& comparison) {
-  const auto both = [&comparison](std::string name, std::string unit,
-                                  const std::function<double(const Side&)>& value) {
-    return Quantity{
-        std::move(name), std::move(unit), {value(comparison.a()), value(comparison.b())}};
-  };
-  return {
-      both("Life used", "", [](const Side& side) { return side.result.damage.total; }),
-      both("Repeats to B10", "", [](const Side& side) { return side.result.repeats_to.b10; }),
-      both("Repeats to B50", "", [](const Side& side) { return side.result.repeats_to.b50; }),
-      both("Hours to B10", "h",
-           [](const Side& side) { return side.hours(side.result.repeats_to.b10); }),
-      both("Hours to B50", "h",
-           [](const Side& side) { return side.hours(side.result.repeats_to.b50); }),
-      both("Equivalent effective tension", "N",
-           [](const Side& side) { return side.result.equivalent_effective_tension_N; }),
-      both("Highest tension", "N", [](const Side& side) { return side.result.peak_tension_N; }),
-      both("Full cycles", "",
-           [](const Side& side) { return static_cast<double>(side.result.cycles.closed); }),
-      both("Half cycles", "",
-           [](const Side& side) { return static_cast<double>(side.result.cycles.open_half); }),
-      both("Length", "s", [](const Side& side) { return side.result.duration_s; }),
-      both("Missing samples", "",
-           [](const Side& side) { return static_cast<double>(side.result.missing_samples); }),
-  };
-}
-
-std::string sentence_of(const Comparison& comparison) {
-  const auto hours = [](const Side& side) { return side.hours(side.result.repeats_to.b10); };
-  const double life = ratio(hours(comparison.b()), hours(comparison.a()));
-  const std::string_view what = comparison.of_models ? "model" : "profile";
-  const std::string lives =
-      life == 1 ? fmt::format("as long with {} B as with A", what)
-      : std::isinf(life) || life == 0
-          ? fmt::format("without limit with {} {} alone", what, life == 0 ? "A" : "B")
-          : fmt::format("{:.3g} times as long with {} B as with A", life, what);
-  return fmt::format(
-      "The wire lives {} (B10, in operation); effective tension {:.4g} N with A, "
-      "{:.4g} N with B.",
-      lives, comparison.a().result.equivalent_effective_tension_N,
-      comparison.b().result.equivalent_effective_tension_N);
-}
-
-std::string first_of(const Comparison& comparison) {
-  if (comparison.of_models) {
-    return {};
-  }
-  if (!comparison.first) {
-    return "All samples are equal.";
-  }
-  const FirstDifference& first = *comparison.first;
-  const auto side = [](const Side& of, std::uint64_t line, double value) {
-    return line == 0 ? std::string("has ended")
-                     : fmt::format("line {} with {:.6g} {}", line, value, unit_of(of.result.input));
-  };
-  return fmt::format("The first samples that differ are at {:.6g} s: A {}, B {}.", first.time_s,
-                     side(comparison.a(), first.line_a, first.a),
-                     side(comparison.b(), first.line_b, first.b));
-}
-
 std::string compare_json(const Comparison& comparison) {
   ordered_json ratios;
   const auto add = [&](const char* name, const std::function<double(const Side&)>& value) {
     ratios[name] = json_number(ratio(value(comparison.b()), value(comparison.a())));
   };
-  add("damage", [](const Side& side) { return side.result.damage.total; });
+  add("damage", [](const Side& side) { return side.report.damage.total; });
   add("equivalent_effective_tension_N",
-      [](const Side& side) { return side.result.equivalent_effective_tension_N; });
-  add("repeats_to_B10", [](const Side& side) { return side.result.repeats_to.b10; });
-  add("hours_to_B10", [](const Side& side) { return side.hours(side.result.repeats_to.b10); });
+      [](const Side& side) { return side.report.equivalent_effective_tension_N; });
+  add("repeats_to_B10", [](const Side& side) { return side.report.repeats_to.B10; });
+  add("hours_to_B10", [](const Side& side) { return side.hours(side.report.repeats_to.B10); });
   const ordered_json json{
       {"of", comparison.of_models ? "models" : "profiles"},
       {"a", side_json(comparison.a())},
@@ -207,9 +143,9 @@ void write_classes(std::ostream& out, const std::vector<CycleClass>& classes) {
 
 void write_compare(std::ostream& out, const Comparison& comparison) {
   for (std::size_t i = 0; i < comparison.sides.size(); ++i) {
-    const Replayed& of = comparison.sides[i].of;
-    fmt::print(out, "{}  {} with model {} ({})\n", kNames[i], of.profile, of.model_file,
-               comparison.sides[i].result.model_digest);
+    const Side& side = comparison.sides[i];
+    fmt::print(out, "{}  {} with model {} ({})\n", kNames[i], side.profile, side.model,
+               side.report.model_digest);
   }
   fmt::print(out, "{}\n{:<40} {:>12} {:>12} {:>12}\n", sentence_of(comparison), "", "A", "B",
              "B / A");
@@ -233,7 +169,7 @@ void write_compare(std::ostream& out, const Comparison& comparison) {
                100 * kApart);
   }
   for (std::size_t i = 0; i < comparison.sides.size(); ++i) {
-    for (const std::string& warning : comparison.sides[i].result.warnings) {
+    for (const std::string& warning : comparison.sides[i].report.warnings) {
       fmt::print(out, "warning of {}: {}\n", kNames[i], warning);
     }
   }

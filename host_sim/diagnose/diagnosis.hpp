@@ -139,6 +139,13 @@ struct TracePicture {
   std::vector<double> time_s, input_N, measured_N, before_N, after_N;
 };
 
+/// What one cause does where it shows most: before_N without it, after_N with it, beside the causes
+/// that were found before it.
+struct CausePicture {
+  std::string id;  ///< of the effect
+  TracePicture trace;
+};
+
 /// Mean residual ln T_out - ln T_in + mu phi s in bins of one covariate, for one direction. The
 /// envelope holds 95 % of what the nominal model gives by noise and scatter of sessions alone.
 struct ResidualPicture {
@@ -179,6 +186,7 @@ struct TensionDiagnosis {
   Findings findings;
   bool in_newtons = false;  ///< by the forward model, not by signatures of ln T
   std::vector<TracePicture> traces;
+  std::vector<CausePicture> causes;  ///< of those of Findings::steps that lessen the error
   std::vector<ResidualPicture> residuals;
   std::vector<RemainderPicture> remainders;
   std::vector<SessionRefit> session_refits;

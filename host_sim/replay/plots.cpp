@@ -1,5 +1,6 @@
 #include "host_sim/replay/plots.hpp"
 
+#include "host_sim/report/page/stretch.hpp"
 #include "lifemodel/pack/pack.hpp"
 
 namespace host_sim {
@@ -29,6 +30,15 @@ void Plots::sample(double time_s, Tension tension) {
   }
 }
 
+void Plots::loop(double time_s, double input_N, double output_N) {
+  constexpr std::size_t kMostSamples = 20'000;
+  if (loop_.time_s.size() < kMostSamples) {
+    loop_.time_s.push_back(time_s);
+    loop_.input_N.push_back(input_N);
+    loop_.output_N.push_back(output_N);
+  }
+}
+
 void Plots::cycle(Tension from, Tension to, double count, lifemodel::CycleDamage damage) {
   range_mean_.push(newtons(from), newtons(to), count, lifemodel::pack::to_double(damage));
 }
@@ -37,6 +47,9 @@ void Plots::finish(ReplayReport& report) {
   if (filter_.directed()) {
     turning_points_.push(candidate_s_, newtons(candidate_));
   }
+  const Stretch cycles = cycles_in(loop_.input_N);
+  report.loop = {part_of(loop_.time_s, cycles), part_of(loop_.input_N, cycles),
+                 part_of(loop_.output_N, cycles)};
   report.tension = envelope_.finish();
   report.turning_points = turning_points_.finish();
   report.range_mean = range_mean_.finish();

@@ -17,6 +17,10 @@ class Plots {
   Plots(const Model& model, const lifemodel::Parameters& parameters, double class_N);
 
   void sample(double time_s, lifemodel::Tension tension);
+  /// Samples are missing before the next one.
+  void gap() { envelope_.gap(); }
+  /// Of a profile with output tension; those of the first minutes are taken.
+  void loop(double time_s, double input_N, double output_N);
   /// A counted cycle; `count` is 1 or 0.5.
   void cycle(lifemodel::Tension from, lifemodel::Tension to, double count,
              lifemodel::CycleDamage damage);
@@ -38,6 +42,7 @@ class Plots {
   TurningPointBuilder turning_points_;
   RangeMeanBuilder range_mean_;
   TrajectoryBuilder trajectory_;
+  Loop loop_;
 };
 
 /// Hands counted cycles to the plots, where there are any.

@@ -39,6 +39,7 @@ class SampleClock {
 
   [[nodiscard]] double duration_s() const { return ticks_ == 0 ? 0 : time_s_ - first_s_; }
   [[nodiscard]] std::uint64_t samples() const { return ticks_; }
+  [[nodiscard]] std::uint64_t gaps() const { return gaps_; }
   /// True where the profile was not recorded at the rate of the model.
   [[nodiscard]] bool other_rate() const { return ticks_ > 2 && 2 * gaps_ > ticks_; }
   [[nodiscard]] double rate_Hz() const {

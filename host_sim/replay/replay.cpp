@@ -91,7 +91,8 @@ class Pass {
         exact_(reference_constants_of(model), extended_effective_tension(acting_model_)),
         input_(profile, acting_model_, parameters_, options.start_cycle),
         wire_(model, parameters_.nominal, input_.has_motion()),
-        clock_(1 / model.counting.sample_rate_Hz) {
+        clock_(1 / model.counting.sample_rate_Hz),
+        has_output_(profile.kind() == InputKind::kOutputTension) {
     if (options.report != nullptr) {
       plots_.emplace(
           model, parameters_.nominal,
@@ -156,6 +157,7 @@ class Pass {
     }
     result.flags = flag_names(reading.flags);
     result.overloads = reading.overloads.raw();
+    result.gaps = clock_.gaps();
     result.missing_samples = reading.missing_samples.raw();
     result.peak_tension_N = exact.peak_tension_N;
     result.watched = wire_.result();
@@ -181,6 +183,9 @@ class Pass {
     }
     if (plots_) {
       plots_->finish(*options_.report);
+      if (clock_.other_rate()) {
+        options_.report->tension.gaps.clear();
+      }
     }
     if (board_) {
       finish_board(reading.total);
@@ -198,6 +203,9 @@ class Pass {
       estimator_.push_missing(0, missing);
       input_.gap();
       wire_.miss(missing);
+      if (plots_) {
+        plots_->gap();
+      }
     }
     input_.take(row, estimator_.input_flags(0));
     waiting_.push_back(input_.tension());
@@ -217,6 +225,9 @@ class Pass {
     }
     if (plots_) {
       plots_->sample(row.time_s, input_.tension());
+      if (has_output_) {
+        plots_->loop(row.time_s, input_.tension_N(), row.value);
+      }
     }
     time_s_ = row.time_s;
     report(row.time_s >= next_report_s_);
@@ -315,6 +326,7 @@ class Pass {
   ProfileInput input_;
   WireFollower wire_;
   SampleClock clock_;
+  bool has_output_;
   std::optional<SeenLife> seen_life_;
   std::optional<Plots> plots_;
   std::optional<TrajectoryFile> trajectory_;

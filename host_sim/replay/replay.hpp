@@ -44,7 +44,8 @@ struct ReplayResult {
   std::vector<std::string> flags;
   std::vector<std::string> warnings;
   std::uint64_t overloads = 0;
-  std::uint64_t missing_samples = 0;
+  std::uint64_t gaps = 0;
+  std::uint64_t missing_samples = 0;  ///< in them
   double peak_tension_N = 0;
   Watched watched;
   std::optional<SeenLife> seen_life;  ///< up to the break; nothing where there was no cycle

@@ -314,6 +314,10 @@ void write_summary(std::ostream& out, const ReplayResult& result, const std::str
              result.reference_damage.total, result.relative_error);
   fmt::print(out, "  survival      {:.4f} %  after one pass\n", 100 * result.survival_probability);
   write_repeats(out, result);
+  if (result.gaps > 0) {
+    fmt::print(out, "  gaps          {}, in which {} samples are missing\n", result.gaps,
+               result.missing_samples);
+  }
   write_watched(out, result.watched);
   if (result.given_survival) {
     write_given_survival(out, *result.given_survival);
@@ -342,6 +346,8 @@ void fill_report(ReplayReport& report, const ReplayResult& result, const Model& 
   report.input_kind = prose_of(result.input);
   report.model_digest = result.model_digest;
   report.samples = result.samples;
+  report.gaps = result.gaps;
+  report.missing_samples = result.missing_samples;
   report.duration_s = result.duration_s;
   report.cycles = result.cycles;
   report.damage = result.damage;

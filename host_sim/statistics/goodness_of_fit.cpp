@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "host_sim/statistics/bootstrap.hpp"
 #include "host_sim/statistics/distribution.hpp"
@@ -195,19 +196,24 @@ QuantileBand weibull_quantile_band(const Fit& fit, std::span<const Observation> 
 }
 
 std::vector<PlottingPosition> plotting_positions(std::span<const Observation> sample) {
-  Sample sorted(sample.begin(), sample.end());
-  std::sort(sorted.begin(), sorted.end(), rises_failures_first);
+  std::vector<std::size_t> sorted(sample.size());
+  std::iota(sorted.begin(), sorted.end(), std::size_t{0});
+  std::ranges::stable_sort(sorted, [&sample](std::size_t one, std::size_t other) {
+    return rises_failures_first(sample[one], sample[other]);
+  });
   const auto size = static_cast<double>(sorted.size());
   std::vector<PlottingPosition> positions;
   double rank = 0;
   double remaining = size;
-  for (const Observation& seen : sorted) {
+  for (const std::size_t specimen : sorted) {
+    const Observation& seen = sample[specimen];
     if (seen.failed) {
       rank += (size + 1 - rank) / (1 + remaining);
       if (!seen.trimmed) {
         positions.push_back({.life = seen.value,
                              .p = (rank - 0.3) / (size + 0.4),
-                             .from = seen.from.value_or(seen.value)});
+                             .from = seen.from.value_or(seen.value),
+                             .specimen = specimen});
       }
     }
     --remaining;

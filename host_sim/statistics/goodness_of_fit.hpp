@@ -54,6 +54,7 @@ struct PlottingPosition {
   double life = 0;
   double p = 0;     ///< (adjusted rank - 0.3) / (n + 0.4): Benard's median rank
   double from = 0;  ///< where the life lies between two ends the lower of them, else the life
+  std::size_t specimen = 0;  ///< in the sample
 };
 
 /// Failures in rising order, at the upper end where a life lies between two; ranks are adjusted for

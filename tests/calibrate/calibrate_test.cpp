@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "hal/files/input_error.hpp"
 #include "tests/calibrate/campaigns.hpp"
 
@@ -45,6 +47,31 @@ TEST(Calibrate, FindsTheLawOfLivesThatFollowIt) {
   ASSERT_TRUE(result.stress_life->least_squares.has_value());
   EXPECT_NEAR(result.stress_life->least_squares->exponent, 2, 1e-6);
   EXPECT_THAT(result.warnings, IsEmpty());
+}
+
+TEST(Calibrate, WarnsOfFewSpecimens) {
+  CampaignBuilder builder;
+  builder.level(20, even_lives(2500, 6, 6)).level(40, even_lives(625, 6, 5));
+  EXPECT_THAT(calibrate(builder.campaign(), quick()).warnings,
+              testing::Contains(HasSubstr("11 specimens are few")));
+  builder.level(50, {400});
+  EXPECT_THAT(calibrate(builder.campaign(), quick()).warnings,
+              testing::Contains(HasSubstr("specimens are few")).Times(0));
+}
+
+TEST(Calibrate, TheBandReachesOverAllUseLevels) {
+  CampaignBuilder builder = square_law(6);
+  builder.use("light", 5).use("heavy", 90).use("between", 30);
+  const StressLife law = *calibrate(builder.campaign(), quick()).stress_life;
+  // Tested from 20 to 50 N with a quarter beside; 5 N and 90 N are beyond.
+  EXPECT_NEAR(law.tested_N.low, 16, 1e-9);
+  EXPECT_NEAR(law.tested_N.high, 62.5, 1e-9);
+  EXPECT_LT(law.band_tension_N.front(), 5);
+  EXPECT_GT(law.band_tension_N.back(), 90);
+  EXPECT_TRUE(std::ranges::is_sorted(law.band_tension_N));
+  ASSERT_EQ(law.band_mean.size(), law.band_tension_N.size());
+  EXPECT_LT(law.band_mean.front().low, law.law.mean_life(law.band_tension_N.front()));
+  EXPECT_GT(law.band_mean.front().high, law.law.mean_life(law.band_tension_N.front()));
 }
 
 TEST(Calibrate, LeavesOutTheLevelThatBreaksTheShapeAndSaysWhy) {

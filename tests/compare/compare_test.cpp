@@ -118,8 +118,8 @@ TEST_F(Compare, PutsCyclesOfBothIntoTheSameClasses) {
   EXPECT_LE(only.mean_N[0], 35);
   EXPECT_GT(only.mean_N[1], 35);
   EXPECT_EQ(only.cycles, (std::array{1.5, 1.5}));
-  EXPECT_NEAR(only.damage[0], comparison.a().result.damage.total, 1e-12);
-  EXPECT_NEAR(only.damage[1], comparison.b().result.damage.total, 1e-12);
+  EXPECT_NEAR(only.damage[0], comparison.a().report.damage.total, 1e-12);
+  EXPECT_NEAR(only.damage[1], comparison.b().report.damage.total, 1e-12);
   EXPECT_EQ(comparison.apart_s, 0.015) << "the next reading after the first sample";
 }
 

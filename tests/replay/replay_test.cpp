@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -179,15 +180,43 @@ TEST(Replay, ACurrentProfileNeedsADrive) {
 }
 
 TEST(Replay, FlagsAndGapsAreTold) {
+  ReplayReport report;
+  ReplayOptions options;
+  options.report = &report;
   const ReplayResult result =
       replay_text("time_s,input_tension_N\n0,10\n0.1,60\n0.2,-5\n0.9,60\n1.0,180\n1.1,10\n1.2,60\n",
-                  paper_model());
+                  paper_model(), options);
+  EXPECT_EQ(result.gaps, 1u);
+  EXPECT_EQ(report.tension.gaps, std::vector<std::size_t>{3});
+  EXPECT_TRUE(report.loop.time_s.empty()) << "no output tension";
+  std::ostringstream summary;
+  write_summary(summary, result, "profile.csv", "model.toml");
+  EXPECT_NE(summary.str().find("\n  gaps          1, in which 6 samples are missing\n"),
+            std::string::npos)
+      << summary.str();
   EXPECT_EQ(result.flags, (std::vector<std::string>{"overload", "negative_tension", "gap"}));
   EXPECT_EQ(result.missing_samples, 6u);
   EXPECT_EQ(result.overloads, 1u);
   EXPECT_GT(result.damage.total, 1);
   EXPECT_LT(std::fabs(result.relative_error), 2e-6);
   EXPECT_TRUE(result.warnings.empty());
+}
+
+TEST(Replay, ALoopIsOfTwoCyclesOfTheOutputTension) {
+  std::vector<std::string> values;
+  for (int i = 0; i < 5; ++i) {
+    values.insert(values.end(), {"10,1", "20,1", "30,1", "20,-1"});
+  }
+  ReplayReport report;
+  ReplayOptions options;
+  options.report = &report;
+  replay_text(rows("time_s,output_tension_N,tendon_velocity_m_s", values), paper_model(), options);
+  EXPECT_EQ(report.loop.time_s.size(), 9u) << "4 samples a cycle, and the first of the next";
+  EXPECT_EQ(report.loop.input_N.size(), 9u);
+  // exp(0.128 * 1.5 pi) = 1.82793 times the output tension while pulling, over it letting go.
+  const auto [low, high] = std::ranges::minmax(report.loop.input_N);
+  EXPECT_NEAR(high, 30 * 1.82793, 1e-3);
+  EXPECT_NEAR(low, 20 / 1.82793, 1e-3);
 }
 
 TEST(Replay, TensionHeldAtTheUltimateOneIsAnOverload) {

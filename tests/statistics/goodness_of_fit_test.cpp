@@ -183,6 +183,8 @@ TEST(QuantileBand, HoldsTheTruthAsOftenAsItSays) {
 
 TEST(PlottingPositions, MedianRanksOfFailures) {
   const auto positions = plotting_positions(failed({30, 10, 20}));
+  EXPECT_EQ(positions[0].specimen, 1U);
+  EXPECT_EQ(positions[2].specimen, 0U);
   ASSERT_EQ(positions.size(), 3U);
   EXPECT_EQ(positions[0].life, 10);
   EXPECT_DOUBLE_EQ(positions[0].p, 0.7 / 3.4);

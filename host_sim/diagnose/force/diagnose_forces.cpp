@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -66,6 +67,7 @@ class Report {
          const reference::Constants& constants, std::uint64_t seed)
       : data_(data),
         search_(search),
+        stairs_(search.stairs()),
         nominal_(nominal),
         constants_(constants),
         covariates_(force_covariates(data.records())),
@@ -93,6 +95,7 @@ class Report {
     withdraw_unless_improved(findings);
     extend(diagnosis);
     add_traces(diagnosis);
+    add_causes(diagnosis);
     diagnosis.remainders = remainder_.pictures;
     return diagnosis;
   }
@@ -216,22 +219,21 @@ class Report {
 
   [[nodiscard]] std::vector<Step> steps() const {
     std::vector<Step> steps;
-    const std::vector<ForceSearch::Candidate> stairs = search_.stairs();
-    for (std::size_t i = 0; i < stairs.size(); ++i) {
-      const double rmse_N = data_.rmse_N(stairs[i].held.plain_N2);
+    for (std::size_t i = 0; i < stairs_.size(); ++i) {
+      const double rmse_N = data_.rmse_N(stairs_[i].held.plain_N2);
       Step step{.effect = {},
-                .output_rmse_N = output_rmse_of({stairs[i].fit, {}, std::nullopt}),
+                .output_rmse_N = output_rmse_of({stairs_[i].fit, {}, std::nullopt}),
                 .input_rmse_N = rmse_N,
                 .log_predictive_density = density(rmse_N),
                 .sessions = static_cast<int>(data_.records().size())};
       if (i > 0) {
-        const std::vector<double>& before_N2 = stairs[i - 1].held.beside_scatter_N2;
-        step.effect =
-            effect_of(stairs[i].fit.terms.back(), stairs[i].fit, data_.half_widths(stairs[i].fit));
-        step.effect.probability = probability_of(data_.gain_of(stairs[i - 1].held, stairs[i].held),
-                                                 data_.records().size());
+        const std::vector<double>& before_N2 = stairs_[i - 1].held.beside_scatter_N2;
+        step.effect = effect_of(stairs_[i].fit.terms.back(), stairs_[i].fit,
+                                data_.half_widths(stairs_[i].fit));
+        step.effect.probability = probability_of(
+            data_.gain_of(stairs_[i - 1].held, stairs_[i].held), data_.records().size());
         for (std::size_t j = 0; j < before_N2.size(); ++j) {
-          step.sessions_better += stairs[i].held.beside_scatter_N2[j] < before_N2[j] ? 1 : 0;
+          step.sessions_better += stairs_[i].held.beside_scatter_N2[j] < before_N2[j] ? 1 : 0;
         }
       }
       steps.push_back(std::move(step));
@@ -457,28 +459,68 @@ class Report {
     return output_rmse_N(data_, extended.fit, left_N(extended));
   }
 
-  /// The output force that each model has for the input, of the first sessions.
+  /// A model with what it leaves of the input force in each session.
+  struct Left {
+    explicit Left(const Report& report, const Extended& model)
+        : parameters(model.fit.parameters), residuals_N(report.left_N(model)) {}
+
+    [[nodiscard]] double squares_N2(std::size_t session) const {
+      const std::vector<double>& of = residuals_N[session];
+      return std::inner_product(of.begin(), of.end(), of.begin(), 0.0);
+    }
+    std::vector<double> parameters;
+    std::vector<std::vector<double>> residuals_N;
+  };
+
+  /// The output force that each model has for the input of a session.
+  [[nodiscard]] TracePicture trace_of(std::size_t session, const Left& before,
+                                      const Left& after) const {
+    const ForceRecord& record = data_.records()[session];
+    const auto output_N = [&](const Left& model) {
+      std::vector<double> all_N = record.output_N;
+      for (std::size_t i = 0; i < all_N.size(); ++i) {
+        all_N[i] += model.residuals_N[session][i] / model.parameters[0];
+      }
+      return all_N;
+    };
+    return {record.session,  record.time_s,    record.input_N,
+            record.output_N, output_N(before), output_N(after)};
+  }
+
+  /// Of the first sessions.
   void add_traces(TensionDiagnosis& diagnosis) const {
     constexpr std::size_t kTraces = 4;
-    const Extended nominal{search_.nominal().fit, {}, std::nullopt};
-    const auto before_N = left_N(nominal);
-    const auto after_N = left_N(extended_);
+    const Left before(*this, {search_.nominal().fit, {}, std::nullopt});
+    const Left after(*this, extended_);
     for (std::size_t j = 0; j < std::min(kTraces, data_.records().size()); ++j) {
-      const ForceRecord& record = data_.records()[j];
-      const auto output = [&](const Extended& model, const std::vector<double>& residuals_N) {
-        std::vector<double> output_N = record.output_N;
-        for (std::size_t i = 0; i < output_N.size(); ++i) {
-          output_N[i] += residuals_N[i] / model.fit.parameters[0];
+      diagnosis.traces.push_back(trace_of(j, before, after));
+    }
+  }
+
+  /// Of each cause that lessens the error, in the session where it does so most.
+  void add_causes(TensionDiagnosis& diagnosis) const {
+    std::optional<Left> before;
+    for (std::size_t i = 0; i < stairs_.size(); ++i) {
+      Left after(*this, {stairs_[i].fit, {}, std::nullopt});
+      if (before) {
+        std::vector<double> lessened_N2(data_.records().size());
+        for (std::size_t j = 0; j < lessened_N2.size(); ++j) {
+          lessened_N2[j] = before->squares_N2(j) - after.squares_N2(j);
         }
-        return output_N;
-      };
-      diagnosis.traces.push_back({record.session, record.time_s, record.input_N, record.output_N,
-                                  output(nominal, before_N[j]), output(extended_, after_N[j])});
+        if (std::accumulate(lessened_N2.begin(), lessened_N2.end(), 0.0) > 0) {
+          const auto most =
+              static_cast<std::size_t>(std::ranges::max_element(lessened_N2) - lessened_N2.begin());
+          diagnosis.causes.push_back(
+              {diagnosis.findings.steps[i].effect.id, trace_of(most, *before, after)});
+        }
+      }
+      before = std::move(after);
     }
   }
 
   const ForceData& data_;
   const ForceSearch& search_;
+  std::vector<ForceSearch::Candidate> stairs_;
   const NominalModel& nominal_;
   const reference::Constants& constants_;
   std::vector<ForceCovariate> covariates_;

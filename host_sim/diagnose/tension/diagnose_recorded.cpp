@@ -349,6 +349,7 @@ TensionDiagnosis in_newtons_after(TensionDiagnosis signatures, TensionDiagnosis 
   Findings& findings = diagnosis.findings;
   findings.remainder = std::move(found.remainder);
   findings.steps = std::move(found.steps);
+  diagnosis.causes = std::move(forces.causes);
   findings.prose += how_far(findings.steps);
   diagnosis.remainders = std::move(forces.remainders);
   if (found.correction) {

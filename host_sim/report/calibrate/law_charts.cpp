@@ -32,10 +32,9 @@ TensionRange tested_tensions_N(const calibrate::CalibrateResult& result) {
   for (const calibrate::LevelResult& level : result.levels) {
     widen(range, level.load.effective_tension_N);
   }
-  if (result.stress_life) {
-    for (const double tension_N : result.stress_life->band_tension_N) {
-      widen(range, tension_N);
-    }
+  if (result.stress_life && result.stress_life->tested_N.low <= result.stress_life->tested_N.high) {
+    widen(range, result.stress_life->tested_N.low);
+    widen(range, result.stress_life->tested_N.high);
   }
   return range;
 }
@@ -165,8 +164,9 @@ using calibrate::StressLife;
 
 // Layers that the plots of life over tension share.
 
-/// The band as an outline: forth along its upper side and back along the lower one.
-Layer mean_band(const StressLife& law) {
+/// The band within a range as an outline: forth along its upper side and back along the lower one.
+Layer mean_band(const StressLife& law, TensionRange range) {
+  constexpr double kBeyond = 1.06;  // a little more than what the band reaches beyond a use level
   Layer layer;
   layer.kind = Layer::Kind::area;
   layer.name = "95 % band of the mean";
@@ -174,7 +174,8 @@ Layer mean_band(const StressLife& law) {
   for (std::size_t i = 0; i < 2 * size; ++i) {
     const std::size_t at = i < size ? i : 2 * size - 1 - i;
     const double life = i < size ? law.band_mean[at].high : law.band_mean[at].low;
-    if (std::isfinite(life)) {
+    if (std::isfinite(life) && kBeyond * law.band_tension_N[at] >= range.low_N &&
+        law.band_tension_N[at] <= kBeyond * range.high_N) {
       layer.x.push_back(law.band_tension_N[at]);
       layer.y.push_back(life);
     }
@@ -201,11 +202,11 @@ Layer specimens(const CalibrateResult& result, LevelKind part, bool failed,
                 std::string_view colour) {
   Layer layer = specimen_points(part, failed, colour);
   for (const LevelResult& level : result.levels) {
-    for (const statistics::Observation& specimen : level.sample) {
-      if (kind_of(level) == part && is_point(specimen, failed)) {
+    for (std::size_t i = 0; kind_of(level) == part && i < level.sample.size(); ++i) {
+      if (is_point(level.sample[i], failed)) {
         layer.x.push_back(level.load.effective_tension_N);
-        layer.y.push_back(specimen.value);
-        layer.texts.push_back(level.name());
+        layer.y.push_back(level.sample[i].value);
+        layer.texts.push_back(specimen_text(level, i));
       }
     }
   }
@@ -215,11 +216,13 @@ Layer specimens(const CalibrateResult& result, LevelKind part, bool failed,
 Layer found_broken_by_tension(const CalibrateResult& result) {
   Layer layer = found_broken_bars();
   for (const LevelResult& level : result.levels) {
-    for (const statistics::Observation& specimen : level.sample) {
+    for (std::size_t i = 0; i < level.sample.size(); ++i) {
+      const statistics::Observation& specimen = level.sample[i];
       if (specimen.from.value_or(0) > 0 && !specimen.trimmed) {
         layer.x.push_back(level.load.effective_tension_N);
         layer.y.push_back(*specimen.from);
         layer.high.push_back(specimen.value);
+        layer.texts.push_back(specimen_text(level, i));
       }
     }
   }
@@ -233,7 +236,7 @@ void add_law(Chart& chart, const StressLife& law, TensionRange range) {
   const auto quantile = [&law](double p) {
     return [&law, p](double tension_N) { return law.law.quantile(p, tension_N); };
   };
-  add_if_any(chart, mean_band(law));
+  add_if_any(chart, mean_band(law, range));
   add_if_any(chart,
              named(law_line(range, quantile(0.9)), "B90 (90 % broken)", "level-3", false, kThin));
   add_if_any(

@@ -35,6 +35,7 @@ Layer specimens(const calibrate::CalibrateResult& result, LevelKind part, bool f
       if (is_point(level.sample[j], failed)) {
         layer.x.push_back(static_cast<double>(i) + beside(j));
         layer.y.push_back(level.sample[j].value);
+        layer.texts.push_back(level.specimens.at(j));
       }
     }
   }
@@ -50,6 +51,7 @@ Layer found_broken(const calibrate::CalibrateResult& result) {
         layer.x.push_back(static_cast<double>(i) + beside(j));
         layer.y.push_back(*sample[j].from);
         layer.high.push_back(sample[j].value);
+        layer.texts.push_back(result.levels[i].specimens.at(j));
       }
     }
   }
@@ -140,10 +142,10 @@ Layer suspended(const calibrate::LevelResult& level) {
 
   Layer layer = specimen_points(kind_of(level), false, "line");
   layer.arrow = Layer::Arrow::right;
-  for (const statistics::Observation& specimen : level.sample) {
-    if (is_point(specimen, false)) {
-      layer.x.push_back(specimen.value);
-      layer.texts.push_back("suspended at " + level.name());
+  for (std::size_t i = 0; i < level.sample.size(); ++i) {
+    if (is_point(level.sample[i], false)) {
+      layer.x.push_back(level.sample[i].value);
+      layer.texts.push_back(level.specimens.at(i) + " suspended at " + level.name());
     }
   }
   const double density_at_mean =
@@ -231,6 +233,7 @@ Layer failures(const LevelResult& level) {
   for (const statistics::PlottingPosition& position : level.positions) {
     layer.x.push_back(position.life);
     layer.y.push_back(position.p);
+    layer.texts.push_back(level.specimens.at(position.specimen));
   }
   return layer;
 }
@@ -255,9 +258,10 @@ Layer suspended_at_the_foot(const LevelResult& level) {
   Layer layer = specimen_points(kind_of(level), false, "line");
   layer.name = "Suspended: lives longer";
   layer.arrow = Layer::Arrow::right;
-  for (const statistics::Observation& specimen : level.sample) {
-    if (is_point(specimen, false)) {
-      layer.x.push_back(specimen.value);
+  for (std::size_t i = 0; i < level.sample.size(); ++i) {
+    if (is_point(level.sample[i], false)) {
+      layer.x.push_back(level.sample[i].value);
+      layer.texts.push_back(level.specimens.at(i));
     }
   }
   layer.y.assign(layer.x.size(), kFirstShare);

@@ -51,6 +51,10 @@ std::string title_of(const calibrate::LevelResult& level) {
   return level.name();
 }
 
+std::string specimen_text(const calibrate::LevelResult& level, std::size_t specimen) {
+  return level.specimens.at(specimen) + ", " + level.name();
+}
+
 bool has_fit(const calibrate::LevelResult& level) {
   return level.weibull().problem == statistics::FitProblem::none;
 }

@@ -25,6 +25,9 @@ enum class LevelKind { fitted, validation, left_out };
 /// The name with what the level is where it is not fitted: "540 deg, 99.7 N (left out)".
 [[nodiscard]] std::string title_of(const calibrate::LevelResult& level);
 
+/// A specimen of the sample with its level: "wire 7, 540 deg, 99.7 N".
+[[nodiscard]] std::string specimen_text(const calibrate::LevelResult& level, std::size_t specimen);
+
 /// Whether the Weibull fit has numbers.
 [[nodiscard]] bool has_fit(const calibrate::LevelResult& level);
 

@@ -40,9 +40,9 @@ std::string file_of(const std::string& path) {
 }
 
 std::string name_of(const Comparison& comparison, std::size_t side) {
-  const compare::Replayed& of = comparison.sides[side].of;
+  const Side& of = comparison.sides[side];
   return fmt::format("{}, {}", side == 0 ? "A" : "B",
-                     file_of(comparison.of_models ? of.model_file : of.profile));
+                     file_of(comparison.of_models ? of.model : of.profile));
 }
 
 Layer layer_of(const Comparison& comparison, std::size_t side, Layer::Kind kind) {
@@ -103,7 +103,7 @@ class Clock {
   explicit Clock(const Comparison& comparison) {
     constexpr double kHour_s = 3600;
     const double longest_s =
-        std::max(comparison.a().result.duration_s, comparison.b().result.duration_s);
+        std::max(comparison.a().report.duration_s, comparison.b().report.duration_s);
     if (longest_s > 2 * kHour_s) {
       unit_ = "h";
       unit_s_ = kHour_s;
@@ -175,7 +175,7 @@ Chart life_chart(const Comparison& comparison) {
   chart.y = {"Broken wires, %", Axis::Kind::linear, "%", {}, true};
   for (std::size_t side = 0; side < 2; ++side) {
     const Side& one = comparison.sides[side];
-    const LifeCurve curve = life_curve(one.result.damage.total, one.report.weibull_shape);
+    const LifeCurve curve = life_curve(one.report.damage.total, one.report.weibull_shape);
     Layer line = layer_of(comparison, side, Layer::Kind::line);
     Layer b10 = layer_of(comparison, side, Layer::Kind::points);
     b10.name = "B10 of " + b10.name;
@@ -184,7 +184,7 @@ Chart life_chart(const Comparison& comparison) {
       line.y.push_back(kPercent * curve.broken[i]);
     }
     if (!line.x.empty()) {
-      b10.x = {one.hours(one.result.repeats_to.b10)};
+      b10.x = {one.hours(one.report.repeats_to.B10)};
       b10.y = {10};
       chart.layers.insert(chart.layers.end(), {line, b10});
     }
@@ -270,12 +270,12 @@ std::vector<std::string> warnings_of(const Comparison& comparison) {
 }
 
 std::string origin(const Comparison& comparison) {
-  const compare::Replayed& of = comparison.a().of;
+  const Side& of = comparison.a();
   return comparison.of_models
              ? fmt::format("Both with profile {}; models {} and {}.", file_of(of.profile),
-                           comparison.a().result.model_digest, comparison.b().result.model_digest)
-             : fmt::format("Both with model {}, digest {}.", file_of(of.model_file),
-                           comparison.a().result.model_digest);
+                           comparison.a().report.model_digest, comparison.b().report.model_digest)
+             : fmt::format("Both with model {}, digest {}.", file_of(of.model),
+                           comparison.a().report.model_digest);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/compare/compare.hpp"
+#include "host_sim/report/compare/comparison.hpp"
 #include "host_sim/report/page/chart.hpp"
 
 namespace host_sim {

@@ -49,17 +49,39 @@ std::string trace(const diagnose::TensionDiagnosis& tension, std::size_t index) 
     text += fmt::format(", that of the extended one {}",
                         quantity_text(rmse_N(trace.measured_N, trace.after_N), "N"));
   }
-  return text + ".";
+  text += ".";
+  const std::size_t gaps = gaps_in(trace.time_s).size();
+  return gaps == 0 ? text : text + fmt::format(" {} of it, left open.", counted_text(gaps, "gap"));
 }
 
-std::string loop(const diagnose::TensionDiagnosis& tension, std::size_t index) {
-  const diagnose::TracePicture& trace = tension.traces.at(index);
+namespace {
+
+/// "From 2 s to 4 s." of the cycles that are drawn; empty without any.
+std::string when(const diagnose::TracePicture& trace) {
   const Stretch stretch = cycles_in(trace.input_N);
   if (stretch.last <= stretch.first || trace.time_s.size() < stretch.last) {
     return {};
   }
   return fmt::format("From {} to {}.", quantity_text(trace.time_s[stretch.first], "s"),
                      quantity_text(trace.time_s[stretch.last - 1], "s"));
+}
+
+}  // namespace
+
+std::string loop(const diagnose::TensionDiagnosis& tension, std::size_t index) {
+  return when(tension.traces.at(index));
+}
+
+std::string causes() {
+  return "What each cause does: the loop that the model has without it and with it, beside the "
+         "causes before it, in the session whose error it lessens most.";
+}
+
+std::string cause(const diagnose::TensionDiagnosis& tension, std::size_t index) {
+  const diagnose::TracePicture& trace = tension.causes.at(index).trace;
+  return fmt::format("{} The error of the whole session is {} (RMSE) without it, {} with it.",
+                     when(trace), quantity_text(rmse_N(trace.measured_N, trace.before_N), "N"),
+                     quantity_text(rmse_N(trace.measured_N, trace.after_N), "N"));
 }
 
 std::string residuals(const diagnose::TensionDiagnosis& tension) {

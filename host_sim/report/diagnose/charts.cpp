@@ -116,6 +116,9 @@ std::vector<Chart> charts(const diagnose::Diagnosis& diagnosis) {
       all.push_back(trace_chart(*diagnosis.tension, trace));
       all.push_back(loop_chart(*diagnosis.tension, trace));
     }
+    for (std::size_t i = 0; i < diagnosis.tension->causes.size(); ++i) {
+      all.push_back(cause_chart(*diagnosis.tension, i));
+    }
     for (const std::size_t i : residual_order(*diagnosis.tension)) {
       all.push_back(residual_chart(*diagnosis.tension, i));
     }

@@ -5,6 +5,7 @@
 
 #include "host_sim/diagnose/diagnosis.hpp"
 #include "host_sim/report/page/chart.hpp"
+#include "host_sim/report/page/stretch.hpp"
 
 /// The plots of the page of a diagnosis. What the nominal model says and what the extended one says
 /// have the same colours everywhere. A chart without anything to show has no layers.
@@ -26,21 +27,11 @@ inline constexpr std::string_view kAfterColour = "line";
 /// Output tension of one session over time, measured and simulated.
 [[nodiscard]] Chart trace_chart(const diagnose::TensionDiagnosis& tension, std::size_t trace);
 
-/// Samples after a time that nothing was recorded in, as indices.
-[[nodiscard]] std::vector<std::size_t> gaps_in(const std::vector<double>& time_s);
-
-/// Samples from `first` up to but not including `last`.
-struct Stretch {
-  std::size_t first = 0;
-  std::size_t last = 0;
-};
-
-/// Two cycles of the input tension from the middle of a recording, from where it rises through its
-/// mean; one where there are no two, and all of it where there is none.
-[[nodiscard]] Stretch cycles_in(const std::vector<double>& input_N);
-
 /// Its loop in one or two cycles: output tension over input tension, with the direction of travel.
 [[nodiscard]] Chart loop_chart(const diagnose::TensionDiagnosis& tension, std::size_t trace);
+
+/// The loop of what one cause does, without and with it, in the session where it shows most.
+[[nodiscard]] Chart cause_chart(const diagnose::TensionDiagnosis& tension, std::size_t cause);
 
 /// The residuals in the order of the page, as indices: the covariate whose means leave their
 /// envelope farthest with the nominal model first, the directions of one covariate together.

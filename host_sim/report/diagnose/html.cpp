@@ -56,6 +56,17 @@ std::string traces(const diagnose::TensionDiagnosis& tension) {
   return html + "</div>\n";
 }
 
+std::string causes(const diagnose::TensionDiagnosis& tension) {
+  if (tension.causes.empty()) {
+    return {};
+  }
+  std::string html = caption(captions::causes()) + "<div class=\"pair\">\n";
+  for (std::size_t i = 0; i < tension.causes.size(); ++i) {
+    html += in_pair(elements::chart(cause_chart(tension, i), captions::cause(tension, i), ""));
+  }
+  return html + "</div>\n";
+}
+
 std::string sessions(const diagnose::TensionDiagnosis& tension) {
   if (tension.session_refits.empty()) {
     return {};
@@ -99,6 +110,7 @@ std::string filled(std::string_view page, const Slots& slots) {
 
 std::string pictures(const diagnose::TensionDiagnosis& tension) {
   return filled(diagnose_assets::recordings_html, {{"traces", traces(tension)},
+                                                   {"causes", causes(tension)},
                                                    {"sessions", sessions(tension)},
                                                    {"remainders", remainders(tension)},
                                                    {"residuals", residuals(tension)}});

@@ -57,6 +57,7 @@ Layer failures(const LifeDiagnosis& lives, Model model) {
   for (const statistics::PlottingPosition& position : statistics::plotting_positions(sample)) {
     layer.x.push_back(position.life);
     layer.y.push_back(position.p);
+    layer.texts.push_back(lives.picture.points[position.specimen].specimen);
   }
   return layer;
 }

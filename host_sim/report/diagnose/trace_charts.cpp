@@ -18,40 +18,6 @@ using diagnose::TracePicture;
 constexpr double kMeasured_px = 4;  // shows below the simulated lines
 constexpr double kSimulated_px = 1.5;
 
-/// Where samples before a place are missing: the time between two is more than this many usual
-/// ones.
-constexpr double kGap = 3;
-
-double usual_interval_s(const std::vector<double>& time_s) {
-  std::vector<double> intervals_s(time_s.size());
-  std::adjacent_difference(time_s.begin(), time_s.end(), intervals_s.begin());
-  intervals_s.erase(intervals_s.begin());
-  const auto middle = intervals_s.begin() + static_cast<std::ptrdiff_t>(intervals_s.size() / 2);
-  std::nth_element(intervals_s.begin(), middle, intervals_s.end());
-  return *middle;
-}
-
-/// Values of a line that is not drawn where nothing was recorded: a value that is none stands in
-/// each gap.
-std::vector<double> with_gaps(const std::vector<double>& values,
-                              const std::vector<std::size_t>& gaps) {
-  std::vector<double> all;
-  auto gap = gaps.begin();
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (gap != gaps.end() && *gap == i) {
-      all.push_back(std::numeric_limits<double>::quiet_NaN());
-      ++gap;
-    }
-    all.push_back(values[i]);
-  }
-  return all;
-}
-
-std::vector<double> part_of(const std::vector<double>& values, const Stretch& stretch) {
-  return {values.begin() + static_cast<std::ptrdiff_t>(stretch.first),
-          values.begin() + static_cast<std::ptrdiff_t>(stretch.last)};
-}
-
 /// Lines of one stretch of a trace over `x`.
 class Lines {
  public:
@@ -87,8 +53,17 @@ class Lines {
   int heads_;
 };
 
+/// What the lines are called; none where there is no such line.
+struct Names {
+  std::string before, after;
+};
+
+Names names_of(const TensionDiagnosis& tension) {
+  return {"Nominal model", tension.findings.extensions.empty() ? "" : "Extended model"};
+}
+
 /// Measured, before and after over `x`.
-std::vector<Layer> outputs(const TensionDiagnosis& tension, const TracePicture& trace,
+std::vector<Layer> outputs(const Names& names, const TracePicture& trace,
                            const std::vector<double>& x, const Stretch& stretch, int heads) {
   if (x.empty() || x.size() != trace.measured_N.size() || x.size() != trace.time_s.size()) {
     return {};
@@ -97,59 +72,16 @@ std::vector<Layer> outputs(const TensionDiagnosis& tension, const TracePicture& 
   lines.add("Measured", "muted", trace.measured_N);
   lines.layers.front().width_px = kMeasured_px;
   if (trace.before_N.size() == x.size()) {
-    lines.add("Nominal model", kBeforeColour, trace.before_N);
+    lines.add(names.before, kBeforeColour, trace.before_N);
     lines.layers.back().dashed = true;
   }
-  if (!tension.findings.extensions.empty()) {
-    lines.add("Extended model", kAfterColour, trace.after_N);
+  if (!names.after.empty()) {
+    lines.add(names.after, kAfterColour, trace.after_N);
   }
   return lines.layers;
 }
 
 }  // namespace
-
-std::vector<std::size_t> gaps_in(const std::vector<double>& time_s) {
-  std::vector<std::size_t> gaps;
-  if (time_s.size() < 2) {
-    return gaps;
-  }
-  const double most_s = kGap * usual_interval_s(time_s);
-  for (std::size_t i = 1; i < time_s.size(); ++i) {
-    if (time_s[i] - time_s[i - 1] > most_s) {
-      gaps.push_back(i);
-    }
-  }
-  return gaps;
-}
-
-Stretch cycles_in(const std::vector<double>& input_N) {
-  constexpr double kBand = 0.75;  // standard deviations
-  constexpr std::size_t kCycles = 2;
-  double count = 0, sum = 0, square = 0;
-  for (const double value : input_N) {
-    if (std::isfinite(value)) {
-      count += 1;
-      sum += value;
-      square += value * value;
-    }
-  }
-  const double mean = sum / count;
-  const double band = kBand * std::sqrt(std::max(0.0, square / count - mean * mean));
-  std::vector<std::size_t> rises;
-  bool below = false;
-  for (std::size_t i = 0; i < input_N.size(); ++i) {
-    if (below && input_N[i] > mean + band) {
-      rises.push_back(i);
-    }
-    below = input_N[i] < mean - band || (below && !(input_N[i] > mean + band));
-  }
-  if (rises.size() < 2) {
-    return {0, input_N.size()};
-  }
-  const std::size_t cycles = std::min(kCycles, rises.size() - 1);
-  const std::size_t first = (rises.size() - 1 - cycles) / 2;
-  return {rises[first], rises[first + cycles] + 1};
-}
 
 double rmse_N(const std::vector<double>& measured_N, const std::vector<double>& simulated_N) {
   if (measured_N.empty() || measured_N.size() != simulated_N.size()) {
@@ -185,20 +117,38 @@ Chart trace_chart(const TensionDiagnosis& tension, std::size_t trace_index) {
   chart.name = "Output tension in session " + trace.session;
   chart.x = {"Time, s", Axis::Kind::linear, "s", {}, false};
   chart.y = {"Output tension, N", Axis::Kind::linear, "N", {}, false};
-  chart.layers = outputs(tension, trace, trace.time_s, {0, trace.time_s.size()}, 0);
+  chart.layers = outputs(names_of(tension), trace, trace.time_s, {0, trace.time_s.size()}, 0);
   return chart;
 }
 
-Chart loop_chart(const TensionDiagnosis& tension, std::size_t trace_index) {
+namespace {
+
+Chart loop_of(std::string id, std::string name, const Names& names, const TracePicture& trace) {
   constexpr int kHeads = 4;
-  const TracePicture& trace = tension.traces.at(trace_index);
   Chart chart;
-  chart.id = fmt::format("loop-{}", trace_index);
-  chart.name = "Loop of input and output tension in session " + trace.session;
+  chart.id = std::move(id);
+  chart.name = std::move(name);
   chart.x = {"Input tension, N", Axis::Kind::linear, "N", {}, false};
   chart.y = {"Output tension, N", Axis::Kind::linear, "N", {}, false};
-  chart.layers = outputs(tension, trace, trace.input_N, cycles_in(trace.input_N), kHeads);
+  chart.layers = outputs(names, trace, trace.input_N, cycles_in(trace.input_N), kHeads);
   return chart;
+}
+
+}  // namespace
+
+Chart loop_chart(const TensionDiagnosis& tension, std::size_t trace_index) {
+  const TracePicture& trace = tension.traces.at(trace_index);
+  return loop_of(fmt::format("loop-{}", trace_index),
+                 "Loop of input and output tension in session " + trace.session, names_of(tension),
+                 trace);
+}
+
+Chart cause_chart(const TensionDiagnosis& tension, std::size_t cause_index) {
+  const diagnose::CausePicture& cause = tension.causes.at(cause_index);
+  return loop_of(
+      fmt::format("cause-{}", cause_index),
+      fmt::format("Loop without and with {} in session {}", cause.id, cause.trace.session),
+      {"Without " + cause.id, "With " + cause.id}, cause.trace);
 }
 
 }  // namespace host_sim::diagnose_page

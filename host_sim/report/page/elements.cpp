@@ -110,9 +110,7 @@ std::string empty(std::string_view reason) {
 std::string chart_place(std::string_view id, std::string_view name, std::string_view summary) {
   return fmt::format(
       "<div class=\"chart\" data-chart=\"{0}\" tabindex=\"0\" role=\"group\" aria-label=\"{1}\" "
-      "aria-describedby=\"{0}-hint\" data-summary=\"{1}. {2}\"></div>\n"
-      "<p class=\"hint\" id=\"{0}-hint\">Drag to zoom, double-click to see all. By keyboard: "
-      "arrows move, + and \u2212 zoom, 0 shows all.</p>\n",
+      "aria-describedby=\"chart-hint\" data-summary=\"{1}. {2}\"></div>\n",
       id, html_escape(name), html_escape(summary));
 }
 

@@ -15,6 +15,10 @@ using Slots = std::map<std::string_view, std::string, std::less<>>;
 /// Throws std::logic_error for a slot without text and for one that is not closed.
 void fill_template(std::ostream& out, std::string_view page, const Slots& slots);
 
+/// A body with what guides its reader: after its header links to its headings where there are more
+/// than six, and before its first plot, once, how all plots are zoomed.
+[[nodiscard]] std::string with_guides(std::string body);
+
 /// What differs from one page to the next. Title and footer are plain text, the body is HTML with
 /// all texts escaped.
 struct PageParts {

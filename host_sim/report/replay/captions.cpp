@@ -88,6 +88,13 @@ std::string tension(const ReplayReport& report) {
     text += fmt::format(" The band reaches from the lowest to the highest of every {} samples.",
                         count_text(envelope.samples_per_bucket));
   }
+  if (report.gaps > 0) {
+    text += fmt::format(" {}, in which {} missing{}.", counted_text(report.gaps, "gap"),
+                        report.missing_samples == 1
+                            ? std::string("1 sample is")
+                            : counted_text(report.missing_samples, "sample") + " are",
+                        envelope.gaps.empty() ? "" : ", left open");
+  }
   const TurningPoints& turning = report.turning_points;
   if (turning.total > turning.points.size()) {
     text += fmt::format(

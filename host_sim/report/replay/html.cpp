@@ -7,6 +7,7 @@
 #include "host_sim/report/replay/assets.hpp"
 #include "host_sim/report/replay/captions.hpp"
 #include "host_sim/report/replay/given_survival.hpp"
+#include "host_sim/report/replay/loop.hpp"
 #include "host_sim/report/replay/plot_builders.hpp"
 #include "host_sim/report/replay/sections.hpp"
 
@@ -68,12 +69,14 @@ json replay_page_json(const ReplayReport& report) {
        {{"time_s", report.tension.time_s},
         {"low_N", report.tension.low_N},
         {"high_N", report.tension.high_N},
-        {"samples_per_bucket", report.tension.samples_per_bucket}}},
+        {"samples_per_bucket", report.tension.samples_per_bucket},
+        {"gaps", report.tension.gaps}}},
       {"turning_points", turning_points_json(report.turning_points)},
       {"range_mean", range_mean_json(report.range_mean)},
       {"trajectory", {{"time_s", report.trajectory.time_s}, {"damage", report.trajectory.damage}}},
       {"life", {{"repeats", life.repeats}, {"broken", life.broken}}},
-      {"charts", {{"survivor", chart_json(break_chart(report))}}}};
+      {"charts",
+       {{"survivor", chart_json(break_chart(report))}, {"loop", chart_json(loop_chart(report))}}}};
 }
 
 }  // namespace
@@ -91,6 +94,7 @@ void write_replay_report(std::ostream& out, const ReplayReport& report) {
       {"until_date", sections::until_date(report)},
       {"tension_caption", html_escape(captions::tension(report))},
       {"tension_chart", sections::tension_chart(report)},
+      {"loop", sections::loop(report)},
       {"matrix_caption", html_escape(captions::range_mean(report))},
       {"matrix_chart", sections::range_mean_chart(report)},
       {"trajectory_caption", html_escape(captions::trajectory(report))},

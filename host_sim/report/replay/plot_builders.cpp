@@ -10,8 +10,8 @@ EnvelopeBuilder::EnvelopeBuilder(std::size_t max_buckets)
     : max_buckets_(std::max<std::size_t>(2, max_buckets + max_buckets % 2)) {}
 
 void EnvelopeBuilder::push(double time_s, double tension_N) {
-  const Bucket sample{time_s, time_s, tension_N, tension_N};
-  if (!buckets_.empty() && samples_in_last_ < samples_per_bucket_) {
+  const Bucket sample{time_s, time_s, tension_N, tension_N, after_gap_};
+  if (!buckets_.empty() && !after_gap_ && samples_in_last_ < samples_per_bucket_) {
     merge(buckets_.back(), sample);
     ++samples_in_last_;
     return;
@@ -21,12 +21,16 @@ void EnvelopeBuilder::push(double time_s, double tension_N) {
   }
   buckets_.push_back(sample);
   samples_in_last_ = 1;
+  after_gap_ = false;
 }
 
 Envelope EnvelopeBuilder::finish() const {
   Envelope envelope;
   envelope.samples_per_bucket = samples_per_bucket_;
   for (const Bucket& bucket : buckets_) {
+    if (bucket.after_gap) {
+      envelope.gaps.push_back(envelope.time_s.size());
+    }
     envelope.time_s.push_back(bucket.first_s + (bucket.last_s - bucket.first_s) / 2);
     envelope.low_N.push_back(bucket.low_N);
     envelope.high_N.push_back(bucket.high_N);
@@ -41,13 +45,21 @@ void EnvelopeBuilder::merge(Bucket& into, const Bucket& later) {
 }
 
 void EnvelopeBuilder::halve() {
-  const std::size_t half = buckets_.size() / 2;
-  for (std::size_t i = 0; i < half; ++i) {
-    Bucket merged = buckets_[2 * i];
-    merge(merged, buckets_[2 * i + 1]);
-    buckets_[i] = merged;
+  const bool keep_gaps =
+      4 * static_cast<std::size_t>(std::ranges::count(buckets_, true, &Bucket::after_gap)) <=
+      max_buckets_;
+  std::size_t kept = 0;
+  bool paired = true;
+  for (const Bucket& bucket : buckets_) {
+    if (paired || (bucket.after_gap && keep_gaps)) {
+      buckets_[kept++] = bucket;
+      paired = false;
+    } else {
+      merge(buckets_[kept - 1], bucket);
+      paired = true;
+    }
   }
-  buckets_.resize(half);
+  buckets_.resize(kept);
   samples_per_bucket_ *= 2;
 }
 

@@ -18,6 +18,9 @@ class EnvelopeBuilder {
 
   /// Adds a finite sample; time must not fall. Amortised constant time.
   void push(double time_s, double tension_N);
+  /// Samples are missing before the next one: it begins a bucket, unless there are so many gaps
+  /// that a quarter of all buckets does.
+  void gap() { after_gap_ = !buckets_.empty(); }
 
   [[nodiscard]] Envelope finish() const;
 
@@ -27,10 +30,12 @@ class EnvelopeBuilder {
     double last_s;
     double low_N;
     double high_N;
+    bool after_gap;
   };
   static void merge(Bucket& into, const Bucket& later);
   void halve();
 
+  bool after_gap_ = false;
   std::size_t max_buckets_;
   std::uint64_t samples_per_bucket_ = 1;
   std::uint64_t samples_in_last_ = 0;

@@ -18,6 +18,15 @@ struct Envelope {
   std::vector<double> low_N;   ///< exact minimum of each bucket
   std::vector<double> high_N;  ///< exact maximum of each bucket
   std::uint64_t samples_per_bucket = 1;
+  std::vector<std::size_t> gaps;  ///< buckets before which samples are missing
+};
+
+/// Input and output tension in one or two cycles; none where the profile has no output tension. The
+/// three vectors have the same length.
+struct Loop {
+  std::vector<double> time_s;
+  std::vector<double> input_N;
+  std::vector<double> output_N;
 };
 
 struct TurningPoint {
@@ -149,6 +158,8 @@ struct ReplayReport {
   std::string program_version;
 
   std::uint64_t samples = 0;
+  std::uint64_t gaps = 0;
+  std::uint64_t missing_samples = 0;  ///< in them
   double duration_s = 0;
   CycleCounts cycles;
   DamageSplit damage;            ///< by the fixed-point estimator
@@ -174,6 +185,7 @@ struct ReplayReport {
 
   Envelope tension;
   TurningPoints turning_points;
+  Loop loop;
   RangeMeanMatrix range_mean;
   Trajectory trajectory;
 

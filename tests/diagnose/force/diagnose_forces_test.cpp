@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <numeric>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -111,6 +113,25 @@ TEST(DiagnoseForces, WhatRemainsIsDrawnByDirectionForBothModels) {
   EXPECT_EQ(diagnosis.remainders[1].direction, -1);
   // Friction that the nominal model lacks is against the motion.
   EXPECT_LT(mean(diagnosis.remainders[0].before_N) * mean(diagnosis.remainders[1].before_N), -9);
+}
+
+TEST(DiagnoseForces, ACauseIsDrawnWithoutAndWithIt) {
+  const TensionDiagnosis diagnosis =
+      diagnose_forces(measured({.preload_N = 12}, 6), nominal(), kWire, {});
+  ASSERT_EQ(diagnosis.causes.size(), 1U);
+  EXPECT_EQ(diagnosis.causes[0].id, "friction_preload");
+  const TracePicture& trace = diagnosis.causes[0].trace;
+  const auto off_N = [&trace](const std::vector<double>& model_N) {
+    double square_N2 = 0;
+    for (std::size_t i = 0; i < model_N.size(); ++i) {
+      square_N2 += std::pow(trace.measured_N[i] - model_N[i], 2);
+    }
+    return std::sqrt(square_N2 / static_cast<double>(model_N.size()));
+  };
+  // Friction of 12 N against the motion that a gain and a friction coefficient stand in for; with
+  // it the noise of both ends is left.
+  EXPECT_GT(off_N(trace.before_N), 4);
+  EXPECT_LT(off_N(trace.after_N), 1.5);
 }
 
 TEST(DiagnoseForces, WhatIsOutsideTheCatalogueIsNoneOfItsCauses) {

@@ -129,6 +129,28 @@ TEST(StressLifeChart, TheBandGoesForthAndBack) {
   EXPECT_THAT(band.y, ElementsAre(900, 700, 550, 450, 600, 700));
 }
 
+TEST(UseChart, TheBandGoesOverAllUseLevels) {
+  calibrate::CalibrateResult result = samples::paper_like();
+  result.stress_life->tested_N = {34, 110};
+  result.stress_life->band_tension_N = {24, 40, 50, 60};
+  result.stress_life->band_mean = {{900, 2000}, {700, 900}, {600, 700}, {450, 550}};
+  EXPECT_THAT(layer_of(use_chart(result, StressLifeAxes::linear), "95 % band of the mean").x,
+              ElementsAre(24, 40, 50, 60, 60, 50, 40, 24));
+  EXPECT_THAT(
+      layer_of(stress_life_chart(result, StressLifeAxes::linear), "95 % band of the mean").x,
+      ElementsAre(40, 50, 60, 60, 50, 40))
+      << "what was tested alone";
+}
+
+TEST(AllCharts, TellTheNameOfASpecimen) {
+  const calibrate::CalibrateResult result = samples::paper_like();
+  EXPECT_EQ(layer_of(lives_chart(result), "Failed").texts[1], "wire 2");
+  EXPECT_EQ(layer_of(stress_life_chart(result, StressLifeAxes::linear), "Failed").texts[2],
+            "wire 3, 315 deg, 42.5 N");
+  EXPECT_EQ(layer_of(probability_chart(result, 0), "Failed").texts[19], "wire 20");
+  EXPECT_EQ(layer_of(probability_chart(result, 1), "Suspended: lives longer").texts[0], "wire 20");
+}
+
 TEST(StressLifeChart, WithoutALawShowsTheSpecimens) {
   calibrate::CalibrateResult result = samples::paper_like();
   result.stress_life.reset();

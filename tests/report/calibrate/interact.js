@@ -6,7 +6,7 @@ interaction.run(async (expect) => {
   expect('the lives wait to be read', reading(lives).startsWith('Point at a mark'));
   press(lives, 'Home');
   expect('Home reads a failure of the first level',
-    /^Failed: 315°, 42.5\u00a0N; .* cycles$/.test(reading(lives)));
+    /^Failed, wire \d+: 315°, 42.5\u00a0N; .* cycles$/.test(reading(lives)));
   press(lives, 'End');
   expect('End reads the last level', reading(lives).includes('270°, 35.2\u00a0N'));
   expect('what is read is marked', !lives.querySelector('.ring').hidden);

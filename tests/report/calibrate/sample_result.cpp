@@ -22,7 +22,8 @@ LevelResult level_at(double angle_deg, double tension_N, double scale, double sh
     const double p = (static_cast<double>(i) + 0.7) / (kSpecimens + 0.4);
     const double life = scale * std::pow(-std::log1p(-p), 1 / shape);
     level.sample.push_back({life, true});
-    level.positions.push_back({life, p});
+    level.specimens.push_back("wire " + std::to_string(i + 1));
+    level.positions.push_back({life, p, life, i});
   }
   level.fits = {
       statistics::Fit{{statistics::Family::normal, 0.93 * scale, scale / shape}, -125.5, {}},
@@ -88,6 +89,7 @@ calibrate::StressLife law_like_the_paper() {
     law.band_tension_N.push_back(tension_N);
     law.band_mean.push_back({mean / spread, mean * spread});
   }
+  law.tested_N = {35, 100};
   return law;
 }
 

@@ -10,20 +10,19 @@ using compare::Side;
 
 /// A minute up and down that uses this much life.
 Side side_of(const std::string& profile, const std::string& model, double damage) {
-  Side side;
-  side.of.profile = profile;
-  side.of.model_file = model;
-  ReplayResult& result = side.result;
-  result.duration_s = 60;
-  result.damage = {damage, 0, damage};
-  result.equivalent_effective_tension_N = 40;
-  result.peak_tension_N = 88;
+  Side side{profile, model, {}, "N"};
+  ReplayReport& report = side.report;
+  report.duration_s = 60;
+  report.damage = {damage, 0, damage};
+  report.equivalent_effective_tension_N = 40;
+  report.ultimate_tension_N = 176;
+  report.peak_ratio = 0.5;
   const double repeats = damage > 0 ? 1 / damage : std::numeric_limits<double>::infinity();
-  result.repeats_to = {repeats / 2, repeats, repeats, 2 * repeats};
-  result.model_digest = "5ed12218";
-  side.report.weibull_shape = 6;
-  side.report.tension = {{0, 30, 60}, {10, 60, 20}, {10, 60, 20}, 1};
-  side.report.trajectory = {{0, 30, 60}, {0, damage / 2, damage}};
+  report.repeats_to = {repeats / 2, repeats, repeats, 2 * repeats};
+  report.model_digest = "5ed12218";
+  report.weibull_shape = 6;
+  report.tension = {{0, 30, 60}, {10, 60, 20}, {10, 60, 20}, 1, {}};
+  report.trajectory = {{0, 30, 60}, {0, damage / 2, damage}};
   return side;
 }
 
@@ -43,8 +42,8 @@ std::vector<ComparisonSample> all_comparisons() {
   profiles.sides = {side_of("old.csv", "m.toml", 0.02), side_of("new.csv", "m.toml", 0.01)};
   profiles.first = {30, 3, 4, 60, 50};
   profiles.classes = {{{48, 52}, {34, 36}, {2, 1}, {0.02, 0.01}}};
-  profiles.sides[1].report.tension = {{0, 5000, 10000}, {9, 10, 11}, {58, 60, 62}, 64};
-  profiles.sides[1].result.duration_s = 10000;
+  profiles.sides[1].report.tension = {{0, 5000, 10000}, {9, 10, 11}, {58, 60, 62}, 64, {}};
+  profiles.sides[1].report.duration_s = 10000;
   profiles.sides[1].report.warnings = {"the wire hangs loose"};
 
   Comparison idle;

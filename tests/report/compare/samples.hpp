@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/compare/compare.hpp"
+#include "host_sim/report/compare/comparison.hpp"
 
 /// Comparisons made by hand for the tests of their page.
 namespace host_sim::samples {

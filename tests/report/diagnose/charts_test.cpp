@@ -7,12 +7,14 @@
 #include <numbers>
 #include <set>
 
+#include "host_sim/report/diagnose/captions.hpp"
 #include "tests/report/diagnose/sample_diagnosis.hpp"
 
 namespace host_sim::diagnose_page {
 namespace {
 
 using testing::ElementsAre;
+using testing::HasSubstr;
 
 /// The layer of this name and kind; fails the test and gives an empty one where there is none.
 Layer layer_of(const Chart& chart, const std::string& name) {
@@ -112,6 +114,23 @@ TEST(Loop, IsOfOneCycleOrOfAllWhereThereAreNoTwo) {
   EXPECT_EQ(cycles_in(circles(1).input_N).last, 100U);
   EXPECT_EQ(cycles_in({}).last, 0U);
   EXPECT_EQ(cycles_in({5, 5, 5}).last, 3U);
+}
+
+TEST(CauseChart, IsTheLoopWithoutAndWithTheCause) {
+  diagnose::TensionDiagnosis tension;
+  tension.causes = {{"friction_preload", circles(7)}};
+  diagnose::TracePicture& trace = tension.causes[0].trace;
+  trace.before_N.assign(trace.time_s.size(), 20);
+  trace.after_N = trace.measured_N;
+  const Chart chart = cause_chart(tension, 0);
+  EXPECT_EQ(chart.id, "cause-0");
+  EXPECT_EQ(layer_of(chart, "Measured").x.size(), 201U) << "two cycles";
+  EXPECT_TRUE(layer_of(chart, "Without friction_preload").dashed);
+  EXPECT_GT(layer_of(chart, "Without friction_preload").heads, 0);
+  EXPECT_EQ(layer_of(chart, "With friction_preload").y, layer_of(chart, "Measured").y);
+  // 10 sin of a whole cycle about 20 N: 10 / sqrt(2) = 7.07 N without, nothing with it.
+  EXPECT_THAT(captions::cause(tension, 0),
+              HasSubstr("is 7.07\u00a0N (RMSE) without it, 0\u00a0N with it."));
 }
 
 TEST(TraceChart, WithoutAnExtensionHasNoLineOfIt) {

@@ -16,6 +16,26 @@ const interaction = {
     }
     return sum;
   },
+  // The name and address of the file that a button of a plot saves.
+  async saved(plot, kind) {
+    let file = null;
+    const { click } = HTMLAnchorElement.prototype;
+    HTMLAnchorElement.prototype.click = function keep() {
+      file = { name: this.download, address: this.href };
+    };
+    [...plot.querySelectorAll('.save button')].find(
+      (button) => button.textContent === kind).click();
+    for (let turn = 0; file === null && turn < 20; turn += 1) {
+      await interaction.afterDrawing();
+    }
+    HTMLAnchorElement.prototype.click = click;
+    return file;
+  },
+  // The lines of a saved table.
+  async savedRows(plot) {
+    const { address } = await interaction.saved(plot, 'CSV');
+    return decodeURIComponent(address.slice(address.indexOf(',') + 1)).split('\r\n');
+  },
   // A line of a plot goes and comes by its name, and + draws another part.
   async hideAndZoom(plot, line, expect) {
     const { afterDrawing, inked, press } = interaction;

@@ -1,6 +1,6 @@
 'use strict';
 interaction.run(async (expect) => {
-  const { press, chart, afterDrawing } = interaction;
+  const { press, chart, afterDrawing, saved, savedRows } = interaction;
   const valueOf = (holder, row) =>
     Number(holder.querySelectorAll('.u-legend .u-value')[row].textContent);
 
@@ -24,7 +24,24 @@ interaction.run(async (expect) => {
   await afterDrawing();
   expect('0 shows all again', valueOf(tension, 0) > 59);
 
+  const table = await saved(tension, 'CSV');
+  expect('values are saved by the name of the plot',
+    table.name === 'tendon-life-upper-arm-csv-input-tension-over-time-with-turning-points.csv');
+  const rows = await savedRows(tension);
+  expect('the first line names the columns',
+    rows[0] === '"Time, s",Highest,Lowest,Turning point' || rows[0].startsWith('"Time, s",Tension'));
+  expect('each row has as many values', rows.length > 100
+    && rows.slice(1, -1).every((row) => row.split(',').length === rows[0].split(',').length - 1));
+  const hints = document.querySelectorAll('#chart-hint');
+  expect('how to zoom is told once', hints.length === 1
+    && tension.getAttribute('aria-describedby') === 'chart-hint');
+
   const matrix = chart('matrix');
+  for (const plot of [tension, matrix]) {
+    const picture = await saved(plot, 'PNG');
+    expect('a plot is saved as a picture', picture.name.endsWith('.png')
+      && picture.address.startsWith('data:image/png;base64,') && picture.address.length > 5000);
+  }
   const svg = matrix.querySelector('svg');
   press(svg, 'ArrowUp');
   expect('an arrow reads a class', /^Range .* cycles, damage /.test(

@@ -12,6 +12,7 @@
 #include "host_sim/report/replay/captions.hpp"
 #include "host_sim/report/replay/given_survival.hpp"
 #include "host_sim/report/replay/html.hpp"
+#include "host_sim/report/replay/loop.hpp"
 #include "tests/report/page/page_text.hpp"
 #include "tests/report/replay/samples.hpp"
 
@@ -323,6 +324,34 @@ TEST(BreakChart, LeavesOutWhatIsNotKnownOrTheSame) {
   EXPECT_TRUE(std::ranges::none_of(of_new.layers, [](const Layer& layer) { return layer.dashed; }));
   EXPECT_EQ(layer_of(of_new, "The horizon"), nullptr);  // far beyond
   EXPECT_TRUE(break_chart(samples::typical()).layers.empty());
+}
+
+TEST(ReplayPage, DrawsTheLoopOfARecordingWithArrowsAndGaps) {
+  ReplayReport report = samples::typical();
+  EXPECT_TRUE(loop_chart(report).layers.empty());
+  EXPECT_THAT(page_of(report), Not(HasSubstr("data-chart=\"loop\"")));
+  report.loop = {{2, 3, 4, 15, 16}, {10, 12, 14, 13, 11}, {8, 10, 12, 9, 7}};
+  const Chart chart = loop_chart(report);
+  ASSERT_EQ(chart.layers.size(), 1U);
+  EXPECT_GT(chart.layers[0].heads, 0);
+  EXPECT_EQ(chart.layers[0].x.size(), 6U);
+  EXPECT_TRUE(std::isnan(chart.layers[0].x[3]) && std::isnan(chart.layers[0].y[3]));
+  EXPECT_EQ(chart.layers[0].y[4], 9);
+  EXPECT_THAT(page_of(report), HasSubstr("From 2\u00a0s to 16\u00a0s: the output tension"));
+}
+
+TEST(ReplayPage, CountsTheGapsOfTheProfile) {
+  ReplayReport report = samples::typical();
+  EXPECT_THAT(captions::tension(report), Not(HasSubstr("gap")));
+  report.gaps = 2;
+  report.missing_samples = 7;
+  EXPECT_THAT(captions::tension(report),
+              HasSubstr(" 2\u00a0gaps, in which 7\u00a0samples are missing."));
+  report.gaps = 1;
+  report.missing_samples = 1;
+  report.tension.gaps = {1};
+  EXPECT_THAT(captions::tension(report),
+              HasSubstr(" 1\u00a0gap, in which 1 sample is missing, left open."));
 }
 
 TEST(ReplayPage, HasAPlaceForEachPlotThatHasData) {

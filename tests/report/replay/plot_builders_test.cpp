@@ -67,6 +67,37 @@ TEST(EnvelopeBuilder, EveryBucketHasTheExactExtremesOfItsSamples) {
   }
 }
 
+TEST(EnvelopeBuilder, NoBucketReachesOverAGap) {
+  EnvelopeBuilder builder(4);
+  builder.gap();  // before the first sample nothing is missing
+  double time_s = 0;
+  for (const double value : {5, 1, 2, 8, 3}) {
+    if (value == 8) {
+      time_s += 10;
+      builder.gap();
+    }
+    builder.push(time_s++, value);
+  }
+  // 5 1 | 2, gap, 8 3: pairs do not merge over the gap.
+  const Envelope envelope = builder.finish();
+  EXPECT_THAT(envelope.gaps, ElementsAre(2));
+  EXPECT_THAT(envelope.time_s, ElementsAre(0.5, 2, 13, 14));
+  EXPECT_THAT(envelope.low_N, ElementsAre(1, 2, 8, 3));
+  EXPECT_THAT(envelope.high_N, ElementsAre(5, 2, 8, 3));
+}
+
+TEST(EnvelopeBuilder, BucketsReachOverGapsWhereThereAreTooMany) {
+  EnvelopeBuilder builder(4);
+  for (int i = 0; i < 1000; ++i) {
+    builder.gap();
+    builder.push(i, i);
+  }
+  const Envelope envelope = builder.finish();
+  EXPECT_LE(envelope.time_s.size(), 4U);
+  EXPECT_EQ(envelope.low_N.front(), 0);
+  EXPECT_EQ(envelope.high_N.back(), 999);
+}
+
 TEST(EnvelopeBuilder, NothingGivesNothing) {
   EXPECT_TRUE(EnvelopeBuilder().finish().time_s.empty());
 }

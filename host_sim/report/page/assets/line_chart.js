@@ -130,5 +130,12 @@ function makeLineChart(holder, {
 function lineChart(holder, spec) {
   let drawn = 0;
   const chart = makeLineChart(holder, { ...spec, onSeries: () => { drawn += 1; } });
+  addSave(holder, {
+    title: holder.getAttribute('aria-label'),
+    drawing: () => holder.querySelector('canvas'),
+    names: spec.series.slice(1).map(({ label, ink }) => ({ name: label, ink })),
+    rows: () => [spec.series.map(({ label }) => label),
+      ...spec.data[0].map((ignored, row) => spec.data.map((column) => column[row]))],
+  });
   return () => drawn > 0 && chart.bbox.width > 0;
 }

@@ -57,6 +57,13 @@ class Plot {
     this.makeChart();
     this.addLegend();
     this.addReadout();
+    addSave(holder, {
+      title: spec.name,
+      drawing: () => holder.querySelector('canvas'),
+      names: this.layers.filter(({ name }) => name !== '')
+        .map(({ name, colour: ink }) => ({ name, ink })),
+      rows: () => this.rows(),
+    });
     this.addKeys();
     keepDrawn(holder, (width) => {
       this.chart.setSize({ width, height: this.height(width) });
@@ -225,6 +232,16 @@ class Plot {
         .map((end) => (end === null ? 'no limit' : value('y', end))).join(' to ')
       : value('y', layer.y[index]);
     return `${name}: ${value('x', layer.x[index])}; ${y}`;
+  }
+
+  /** Every value of every layer. */
+  rows() {
+    const { x, y } = this.spec;
+    const across = (value) =>
+      (x.kind === 'category' && Number.isInteger(value) ? x.categories[value] : value);
+    return [['layer', x.label, y.label, `${y.label}, to`, 'text'],
+      ...this.layers.flatMap((layer) => layer.x.map((value, index) =>
+        [layer.name, across(value), layer.y[index], layer.high[index], layer.texts[index]]))];
   }
 
   show(view) {

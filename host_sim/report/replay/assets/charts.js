@@ -5,13 +5,17 @@ function tensionChart(holder, data) {
   const time = timeScale(data.summary.duration_s);
   const force = axisScale(largestMagnitude([...tension.high_N, ...tension.low_N]));
   const banded = tension.samples_per_bucket > 1;
-  const bandTimes = divided(tension.time_s, time.divisor);
-  const high = divided(tension.high_N, force.divisor);
-  const low = divided(tension.low_N, force.divisor);
+  // A row without values breaks the lines where samples are missing.
+  const opened = (values, filler) => values.flatMap((value, index) =>
+    (tension.gaps.includes(index) ? [filler(values, index), value] : [value]));
+  const none = () => null;
+  const bandTimes = opened(divided(tension.time_s, time.divisor),
+    (values, index) => (values[index - 1] + values[index]) / 2);
+  const high = opened(divided(tension.high_N, force.divisor), none);
+  const low = opened(divided(tension.low_N, force.divisor), none);
   const line = {
     ink: 'line',
     width: 1,
-    spanGaps: true,
     value: valueText,
     points: { show: tension.time_s.length < 100, size: 4, fill: () => colour('line') },
   };
