@@ -25,7 +25,7 @@ class CampaignBuilder {
   [[nodiscard]] const Campaign& campaign() const { return campaign_; }
 
  private:
-  Campaign campaign_{"built", "built", false, {}, {}, {}};
+  Campaign campaign_{"built", "built", {}, false, {}, {}, {}};
 };
 
 }  // namespace host_sim::test
