@@ -291,6 +291,7 @@ class Calibration {
     result_.mixes = mixes(campaign_, law);
     const std::vector<Use> uses = use_loads();
     std::vector<double> use_N;
+    use_N.reserve(uses.size());
     for (const Use& use : uses) {
       use_N.push_back(use.tension_N);
     }

@@ -226,8 +226,10 @@ std::vector<CycleClass> classes_of(const std::array<Side, 2>& sides) {
         continue;
       }
       const double middle = 0.5;  // of a class: never on the edge of a wider one
-      const auto range = static_cast<double>(i / matrix.means) + middle;
-      const auto mean = static_cast<double>(i % matrix.means) + middle;
+      const std::size_t range_class = i / matrix.means;
+      const std::size_t mean_class = i % matrix.means;
+      const double range = static_cast<double>(range_class) + middle;
+      const double mean = static_cast<double>(mean_class) + middle;
       const std::array<double, 2> place{
           std::floor(range * matrix.range_step_N / range_step_N),
           std::floor((matrix.mean_min_N + mean * matrix.mean_step_N) / mean_step_N)};
@@ -239,6 +241,7 @@ std::vector<CycleClass> classes_of(const std::array<Side, 2>& sides) {
     }
   }
   std::vector<CycleClass> all;
+  all.reserve(classes.size());
   for (const auto& [place, one] : classes) {
     all.push_back(one);
   }

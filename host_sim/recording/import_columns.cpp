@@ -218,6 +218,7 @@ void import_columns(std::unique_ptr<ByteSource> source, std::string_view name,
   ForeignTable table(std::move(source), name);
   const std::vector<ColumnMap> maps = maps_of(options, table);
   std::vector<std::size_t> columns;
+  columns.reserve(maps.size());
   for (const ColumnMap& map : maps) {
     columns.push_back(table.column(map.column));
   }

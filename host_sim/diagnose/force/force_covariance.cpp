@@ -110,7 +110,7 @@ class NoiseVariance {
 
 /// How fast the input force of a model changes at each sample: as it turns over faster than the
 /// samples follow each other, the larger one of the two sides.
-std::vector<double> rates_N_s(const ForceRecord& record, const std::vector<double>& residuals_N) {
+std::vector<double> input_rates(const ForceRecord& record, const std::vector<double>& residuals_N) {
   std::vector<double> rates(record.samples());
   for (std::size_t i = 1; i < rates.size(); ++i) {
     const double step_N =
@@ -181,7 +181,7 @@ ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const For
   }
   std::vector<std::vector<double>> rates;
   for (std::size_t j = 0; j < records.size(); ++j) {
-    rates.push_back(with_timing ? rates_N_s(records[j], residuals_N[j])
+    rates.push_back(with_timing ? input_rates(records[j], residuals_N[j])
                                 : std::vector<double>(records[j].samples()));
   }
   const NoiseVariance noise = noise_of(records, refits, rates);
