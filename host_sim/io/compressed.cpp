@@ -4,6 +4,7 @@
 #include <zlib.h>
 #ifdef TENDONLIFE_ZSTD
 #include <zstd.h>
+#include <zstd_errors.h>
 #endif
 
 #include <algorithm>
@@ -74,7 +75,8 @@ class GzipSource final : public ByteSource {
   std::size_t read(std::span<char> buffer) override {
     while (!buffer.empty()) {
       const std::span<char> in = chunks_.rest();
-      if (in.empty()) {
+      // What has been taken may have more bytes in it than there was room for.
+      if (in.empty() && !(in_member_ && full_)) {
         if (in_member_) {
           chunks_.fail("end too early");
         }
@@ -94,6 +96,7 @@ class GzipSource final : public ByteSource {
       } else if (result != Z_OK && result != Z_BUF_ERROR) {
         chunks_.fail("are damaged");
       }
+      full_ = stream_.avail_out == 0;
       if (stream_.avail_out != room) {
         return room - stream_.avail_out;
       }
@@ -105,11 +108,14 @@ class GzipSource final : public ByteSource {
   Chunks chunks_;
   z_stream stream_{};
   bool in_member_ = false;
+  bool full_ = false;
 };
 
 #ifdef TENDONLIFE_ZSTD
 /// Frames of zstd (RFC 8878), one behind the other.
 class ZstdSource final : public ByteSource {
+  static constexpr std::size_t kLongestHeader = 18;
+
  public:
   explicit ZstdSource(Chunks chunks)
       : chunks_(std::move(chunks)), stream_(::ZSTD_createDStream(), &::ZSTD_freeDStream) {
@@ -128,14 +134,21 @@ class ZstdSource final : public ByteSource {
         }
         return 0;
       }
-      ZSTD_inBuffer from{in.data(), in.size(), 0};
+      // A frame that is there as a whole is decoded by other rules: a window that is too large for
+      // a stream is none there. Its header in single bytes makes the outcome that of a stream.
+      const std::size_t given = header_left_ != 0 ? std::min<std::size_t>(in.size(), 1) : in.size();
+      ZSTD_inBuffer from{in.data(), given, 0};
       ZSTD_outBuffer to{buffer.data(), buffer.size(), 0};
       const std::size_t result = ::ZSTD_decompressStream(stream_.get(), &to, &from);
       if (::ZSTD_isError(result) != 0) {
-        chunks_.fail(fmt::format("are damaged: {}", ::ZSTD_getErrorName(result)));
+        if (::ZSTD_getErrorCode(result) == ZSTD_error_frameParameter_windowTooLarge) {
+          chunks_.fail("need a window of more than 128 MiB");
+        }
+        chunks_.fail("are damaged");
       }
       chunks_.take(from.pos);
       in_frame_ = result != 0;
+      header_left_ = in_frame_ ? header_left_ - std::min(header_left_, from.pos) : kLongestHeader;
       full_ = to.pos == to.size;
       if (to.pos != 0) {
         return to.pos;
@@ -149,6 +162,7 @@ class ZstdSource final : public ByteSource {
   std::unique_ptr<ZSTD_DStream, std::size_t (*)(ZSTD_DStream*)> stream_;
   bool in_frame_ = false;
   bool full_ = false;
+  std::size_t header_left_ = kLongestHeader;
 };
 #endif
 

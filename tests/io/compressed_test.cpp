@@ -78,8 +78,16 @@ TEST(Compressed, ZstdIsReadWhereTheProgramHasIt) {
   std::string damaged(kZstd);
   damaged.back() ^= 1;
   EXPECT_EQ(complaint_of_read(damaged),
-            "p.csv: its zstd data are damaged: Restored data doesn't match checksum; accepted: a "
-            "whole file of zstd");
+            "p.csv: its zstd data are damaged; accepted: a whole file of zstd");
+  // One octet, raw, behind a header that asks for a window of 2^(10 + 18) bytes (RFC
+  // 8878, 3.1.1.1): refused whether the whole frame is there at once or not.
+  const std::string too_large =
+      std::string(kZstd) + std::string("\x28\xB5\x2F\xFD\x80\x90\x01\0\0\0\x09\0\0a", 14);
+  for (const std::size_t given : {1U, 1000U}) {
+    EXPECT_EQ(test::complaint_of([&] { read(too_large, given, 1000); }),
+              "p.csv: its zstd data need a window of more than 128 MiB; accepted: a whole file of "
+              "zstd");
+  }
 }
 
 TEST(Compressed, WhatIsDamagedOrCutOffIsRefused) {
