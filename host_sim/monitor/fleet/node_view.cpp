@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <span>
 #include <utility>
 
@@ -50,6 +51,55 @@ std::string_view name_of(protocol::AdviceState state) {
 
 std::string_view state_name(const NodeView& node) {
   return node.two_controllers ? "two_controllers" : name_of(node.life_state());
+}
+
+unsigned severity_of(protocol::LifeState state) {
+  switch (state) {
+    case protocol::LifeState::worn:
+      return 60;
+    case protocol::LifeState::replace:
+      return 50;
+    case protocol::LifeState::unknown:
+      return 40;
+    case protocol::LifeState::inspect:
+      return 30;
+    case protocol::LifeState::normal:
+      return 0;
+  }
+  return 40;
+}
+
+unsigned severity_of(const NodeView& node) {
+  if (!node.heartbeat && !node.status && !node.emergency && node.streams.empty()) {
+    return 0;
+  }
+  const auto has = [&](auto flag) { return node.status && node.status->value.*flag; };
+  const bool emergency =
+      node.emergency && node.emergency->value.code != protocol::EmergencyCode::none;
+  using protocol::LifeStatus;
+  const std::pair<unsigned, bool> alarms[] = {
+      {90, node.two_controllers},
+      {80, emergency},
+      {80, has(&LifeStatus::broken) || has(&LifeStatus::slack) || has(&LifeStatus::locked)},
+      {70, node.vanished},
+      {5, node.integrity_failures() > 0},
+  };
+  unsigned severity = severity_of(node.life_state());
+  for (const auto& [weight, on] : alarms) {
+    severity = std::max(severity, on ? weight : 0);
+  }
+  return severity;
+}
+
+std::vector<const NodeView*> gravest_first(const FleetView& fleet) {
+  std::vector<const NodeView*> nodes;
+  for (const auto& [number, node] : fleet.nodes) {
+    nodes.push_back(&node);
+  }
+  std::stable_sort(nodes.begin(), nodes.end(), [](const NodeView* one, const NodeView* other) {
+    return severity_of(*one) > severity_of(*other);
+  });
+  return nodes;
 }
 
 std::string percent_of(std::uint32_t ppb, const protocol::schema::Signal& signal) {

@@ -161,6 +161,12 @@ void each_page(Node& node, Take take) {
 /// The state of a node, of which two controllers are the gravest: "worn", "two_controllers".
 std::string_view state_name(const NodeView& node);
 
+/// How much a node needs somebody to look at it: what is graver is more. 0: it is normal, or
+/// nothing has been heard of it.
+unsigned severity_of(const NodeView& node);
+/// The same where its life state alone is known.
+unsigned severity_of(protocol::LifeState state);
+
 /// Keeps the damage curve of a view within kMostPoints: points come a step apart, and when there is
 /// no room every second one goes and the step doubles. The last point is always the newest.
 class DamageCurve {
@@ -193,5 +199,8 @@ struct FleetView {
   double frames_per_s = 0;
   std::map<protocol::Node, NodeView> nodes;
 };
+
+/// The nodes by severity_of(), the gravest first, and equal ones by their numbers.
+std::vector<const NodeView*> gravest_first(const FleetView& fleet);
 
 }  // namespace host_sim::monitor

@@ -187,9 +187,12 @@ json partial_json(const NodeView& node, std::int64_t time_ns) {
                       {"stale", false}};
   }
   const auto next_event = std::find_if(node.events.begin(), node.events.end(), after);
+  protocol::LifeState state = protocol::LifeState::unknown;
   if (next_event != node.events.begin()) {
-    result["life_state"] = name_of(std::prev(next_event)->state);
+    state = std::prev(next_event)->state;
+    result["life_state"] = name_of(state);
   }
+  result["severity"] = severity_of(state);
   for (const char* none : {"streams", "tendons", "bins", "wires", "advice"}) {
     result[none] = json::object();
   }
@@ -227,6 +230,7 @@ json node_json(const NodeView& node) {
                  {"state", state_name(node)},
                  {"life_state", name_of(node.life_state())},
                  {"two_controllers", node.two_controllers},
+                 {"severity", severity_of(node)},
                  {"last_seen_us", microseconds(node.last_seen_ns)},
                  {"highest_damage", node.highest_damage_ppb / kPpb},
                  {"integrity_failures", node.integrity_failures()}};

@@ -39,6 +39,8 @@ using protocol::detail::DamageRate;
 using protocol::detail::RemainingLife;
 
 constexpr std::string_view kNothing = "-";
+constexpr std::string_view kStale = " STALE";
+constexpr std::string_view kCut = "...";
 constexpr protocol::schema::Signal kRateSignal =
     protocol::schema::signal_of(&DamageRate::ppb_per_h);
 
@@ -63,7 +65,7 @@ Cell value_cell(std::string text, bool stale) {
   if (!stale) {
     return {std::move(text), CellStyle::plain};
   }
-  return {std::move(text) + " STALE", CellStyle::stale};
+  return {std::move(text).append(kStale), CellStyle::stale};
 }
 
 Cell state_cell(const NodeView& node) {
@@ -209,10 +211,13 @@ struct Column {
 
 /// In the order of cells_of().
 std::vector<Column> columns() {
-  return {{"NODE", 10},      {"STATE", 9},    {"DAMAGE %", 8},  {"LEFT B10 - B90", 4},
-          {"BREAK RISK", 5}, {"RATE %/h", 3}, {"HEARTBEAT", 6}, {"FAILED", 7},
-          {"LOST", 1},       {"NOTES", 2}};
+  return {{"NODE", 10},      {"STATE", 9},    {"DAMAGE %", 8},  {"LEFT B10 - B90", 2},
+          {"BREAK RISK", 3}, {"RATE %/h", 1}, {"HEARTBEAT", 4}, {"FAILED", 7},
+          {"LOST", 6},       {"NOTES", 5}};
 }
+
+/// The notes, the last column, are cut before others are left out, but not below this.
+constexpr std::size_t kShortestNotes = 12;
 
 /// What a node is called, shows and suffers from, a cell for each of columns().
 std::vector<Cell> cells_of(const NodeView& node, std::int64_t now_ns) {
@@ -257,6 +262,22 @@ std::string painted(std::string_view text, CellStyle style, bool colours) {
   return code.empty() ? std::string(text) : fmt::format("\x1b[{}m{}\x1b[0m", code, text);
 }
 
+std::string cut(const std::string& line, std::size_t width) {
+  if (width == 0 || line.size() <= width) {
+    return line;
+  }
+  const std::string_view end = kCut.substr(0, width);
+  return line.substr(0, width - end.size()).append(end);
+}
+
+/// Cut before its mark.
+std::string cut_value(const std::string& text, std::size_t width) {
+  return text.size() > width && text.ends_with(kStale)
+             ? cut(text.substr(0, text.size() - kStale.size()), width - kStale.size())
+                   .append(kStale)
+             : cut(text, width);
+}
+
 using Row = std::vector<Cell>;
 
 class Table {
@@ -270,15 +291,18 @@ class Table {
       widths_.push_back(width);
       shown_.push_back(true);
     }
-    leave_out_what_has_no_room();
+    if (style_.width != 0) {
+      find_room();
+    }
   }
 
   [[nodiscard]] std::vector<std::string> lines() const {
+    std::vector<std::string> lines = left_out_lines();
     Row head;
     for (const Column& column : columns()) {
       head.push_back({std::string(column.title), CellStyle::plain});
     }
-    std::vector<std::string> lines{line_of(head)};
+    lines.push_back(line_of(head));
     for (const Row& row : rows_) {
       lines.push_back(line_of(row));
     }
@@ -294,9 +318,22 @@ class Table {
     return sum - kGap;
   }
 
+  void find_room() {
+    std::size_t& notes = widths_.back();
+    const std::size_t longest = notes;
+    notes = std::min(notes, kShortestNotes);
+    leave_out_what_has_no_room();
+    if (shown_.back() && width() < style_.width) {
+      notes = std::min(longest, notes + style_.width - width());
+    }
+    for (Row& row : rows_) {
+      row.back().text = cut_value(row.back().text, notes);
+    }
+  }
+
   void leave_out_what_has_no_room() {
     const std::vector<Column> all = columns();
-    for (int importance = 1; style_.width != 0 && width() > style_.width; ++importance) {
+    for (int importance = 1; width() > style_.width; ++importance) {
       const auto least = std::find_if(all.begin(), all.end(), [importance](const Column& column) {
         return column.importance == importance;
       });
@@ -305,6 +342,29 @@ class Table {
       }
       shown_[static_cast<std::size_t>(least - all.begin())] = false;
     }
+  }
+
+  /// What has no room, in as many lines as that takes.
+  [[nodiscard]] std::vector<std::string> left_out_lines() const {
+    std::vector<std::string> lines;
+    for (std::size_t i = 0; i < shown_.size(); ++i) {
+      if (shown_[i]) {
+        continue;
+      }
+      const std::string_view title = columns()[i].title;
+      if (lines.empty()) {
+        lines.emplace_back("Too narrow for ").append(title);
+      } else if (lines.back().size() + 3 + title.size() <= style_.width) {
+        lines.back().append(", ").append(title);
+      } else {
+        lines.back() += ',';
+        lines.emplace_back(title);
+      }
+    }
+    for (std::string& line : lines) {
+      line = cut(line, style_.width);
+    }
+    return lines;
   }
 
   [[nodiscard]] std::string line_of(const Row& row) const {
@@ -350,10 +410,6 @@ std::vector<std::string> alarms_of(const FleetView& view) {
   return alarms;
 }
 
-std::string cut(const std::string& line, std::size_t width) {
-  return width != 0 && line.size() > width ? line.substr(0, width) : line;
-}
-
 }  // namespace
 
 std::vector<std::string> table_of(const FleetView& view, const TableStyle& style) {
@@ -362,8 +418,8 @@ std::vector<std::string> table_of(const FleetView& view, const TableStyle& style
     lines.push_back(painted(cut(alarm, style.width), CellStyle::alarm, style.colours));
   }
   std::vector<Row> rows;
-  for (const auto& [number, node] : view.nodes) {
-    rows.push_back(cells_of(node, view.now_ns));
+  for (const NodeView* const node : gravest_first(view)) {
+    rows.push_back(cells_of(*node, view.now_ns));
   }
   for (std::string& line : Table(std::move(rows), style).lines()) {
     lines.push_back(std::move(line));

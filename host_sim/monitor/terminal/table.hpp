@@ -13,8 +13,9 @@ struct TableStyle {
   bool colours = false;
 };
 
-/// The fleet as lines without their ends: the bus, a head, and a row for each node. Where the width
-/// is too small the least important columns are left out; no value is ever parted from its mark.
+/// The fleet as lines without their ends: the bus, a head, and a row for each node, the gravest
+/// first. Where the width is too small the notes are cut, then the least important columns left out
+/// and named above the head; no value is ever parted from its mark.
 std::vector<std::string> table_of(const FleetView& view, const TableStyle& style);
 
 }  // namespace host_sim::monitor

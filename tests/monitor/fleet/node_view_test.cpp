@@ -46,6 +46,49 @@ TEST(Events, TheOldestGoFirst) {
   EXPECT_EQ(view.events.front().time_ns, 5);
 }
 
+NodeView node_in(protocol::LifeState state) {
+  NodeView node;
+  node.status.emplace();
+  node.status->value.state = state;
+  node.gravest_state = state;
+  return node;
+}
+
+// What a person has to see first: two controllers that share an id, an emergency or a wire that is
+// lost, silence, then the life state, of which unknown is graver than inspect.
+TEST(Severity, PutsTheGravestNodesFirstAndOthersByTheirNumbers) {
+  using protocol::LifeState;
+  FleetView fleet;
+  fleet.nodes[1] = node_in(LifeState::normal);
+  fleet.nodes[2] = node_in(LifeState::inspect);
+  fleet.nodes[3] = node_in(LifeState::normal);
+  fleet.nodes[3].vanished = true;
+  fleet.nodes[4] = node_in(LifeState::worn);
+  fleet.nodes[5] = node_in(LifeState::normal);
+  fleet.nodes[5].streams.emplace_back().damaged = 1;
+  fleet.nodes[6] = node_in(LifeState::normal);
+  fleet.nodes[6].status->value.broken = true;
+  fleet.nodes[7] = node_in(LifeState::replace);
+  fleet.nodes[8].heartbeat.emplace();
+  fleet.nodes[9] = node_in(LifeState::inspect);
+  fleet.nodes[10] = node_in(LifeState::normal);
+  fleet.nodes[10].two_controllers = true;
+  fleet.nodes[11] = node_in(LifeState::worn);
+  fleet.nodes[11].emergency.emplace();
+  fleet.nodes[11].emergency->value.code = protocol::EmergencyCode::overload;
+  fleet.nodes[12] = {};
+  for (auto& [number, node] : fleet.nodes) {
+    node.node = number;
+  }
+  std::vector<int> order;
+  for (const NodeView* node : gravest_first(fleet)) {
+    order.push_back(node->node);
+  }
+  EXPECT_EQ(order, (std::vector<int>{10, 6, 11, 3, 4, 7, 8, 2, 9, 5, 1, 12}));
+  EXPECT_EQ(severity_of(fleet.nodes[12]), 0u);
+  EXPECT_EQ(severity_of(LifeState::inspect), severity_of(fleet.nodes[2]));
+}
+
 TEST(Words, PercentHasNoMoreDigitsThanItNeeds) {
   EXPECT_EQ(percent_of(0), "0");
   EXPECT_EQ(percent_of(1), "0.0000001");

@@ -160,21 +160,11 @@ test('the strip of a node that has vanished ends until it is heard again', () =>
 });
 
 test('the gravest nodes come first, and others by their numbers', () => {
-  const node = (life_state, rest) => ({ status: {}, life_state, integrity_failures: 0, ...rest });
-  const nodes = {
-    1: node('normal'),
-    2: node('inspect'),
-    3: node('normal', { vanished: true }),
-    4: node('worn'),
-    5: node('normal', { integrity_failures: 1 }),
-    6: node('normal', { status: { Broken: true } }),
-    7: node('replace'),
-    8: { integrity_failures: 0 },
-    9: node('inspect'),
-    10: node('normal', { two_controllers: true }),
-  };
-  const gravest = ['10', '6', '3', '4', '7', '8', '2', '9', '5', '1'];
-  assert.deepEqual(ordered(nodes, 'severity'), gravest);
+  const severities = { 1: 0, 2: 30, 3: 70, 4: 60, 9: 30, 10: 90, 11: 0 };
+  const nodes = Object.fromEntries(
+    Object.entries(severities).map(([number, severity]) => [number, { severity }]),
+  );
+  assert.deepEqual(ordered(nodes, 'severity'), ['10', '3', '4', '2', '9', '1', '11']);
   assert.deepEqual(ordered(nodes, 'number'), Object.keys(nodes));
 });
 

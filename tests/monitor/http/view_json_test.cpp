@@ -31,6 +31,7 @@ TEST(ViewJson, TellsMessagesInTheWordsOfTheFramePlan) {
   EXPECT_EQ(node["bins"]["156"]["at_least"], json::parse(R"(["BinHalfCycles"])"));
   EXPECT_EQ(node["highest_damage"], 0.123456789);
   EXPECT_EQ(node["integrity_failures"], 3);
+  EXPECT_EQ(node["severity"], 30);
 }
 
 TEST(ViewJson, NamesWhatIsAtTheEndOfItsRange) {
@@ -64,7 +65,7 @@ TEST(ViewJson, AMomentHasTheNodesThatItsFramesDoNotHave) {
   EXPECT_EQ(five["now_us"], 5'000'000);
   EXPECT_EQ(five["nodes"]["5"], json::parse(R"({"node": 5, "partial": true,
       "highest_damage": 0.123, "status": {"time_us": 1000000, "stale": false},
-      "life_state": "inspect", "streams": {}, "tendons": {}, "bins": {}, "wires": {}, "advice": {}})"));
+      "severity": 30, "life_state": "inspect", "streams": {}, "tendons": {}, "bins": {}, "wires": {}, "advice": {}})"));
   moment.view.now_ns = 9 * kS;
   now.nodes.at(5).curve.back().damage_ppb = 0xffff'ffff;
   const json nine = moment_json(moment, now)["nodes"]["5"];

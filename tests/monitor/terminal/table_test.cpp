@@ -100,11 +100,70 @@ TEST(Table, NeverPartsAValueFromItsMark) {
   }
 }
 
-TEST(Table, LeavesOutTheLeastImportantColumnsFirst) {
+using Lines = std::vector<std::string>;
+
+Lines lines_at(std::size_t width, const NodeView& node) {
+  Lines lines = table_of(fleet_of(node), {.width = width, .colours = false});
+  lines.erase(lines.begin());
+  return lines;
+}
+
+TEST(Table, LeavesOutTheLeastImportantColumnsFirstAndNamesThem) {
   const NodeView node = node_of(protocol::LifeState::normal, 1);
-  const auto narrow = table_of(fleet_of(node), {.width = 40, .colours = false});
-  EXPECT_EQ(narrow[1], "NODE  STATE   DAMAGE %   FAILED");
-  EXPECT_EQ(narrow[2], "5     normal  0.0000001  0");
+  EXPECT_EQ(lines_at(80, node),
+            (Lines{"Too narrow for LEFT B10 - B90, RATE %/h",
+                   "NODE  STATE   DAMAGE %   BREAK RISK     HEARTBEAT  FAILED  LOST  NOTES",
+                   "5     normal  0.0000001  0.65 % in 8 h  1.0 s      0       0"}));
+  EXPECT_EQ(lines_at(40, node),
+            (Lines{"Too narrow for LEFT B10 - B90,", "BREAK RISK, RATE %/h, HEARTBEAT, NOTES",
+                   "NODE  STATE   DAMAGE %   FAILED  LOST", "5     normal  0.0000001  0       0"}));
+  EXPECT_EQ(lines_at(104, node).size(), 2u);
+}
+
+NodeView troubled_node() {
+  NodeView node = node_of(protocol::LifeState::inspect, 121'000'000);
+  node.emergency = {{.code = protocol::EmergencyCode::overload}, 0};
+  node.status->value.locked = true;
+  node.status->value.sensor_ok = false;
+  return node;
+}
+
+TEST(Table, NotesAreCutBeforeTheyAreLeftOut) {
+  NodeView node = troubled_node();
+  EXPECT_EQ(lines_at(80, node),
+            (Lines{"Too narrow for LEFT B10 - B90, RATE %/h",
+                   "NODE  STATE    DAMAGE %  BREAK RISK     HEARTBEAT  FAILED  LOST  NOTES",
+                   "5     inspect  12.1      0.65 % in 8 h  1.0 s      0       0     overload, "
+                   "lo..."}));
+  EXPECT_EQ(lines_at(51, node).back(), "5     inspect  12.1      0       0     overload,...");
+  EXPECT_EQ(lines_at(50, node).back(), "5     inspect  12.1      0       0");
+  EXPECT_EQ(lines_at(121, node).back().substr(92), "overload, locked, sensor f...");
+  EXPECT_EQ(lines_at(122, node).back().substr(92), "overload, locked, sensor fault");
+}
+
+TEST(Table, ACutNoteKeepsItsMark) {
+  NodeView node = troubled_node();
+  node.status->stale = true;
+  for (std::size_t width = 59; width < 150; ++width) {
+    const std::string row = lines_at(width, node).back();
+    EXPECT_TRUE(row.ends_with("fault STALE") || row.ends_with("... STALE")) << width << row;
+  }
+}
+
+TEST(Table, TheGravestNodesComeFirst) {
+  FleetView view;
+  for (const auto number :
+       {protocol::Node{1}, protocol::Node{2}, protocol::Node{3}, protocol::Node{9}}) {
+    view.nodes[number] = node_of(protocol::LifeState::normal, 0);
+    view.nodes[number].node = number;
+  }
+  view.nodes[9].status->value.broken = true;
+  view.nodes[3].gravest_state = protocol::LifeState::worn;
+  std::string numbers;
+  for (const std::string& line : table_of(view, {})) {
+    numbers += line.substr(0, 1);
+  }
+  EXPECT_EQ(numbers.substr(2), "9312");
 }
 
 TEST(Table, ColoursTheState) {

@@ -6,7 +6,6 @@ import {
   rateText,
   recordText,
   remainingText,
-  severityOf,
   stateTexts,
   UNKNOWN,
   wholeText,
@@ -71,7 +70,7 @@ function lostText(node) {
 /** The numbers of the nodes in the order in which they are shown. */
 export function ordered(nodes, order) {
   const numbers = Object.keys(nodes);
-  const severity = (number) => severityOf(nodes[number]);
+  const severity = (number) => nodes[number].severity;
   return order === 'number'
     ? numbers
     : numbers.sort((a, b) => severity(b) - severity(a) || Number(a) - Number(b));

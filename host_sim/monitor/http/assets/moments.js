@@ -1,7 +1,16 @@
 import { kept, NodeHistory, PastViews } from './history.js';
 
 /** What the page shows of a node of which a view says nothing. */
-const NOTHING = { streams: {}, tendons: {}, bins: {}, wires: {}, advice: {}, partial: true, absent: true };
+const NOTHING = {
+  severity: 0,
+  streams: {},
+  tendons: {},
+  bins: {},
+  wires: {},
+  advice: {},
+  partial: true,
+  absent: true,
+};
 
 /** A view in which each node that is known now has a place. */
 export function withAllNodes(view, now) {

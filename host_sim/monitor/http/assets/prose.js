@@ -159,21 +159,6 @@ export function stateTexts(node) {
   return texts;
 }
 
-/** How much a node needs somebody to look at it: what is graver is more. */
-export function severityOf(node) {
-  const { status, emergency } = node;
-  const alarms = [
-    [90, node.two_controllers],
-    [80, emergency && emergency.EmergencyCode !== 'none'],
-    [80, status && (status.Broken || status.Slack || status.Locked)],
-    [70, node.vanished],
-    [5, node.integrity_failures > 0],
-  ];
-  const states = { worn: 60, replace: 50, unknown: 40, inspect: 30, normal: 0 };
-  const state = states[(status && node.life_state) || 'unknown'];
-  return Math.max(state, ...alarms.map(([weight, on]) => (on ? weight : 0)));
-}
-
 export function emergencyText({ EmergencyCode: code }) {
   return typeof code === 'number' ? `code ${code}` : plain(code);
 }
