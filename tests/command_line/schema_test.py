@@ -22,6 +22,8 @@ except ImportError:
     sys.exit(1 if os.environ.get("CI") == "true" else 77)
 
 PATIENCE_S = 30
+# Of the log of a replay only the end is kept.
+SMALL_RECORD = "--record-rotate 16K --record-keep 1"
 VERBS = ("calibrate", "compare", "design", "diagnose", "fleet", "fmeca", "monitor", "plan", "replay")
 MODEL = "--model examples/upper_arm.toml"
 ARM = f"examples/upper_arm.csv {MODEL}"
@@ -197,15 +199,21 @@ def fetched(url):
 
 
 def live_views(program):
-    """What the live page of a log gives at its end: the fleet and one node."""
-    process = subprocess.Popen([program.host_sim, "monitor", "--log", "run.log", "--replay-speed", "1000", "--http",
-                                "127.0.0.1:0"], stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True)
+    """What the live page of a log gives at its end: the fleet, one node, and moments of a past whose oldest frames
+    are gone."""
+    words = f"monitor --log run.log --replay-speed 1000 --http 127.0.0.1:0 --record record {SMALL_RECORD}"
+    process = subprocess.Popen([program.host_sim, *words.split()], stderr=subprocess.PIPE, stdout=subprocess.DEVNULL,
+                               text=True)
     try:
         url = process.stderr.readline().split()[-1]
         deadline = time.monotonic() + PATIENCE_S
         while not ((fleet := fetched(url + "api/fleet")) and fleet["source_ended"]) and time.monotonic() < deadline:
             time.sleep(0.05)
-        return [("monitor /api/fleet", fleet), ("monitor /api/node/1", fetched(url + "api/node/1"))]
+        times = fetched(url + "api/times")
+        moments = [f"api/moment/{times['times_us'][0]}", f"api/moment/{fleet['now_us']}",
+                   f"api/moment/{fleet['now_us']}/1"]
+        return [("monitor /api/fleet", fleet), ("monitor /api/times", times)] + [
+            (f"monitor /{path}", fetched(url + path)) for path in ("api/node/1", *moments)]
     finally:
         process.terminate()
         process.wait(PATIENCE_S)

@@ -22,8 +22,9 @@ struct LivePageOptions {
 ///   /events              server-sent events
 ///   /api/fleet           what is known now, as JSON
 ///   /api/node/N          the same of a node, with its history
-///   /api/times           moments of the past that can be asked for, microseconds, rising
-///   /api/moment/T        what the frames recorded until then say of it; ?node=N: with a history
+///   /api/times           moments of the past that can be asked for
+///   /api/moment/T        what the frames recorded until then say of it; T in microseconds
+///   /api/moment/T/N      the same, with the history of a node
 ///   /export/N.csv        its damage curve
 ///   /export/N.candump    its recorded frames; /export/all.candump those of all
 ///   /healthz             200 while views come, else 503; needs no token

@@ -294,8 +294,12 @@ void views(httplib::Server& server, const Hub& hub) {
 void past(httplib::Server& server, const Hub& hub, const FrameArchive& archive) {
   server.Get("/api/times", [&](const httplib::Request&, httplib::Response& response) {
     const auto view = hub.view();
-    const json times = view ? times_json(archive.times_us(), *view) : json::array();
-    response.set_content(json_text(times), kJson);
+    if (!view) {
+      response.status = kUnavailable;
+      return;
+    }
+    response.set_content(json_text(times_json(archive.times_us(), archive.why_gone(), *view)),
+                         kJson);
   });
   const auto one_at_a_time = std::make_shared<std::mutex>();
   server.Get("/api/moment/([0-9]{1,16})(?:/([0-9]{1,3}))?",

@@ -296,7 +296,8 @@ json moment_json(const Moment& moment, const FleetView& now) {
   return result;
 }
 
-json times_json(const std::vector<std::int64_t>& archived_us, const FleetView& now) {
+json times_json(const std::vector<std::int64_t>& archived_us, const std::string& why_gone,
+                const FleetView& now) {
   std::set<std::int64_t> before_us;
   for (const auto& [number, node] : now.nodes) {
     for (const DamagePoint& point : node.curve) {
@@ -315,7 +316,14 @@ json times_json(const std::vector<std::int64_t>& archived_us, const FleetView& n
     }
   }
   times.insert(times.end(), archived_us.begin(), archived_us.end());
-  return times;
+  json result = {{"times_us", std::move(times)}};
+  if (!archived_us.empty()) {
+    result["frames_from_us"] = archived_us.front();
+  }
+  if (!why_gone.empty()) {
+    result["why_gone"] = why_gone;
+  }
+  return result;
 }
 
 nlohmann::json new_events(const FleetView& before, const FleetView& after) {

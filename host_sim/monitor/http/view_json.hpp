@@ -27,9 +27,11 @@ nlohmann::json history_json(const NodeView& node);
 /// rate and life state alone.
 nlohmann::json moment_json(const Moment& moment, const FleetView& now);
 
-/// The moments that can be asked for: those of the archive, and before it those of the damage
-/// curves. Microseconds, rising, FrameArchive::kMostTimes at most of each.
-nlohmann::json times_json(const std::vector<std::int64_t>& archived_us, const FleetView& now);
+/// "times_us", the moments that can be asked for: those of the archive, and before it those of the
+/// damage curves, rising, FrameArchive::kMostTimes at most of each; "frames_from_us", the first of
+/// the archive; and `why_gone`, where there were frames before it.
+nlohmann::json times_json(const std::vector<std::int64_t>& archived_us, const std::string& why_gone,
+                          const FleetView& now);
 
 /// The events that `after` has and `before` has not, by node: {"5": [event, ..]}.
 nlohmann::json new_events(const FleetView& before, const FleetView& after);

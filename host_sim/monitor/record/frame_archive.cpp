@@ -1,5 +1,7 @@
 #include "host_sim/monitor/record/frame_archive.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
 #include <fstream>
@@ -188,6 +190,7 @@ void RecentFrames::see(const SeenFrame& seen) {
   if (!open_.empty() && open_.size() + line.size() > piece_) {
     if (full_.size() + 1 == kPieces) {
       full_.pop_front();
+      gone_ = true;
     }
     full_.push_back(std::make_shared<const std::string>(std::exchange(open_, {})));
   }
@@ -232,6 +235,12 @@ std::vector<std::int64_t> RecentFrames::times_us() const {
   return times_us;
 }
 
+std::string RecentFrames::why_gone() const {
+  const std::lock_guard lock(mutex_);
+  return gone_ ? fmt::format("without --record the newest {} MiB are kept", piece_ * kPieces >> 20)
+               : std::string();
+}
+
 void RecordedFolder::read(std::optional<protocol::Node> node,
                           const std::function<bool(std::string_view)>& take) const {
   flush_();
@@ -273,6 +282,13 @@ std::vector<std::int64_t> RecordedFolder::times_us() const {
     }
   }
   return times_us;
+}
+
+std::string RecordedFolder::why_gone() const {
+  const std::vector<std::filesystem::path> logs = logs_in(folder_);
+  return logs.empty() || is_first_log(logs.front())
+             ? std::string()
+             : "of the record the newest logs are kept, as many as --record-keep says";
 }
 
 }  // namespace host_sim::monitor

@@ -39,6 +39,8 @@ class FrameArchive {
   /// kMostTimes at most; the first is that of the oldest line. Where a clock was set back, of what
   /// came after it.
   [[nodiscard]] virtual std::vector<std::int64_t> times_us() const = 0;
+  /// Why frames before the oldest are gone, for people; empty where none are.
+  [[nodiscard]] virtual std::string why_gone() const = 0;
 
   static constexpr std::size_t kMostTimes = 512;
 };
@@ -59,6 +61,7 @@ class RecentFrames final : public Observer, public FrameArchive {
   void read_from(std::int64_t from_us,
                  const std::function<bool(std::string_view)>& take) const override;
   [[nodiscard]] std::vector<std::int64_t> times_us() const override;
+  [[nodiscard]] std::string why_gone() const override;
 
  private:
   using Piece = std::shared_ptr<const std::string>;
@@ -70,6 +73,7 @@ class RecentFrames final : public Observer, public FrameArchive {
   mutable std::mutex mutex_;
   std::deque<Piece> full_;
   std::string open_;
+  bool gone_ = false;
 };
 
 /// The frames that a Recorder writes to its folder. What is seen while they are read may be there
@@ -85,6 +89,7 @@ class RecordedFolder final : public FrameArchive {
   void read_from(std::int64_t from_us,
                  const std::function<bool(std::string_view)>& take) const override;
   [[nodiscard]] std::vector<std::int64_t> times_us() const override;
+  [[nodiscard]] std::string why_gone() const override;
 
  private:
   std::filesystem::path folder_;

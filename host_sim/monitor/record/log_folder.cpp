@@ -71,6 +71,10 @@ std::vector<std::uint64_t> numbers_to_write_in(const std::filesystem::path& fold
 
 }  // namespace
 
+bool is_first_log(const std::filesystem::path& log) {
+  return number_of(log) == 1;
+}
+
 std::vector<std::filesystem::path> logs_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> logs;
   try {

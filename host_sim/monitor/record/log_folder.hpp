@@ -22,6 +22,9 @@ struct Rotation {
 /// The logs of a folder, the oldest first, links left out. Empty where it cannot be read.
 std::vector<std::filesystem::path> logs_in(const std::filesystem::path& folder);
 
+/// Whether a log of logs_in() is the one that a record begins with.
+bool is_first_log(const std::filesystem::path& log);
+
 /// The whole lines of a log. What follows the last of them is still being written, or was cut off
 /// with the power. @throws InputError
 std::unique_ptr<hal::files::ByteSource> open_whole_lines(const std::filesystem::path& log);

@@ -95,7 +95,7 @@ test('before what the page has seen, the monitor is asked', async () => {
   const history = { curve: [[4, 0.1]], events: [] };
   monitorThatKnows(
     {
-      '/api/times': [3, 5, 10, 12],
+      '/api/times': { times_us: [3, 5, 10, 12], frames_from_us: 5, why_gone: 'few are kept' },
       '/api/moment/5': { now_us: 5, from_us: 1, nodes: { 2: { bins: {} } } },
       '/api/moment/5/2': { now_us: 5, from_us: 1, nodes: { 2: { bins: {} } }, history },
     },
@@ -106,6 +106,8 @@ test('before what the page has seen, the monitor is asked', async () => {
   moments.add(fleetOf(1, 20));
   await moments.look();
   assert.deepEqual(moments.steps(), [3, 5, 10, 20]);
+  assert.deepEqual(moments.gone, { before_us: 5, why: 'few are kept' });
+  assert.equal(moments.isOld(), false);
   assert.equal(moments.viewAt(15).now_us, 10);
   assert.deepEqual(moments.viewAt(5), { now_us: 5, nodes: {}, asked: true });
   moments.viewAt(5);
@@ -179,6 +181,16 @@ test('clock times have their zone, and times from the start of a log none', () =
   assert.equal(zoneIn('America/New_York'), 'UTC−4');
   assert.equal(zoneText(12e6), '');
   delete process.env.TZ;
+});
+
+test('from when on there are frames is said where there were some before', async () => {
+  const { goneText } = await import(`${assets}/prose.js`);
+  assert.equal(goneText({}), '');
+  assert.equal(goneText({ before_us: 5e6 }), '');
+  assert.equal(
+    goneText({ before_us: 5e6, why: 'few are kept' }),
+    'Frames before 5.0\u00a0s are gone: few are kept. Of the time before, damage, rate and state alone are known.',
+  );
 });
 
 test('events that are known are not added twice', () => {

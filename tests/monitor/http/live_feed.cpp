@@ -243,8 +243,8 @@ void MadeBus::run(std::int64_t time_ns, const MadeNode::Take& take) {
 
 class Feed {
  public:
-  Feed(const std::string& log, std::uint16_t port, int nodes)
-      : log_(log), bus_(nodes), page_({{"127.0.0.1", port}, archive_}) {
+  Feed(const std::string& log, std::uint16_t port, int nodes, std::size_t kept)
+      : log_(log), archive_("can0", kept), bus_(nodes), page_({{"127.0.0.1", port}, archive_}) {
     fleet_.source_is(FrameSource::State::running, "can0");
     publisher_ = std::jthread([this](const std::stop_token& stop) { publish(stop); });
     fmt::print("{}\n", page_.url());
@@ -355,7 +355,7 @@ class Feed {
   std::mutex mutex_;
   std::int64_t now_ns_ = 1'790'000'000 * kS;
   std::ofstream log_;
-  RecentFrames archive_{"can0"};
+  RecentFrames archive_;
   MadeBus bus_;
   Fleet fleet_;
   LivePage page_;
@@ -366,9 +366,11 @@ class Feed {
 }  // namespace host_sim::monitor::test
 
 int main(int argc, char** argv) {
+  using host_sim::monitor::RecentFrames;
   const auto port = static_cast<std::uint16_t>(argc > 2 ? std::stoi(argv[2]) : 0);
   const int nodes = argc > 3 ? std::stoi(argv[3]) : 8;
-  host_sim::monitor::test::Feed feed(argv[1], port, nodes);
+  const std::size_t kept = argc > 4 ? std::stoul(argv[4]) << 20 : RecentFrames::kMost;
+  host_sim::monitor::test::Feed feed(argv[1], port, nodes, kept);
   for (std::string line; std::getline(std::cin, line);) {
     feed.obey(line);
   }

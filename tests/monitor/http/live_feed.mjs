@@ -3,9 +3,11 @@ import { spawn } from 'node:child_process';
 import { createInterface } from 'node:readline';
 
 export class LiveFeed {
-  static async start(program, log, port = 0, nodes = 8) {
+  /** `kept_MiB`: of frames, where it is not as many as a monitor keeps. */
+  static async start(program, log, port = 0, nodes = 8, kept_MiB = undefined) {
     const feed = new LiveFeed();
-    feed.process = spawn(program, [log, port, nodes], { stdio: ['pipe', 'pipe', 'inherit'] });
+    const kept = kept_MiB === undefined ? [] : [kept_MiB];
+    feed.process = spawn(program, [log, port, nodes, ...kept], { stdio: ['pipe', 'pipe', 'inherit'] });
     feed.lines = createInterface({ input: feed.process.stdout })[Symbol.asyncIterator]();
     feed.address = (await feed.lines.next()).value;
     feed.port = Number(new URL(feed.address).port);

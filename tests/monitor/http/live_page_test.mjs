@@ -364,6 +364,33 @@ async function lostServerIsShown() {
   problems.expect('live after a restart', !(await page.evaluate(shownFleet))[1].Damage.stale);
 }
 
+async function saysWhatIsGone() {
+  problems.same('nothing is gone yet', await textOf('gone'), '');
+  const { port } = feed;
+  await feed.stop();
+  feed = await LiveFeed.start(program, log, port, 8, 1);
+  await feed.say('run 400');
+  await page.reload();
+  await settle();
+  problems.same('not while it is live', await textOf('gone'), '');
+  await page.waitFor(() => document.getElementById('scrub').max > 100);
+  await press('pause');
+  await page.waitFor(() => document.getElementById('gone').innerText !== '');
+  problems.expect(
+    `'${await textOf('gone')}' says why`,
+    /^Frames before .* are gone: without --record the newest 1 MiB are kept\./.test(await textOf('gone')),
+  );
+  problems.same('it fits', (await page.evaluate(shownPage)).overhang, 0);
+  if (process.env.SHOTS) {
+    await page.screenshot(`${process.env.SHOTS}/gone.png`, 500);
+    await page.look({ width: 360 });
+    await page.screenshot(`${process.env.SHOTS}/gone-360.png`, 700);
+    await page.look({});
+  }
+  await press('pause');
+  await settle();
+}
+
 async function canBeUsedByAll() {
   await feed.say('emergency 2 ff20');
   await feed.say('silent 5 1');
@@ -400,6 +427,7 @@ try {
   await worksByKeyboardAlone();
   await theDetailComesIntoViewOnAPhone();
   await lostServerIsShown();
+  await saysWhatIsGone();
   await canBeUsedByAll();
   problems.same('errors of the page', (await page.evaluate(shownPage)).error, undefined);
 } catch (error) {

@@ -25,6 +25,7 @@ class TwoLines : public FrameArchive {
     take("(8.000000) can0 705#05\n(9.000000) can0 705#05\n");
   }
   [[nodiscard]] std::vector<std::int64_t> times_us() const override { return {8'000'000}; }
+  [[nodiscard]] std::string why_gone() const override { return "two lines are kept"; }
   void read(std::optional<protocol::Node> node,
             const std::function<bool(std::string_view)>& take) const override {
     take(node ? "of a node\n" : "of all\n") && take("second\n");
@@ -119,7 +120,8 @@ TEST(Server, ExportsWhatWasRecorded) {
 TEST(Server, TellsMomentsOfThePast) {
   const TwoLines log;
   Served served({}, log);
-  EXPECT_EQ(served.client.Get("/api/times")->body, "[1000000,8000000]");
+  EXPECT_EQ(json::parse(served.client.Get("/api/times")->body), json::parse(R"({
+      "times_us": [1000000, 8000000], "frames_from_us": 8000000, "why_gone": "two lines are kept"})"));
   const json eight = json::parse(served.client.Get("/api/moment/8500000")->body);
   EXPECT_EQ(eight["now_us"], 8'500'000);
   EXPECT_EQ(eight["frames"], 1);

@@ -85,7 +85,15 @@ TEST(RecentFrames, TheOldestGo) {
     EXPECT_TRUE(all.starts_with('(')) << count;
     EXPECT_LE(all.size(), kMost);
     EXPECT_GE(all.size(), std::min(seen.size(), kMost - kMost / 32 - kMost / 8));
+    EXPECT_EQ(frames.why_gone().empty(), all.size() == seen.size()) << count;
   }
+}
+
+TEST(RecentFrames, AreGoneWithoutARecord) {
+  RecentFrames frames("can0", std::size_t{1} << 20);
+  EXPECT_EQ(frames.why_gone(), "");
+  see(frames, 0, 50'000);
+  EXPECT_EQ(frames.why_gone(), "without --record the newest 1 MiB are kept");
 }
 
 TEST(RecentFrames, ReadingStopsWhereNobodyTakes) {
@@ -177,6 +185,16 @@ TEST_F(RecordedFolderTest, ReadsAllLogsInOrder) {
   EXPECT_EQ(read({}), kOfFive + kOfSix);
   EXPECT_EQ(read(5), kOfFive);
   EXPECT_EQ(read(7), "");
+}
+
+TEST_F(RecordedFolderTest, HasLostWhatIsBeforeItsFirstLog) {
+  const RecordedFolder archive(folder, [] {});
+  EXPECT_EQ(archive.why_gone(), "");
+  write("frames-00000002.log", kOfSix);
+  EXPECT_EQ(archive.why_gone(),
+            "of the record the newest logs are kept, as many as --record-keep says");
+  write("frames-00000001.log", kOfFive);
+  EXPECT_EQ(archive.why_gone(), "");
 }
 
 TEST_F(RecordedFolderTest, HasWhatWasSeenWrittenFirst) {

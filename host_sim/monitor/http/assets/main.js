@@ -3,7 +3,7 @@ import { byId, setAttribute, setText } from './dom.js';
 import { FleetTable } from './fleet.js';
 import { Moments, withAllNodes } from './moments.js';
 import { NodeView } from './node.js';
-import { momentText, percentText, wholeText, zoneText } from './prose.js';
+import { goneText, momentText, percentText, wholeText, zoneText } from './prose.js';
 import { merged, Stream } from './stream.js';
 
 const DRAW_MS = 150;
@@ -32,8 +32,10 @@ class Page {
   hear(view, events, isWhole) {
     this.live = view;
     this.moments.add(view);
-    if (isWhole) {
+    if (isWhole || (this.selection.at === undefined && this.moments.isOld())) {
       this.moments.look();
+    }
+    if (isWhole) {
       this.node.load(this.selection.node, true);
     } else {
       this.node.hear(view, events);
@@ -157,6 +159,7 @@ class Page {
     setAttribute(scrub, 'aria-valuetext', text);
     const goOn = this.live.source_ended ? 'To the end' : 'Go on';
     setText(byId('pause'), paused ? goOn : 'Pause');
+    setText(byId('gone'), paused ? goneText(this.moments.gone) : '');
     document.documentElement.classList.toggle('paused', paused);
   }
 

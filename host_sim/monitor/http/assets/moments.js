@@ -1,5 +1,7 @@
 import { kept, NodeHistory, PastViews } from './history.js';
 
+const LOOK_MS = 60000;
+
 /** What the page shows of a node of which a view says nothing. */
 const NOTHING = {
   severity: 0,
@@ -32,6 +34,8 @@ export class Moments {
     this.onNews = onNews;
     this.past = new PastViews();
     this.earlier = [];
+    this.gone = {};
+    this.looked_ms = -Infinity;
   }
 
   add(view) {
@@ -42,11 +46,19 @@ export class Moments {
     return this.past.views.at(-1);
   }
 
+  /** Whether what look() found may have changed: the oldest frames go while the monitor runs. */
+  isOld() {
+    return performance.now() - this.looked_ms > LOOK_MS;
+  }
+
   /** Asks from when on there is something on record. */
   async look() {
+    this.looked_ms = performance.now();
     const answer = await fetch('/api/times').catch(() => undefined);
     if (answer?.ok) {
-      this.earlier = await answer.json();
+      const { times_us, frames_from_us, why_gone } = await answer.json();
+      this.earlier = times_us;
+      this.gone = { before_us: frames_from_us, why: why_gone };
       this.answer = undefined;
       this.onNews();
     }

@@ -224,6 +224,13 @@ export function momentText(time_us) {
   return `${day} ${clockText(time_us)}`;
 }
 
+/** From when on frames can be gone back to, where there were frames before. */
+export function goneText({ before_us: before, why }) {
+  return why && before !== undefined
+    ? `Frames before ${momentText(before)} are gone: ${why}. Of the time before, damage, rate and state alone are known.`
+    : '';
+}
+
 /** What there is of a moment that this page has not seen; empty for one that it has. */
 export function recordText({ from_us: from, asked, trouble }) {
   if (asked) {
