@@ -189,7 +189,7 @@ test('from when on there are frames is said where there were some before', async
   assert.equal(goneText({ before_us: 5e6 }), '');
   assert.equal(
     goneText({ before_us: 5e6, why: 'few are kept' }),
-    'Frames before 5.0\u00a0s are gone: few are kept. Of the time before, damage, rate and state alone are known.',
+    'Frames before 5.0\u00a0s are gone: few are kept. Before it only damage, rate and state are known.',
   );
 });
 

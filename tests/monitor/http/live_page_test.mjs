@@ -290,6 +290,7 @@ async function worksByKeyboardAlone() {
   await page.press('Enter');
   await page.waitFor(() => document.activeElement.id === 'node-heading');
   problems.same('opened', (await page.evaluate(shownNode)).heading, 'Node 3');
+  await page.waitFor(() => document.querySelectorAll('#node canvas').length === 2);
   await tabTo('#damage-chart .chart');
   await page.press('+');
   await feed.say('run 2');
