@@ -2,7 +2,7 @@
 
     commands_test.py SOURCE
 
-A test is what follows `-R` (each alternative has to match one) or `--gtest_filter=`, a label what follows `-L`
+A test is what follows `-R` (each alternative has to match one; REGEX stands for any) or `--gtest_filter=`, a label what follows `-L`
 or `-LE`. A path begins with a folder at the top of the tree; what has a word of capitals in it stands for many.
 """
 import fnmatch
@@ -108,9 +108,10 @@ def code_of(page):
 def missing_in(code, page, source, suites, names, labels):
     """What the code names and is not there, with why."""
     for match in REGEX.findall(code):
-        for regex in match.strip("'").split("|"):
-            if not any(re.search(regex, name) for name in names):
-                yield regex, "matches no test"
+        regex = match.strip("'")
+        for part in [regex] if "(" in regex else regex.split("|"):
+            if not part.isupper() and not any(re.search(part, name) for name in names):
+                yield part, "matches no test"
     for match in FILTER.findall(code):
         for pattern in match.strip("'").split(":"):
             if not any(fnmatch.fnmatchcase(name, pattern.lstrip("-")) for name in suites):
