@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -50,6 +51,26 @@ TEST(FurtherDamage, OfANewWireIsItsLife) {
   EXPECT_NEAR(further(5.94, 0, kHazard50), 0.940163, 2e-6);
   EXPECT_NEAR(further(5.94, 0, kHazard90), 1.150745, 2e-6);
   EXPECT_NEAR(further(5.94, 1e-20, kHazard10), 0.684648, 2e-6);
+}
+
+/// The tables of lifemodel/life/README.md, to the digits that they have.
+TEST(FurtherDamage, IsThatOfTheTablesOnThePage) {
+  struct Row {
+    double used;
+    double broken_percent;
+    std::array<double, 3> further;  // to 1, 10 and 50 %
+  };
+  const std::array<Row, 5> rows{{{0, 0, {0.461, 0.685, 0.940}},
+                                 {0.685 / 2, 0.2, {0.131, 0.344, 0.598}},
+                                 {0.684648, 10, {0.011, 0.085, 0.278}},
+                                 {0.940163, 50, {0.002, 0.023, 0.116}},
+                                 {1.150745, 90, {0.001, 0.009, 0.052}}}};
+  for (const Row& row : rows) {
+    EXPECT_NEAR(100 * (1 - std::exp(-std::pow(row.used, 5.94))), row.broken_percent, 0.05);
+    EXPECT_NEAR(further(5.94, row.used, Hazard::of(ratio_of(0.01))), row.further[0], 6e-4);
+    EXPECT_NEAR(further(5.94, row.used, kHazard10), row.further[1], 6e-4);
+    EXPECT_NEAR(further(5.94, row.used, kHazard50), row.further[2], 6e-4);
+  }
 }
 
 TEST(FurtherDamage, WithoutAgeingDoesNotDependOnTheDamage) {
