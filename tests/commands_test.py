@@ -2,8 +2,9 @@
 
     commands_test.py SOURCE
 
-A test is what follows `-R` (each alternative has to match one; REGEX stands for any) or `--gtest_filter=`, a label what follows `-L`
-or `-LE`. A path begins with a folder at the top of the tree; what has a word of capitals in it stands for many.
+A test is what follows `-R` (each alternative has to match one, REGEX stands for any) or `--gtest_filter=`,
+a label what follows `-L` or `-LE`. A path begins with a folder at the top of the tree; what has a word of
+capitals in it stands for many.
 """
 import fnmatch
 import pathlib
