@@ -178,6 +178,10 @@ ProfileChannels ProfileReader::channels() const noexcept {
   return impl_->header().layout.channels;
 }
 
+const std::vector<NearlyColumn>& ProfileReader::nearly() const noexcept {
+  return impl_->header().layout.nearly;
+}
+
 std::size_t ProfileReader::read(std::span<ProfileRow> rows) {
   return impl_->read(rows);
 }

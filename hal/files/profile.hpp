@@ -78,6 +78,9 @@ class ProfileReader {
   /// The columns that the file holds, by ProfileColumnId.
   ProfileChannels channels() const noexcept;
 
+  /// Fields passed over whose names are nearly those of columns that are not there.
+  const std::vector<NearlyColumn>& nearly() const noexcept;
+
   /// Fills the front of `rows` and returns how many; fewer than asked for only at the end, then 0.
   /// After an error the reader is of no further use.
   std::size_t read(std::span<ProfileRow> rows);

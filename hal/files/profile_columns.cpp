@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <iterator>
+#include <optional>
 #include <utility>
 
 #include "hal/files/nearest.hpp"
@@ -42,6 +43,39 @@ std::string option_word(const std::string& map) {
   return map.find_first_of(" \"*()[];&|<>$`\\") == std::string::npos ? map : '\'' + map + '\'';
 }
 
+std::vector<std::string> known_names() {
+  std::vector<std::string> known;
+  std::ranges::transform(kColumns, std::back_inserter(known),
+                         [](const ProfileColumn& column) { return std::string(column.name); });
+  return known;
+}
+
+/// A column in another unit than ours, or without one.
+struct InOtherUnit {
+  ProfileColumnId id;
+  std::string unit;
+  bool unit_is_known;
+  std::string map;  ///< of --column; its factor is to be filled in where the unit is not known
+};
+
+std::optional<InOtherUnit> in_other_unit(const std::string& name) {
+  for (unsigned index = 0; index < kProfileColumnCount; ++index) {
+    const ProfileColumn& column = kColumns[index];
+    const auto unit = other_unit(name, column.name, column.unit);
+    if (!unit) {
+      continue;
+    }
+    const auto id = static_cast<ProfileColumnId>(index);
+    const std::string plain = fmt::format("{}={}", column_word(name), column.name);
+    if (unit->empty()) {
+      return InOtherUnit{id, "", true, plain};
+    }
+    const auto map = map_of_unit(name, *unit, id);
+    return InOtherUnit{id, std::string(*unit), map.has_value(), map.value_or("FACTOR*" + plain)};
+  }
+  return std::nullopt;
+}
+
 /// The names of a header, and what each of them is.
 class ProfileHeaderReader {
  public:
@@ -63,6 +97,7 @@ class ProfileHeaderReader {
     if (!layout_.channels[kTime]) {
       line_.fail(line_.text.size(), fmt::format("no column {}", name_of(kTime)), needed_);
     }
+    std::ranges::for_each(layout_.fields, [this](const ProfileField& field) { doubt(field); });
     return std::move(layout_);
   }
 
@@ -133,10 +168,7 @@ class ProfileHeaderReader {
                                            : "to_csv(index=False) in pandas");
     }
     refuse_other_unit(index);
-    std::vector<std::string> known;
-    std::ranges::transform(kColumns, std::back_inserter(known),
-                           [](const ProfileColumn& column) { return std::string(column.name); });
-    const auto meant = nearest(name, known);
+    const auto meant = nearest(name, known_names());
     line_.fail(offsets_[index],
                fmt::format("unknown column {}{}", in_quotes(name),
                            meant ? fmt::format(", nearest to {}", *meant) : ""),
@@ -146,23 +178,40 @@ class ProfileHeaderReader {
 
   void refuse_other_unit(std::size_t index) const {
     const std::string& name = layout_.fields[index].name;
-    for (unsigned id = 0; id < kProfileColumnCount; ++id) {
-      const ProfileColumn& column = kColumns[id];
-      const auto unit = other_unit(name, column.name, column.unit);
-      if (!unit) {
-        continue;
-      }
-      const auto plain = fmt::format("{}={}", column_word(name), column.name);
-      if (unit->empty()) {
-        line_.fail(offsets_[index], fmt::format("column {} without its unit", in_quotes(name)),
-                   accepted(column.name, plain));
-      }
-      const auto map = map_of_unit(name, *unit, static_cast<ProfileColumnId>(id));
-      line_.fail(
-          offsets_[index],
-          map ? fmt::format("other unit {} of column {}", in_quotes(*unit), in_quotes(name))
-              : fmt::format("unknown unit {} of column {}", in_quotes(*unit), in_quotes(name)),
-          accepted(column.name, map.value_or("FACTOR*" + plain)));
+    const auto found = in_other_unit(name);
+    if (!found) {
+      return;
+    }
+    const std::string_view known = kColumns[found->id].name;
+    if (found->unit.empty()) {
+      line_.fail(offsets_[index], fmt::format("column {} without its unit", in_quotes(name)),
+                 accepted(known, found->map));
+    }
+    line_.fail(offsets_[index],
+               fmt::format("{} unit {} of column {}", found->unit_is_known ? "other" : "unknown",
+                           in_quotes(found->unit), in_quotes(name)),
+               accepted(known, found->map));
+  }
+
+  /// Who passes over all that is extra may not mean what is nearly one of ours.
+  void doubt(const ProfileField& field) {
+    if (!field.passed_over()) {
+      return;
+    }
+    auto id = kProfileColumnCount;
+    std::string map;
+    if (const auto found = in_other_unit(field.name)) {
+      id = found->id;
+      map = found->map;
+    } else if (const auto meant = nearest(field.name, known_names())) {
+      id = static_cast<ProfileColumnId>(std::ranges::find(kColumns, *meant, &ProfileColumn::name) -
+                                        kColumns.begin());
+      map = fmt::format("{}={}", column_word(field.name), *meant);
+    }
+    if (id != kProfileColumnCount && !layout_.channels[id]) {
+      layout_.nearly.push_back(
+          {id, fmt::format("column {} is passed over, which is nearly {}; --column {} takes it",
+                           in_quotes(field.name), name_of(id), option_word(map))});
     }
   }
 

@@ -54,11 +54,18 @@ struct ProfileField {
   [[nodiscard]] bool converts() const { return scale != 1 || offset != 0; }
 };
 
+/// A field that is passed over although its name is nearly that of a column that is not there.
+struct NearlyColumn {
+  ProfileColumnId id;  ///< that column
+  std::string words;   ///< what is passed over, and how it can be taken
+};
+
 /// What a header says of the rows.
 struct ProfileLayout {
   CsvDialect dialect;
   std::vector<ProfileField> fields;
-  ProfileChannels channels;  ///< of all fields
+  ProfileChannels channels;          ///< of all fields
+  std::vector<NearlyColumn> nearly;  ///< in order of the fields
 };
 
 /// The layout of a header line, `time_s` in it. Throws InputError for columns that are unknown, of

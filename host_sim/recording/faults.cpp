@@ -13,6 +13,7 @@
 namespace host_sim::recording {
 
 using hal::files::in_quotes;
+using hal::files::NearlyColumn;
 using enum hal::files::ProfileColumnId;
 using hal::files::profile_columns;
 using hal::files::ProfileColumnId;
@@ -103,6 +104,10 @@ class Session {
   std::vector<Fault> faults() {
     const std::vector<Stretch> gaps = gaps_in(recording_[kTime]);
     find_slips(gaps);
+    for (const NearlyColumn& column : recording_.nearly) {
+      add(column.id, Fault::Kind::passed_over, {0, 0},
+          fmt::format("{}: {}", session_text(recording_), column.words));
+    }
     for (const Stretch& gap : gaps) {
       add(kTime, Fault::Kind::gap, gap, gap_prose(recording_, gap));
     }

@@ -26,6 +26,7 @@ struct Recording {
 
   /// Each of samples() values or empty. Time rises strictly.
   Channels channels;
+  std::vector<hal::files::NearlyColumn> nearly;  ///< that were passed over
 
   [[nodiscard]] const std::vector<double>& operator[](hal::files::ProfileColumnId id) const {
     return channels[id];
@@ -53,6 +54,7 @@ struct Fault {
     stuck,         ///< it stands still for long while others of its kind move
     saturated,     ///< it stays at its largest or smallest value
     gap,           ///< five samples or more are missing; the sample behind the jump
+    passed_over,   ///< it may be there under another name; no samples
     not_positive,  ///< a tension or current that has no logarithm, of a drive that only pulls
   };
   std::string session;

@@ -120,12 +120,13 @@ ProfileLayout layout_of(const TextPlace& line, const ColumnOptions& options) {
 
 }  // namespace
 
-Channels parse_recording(std::unique_ptr<ByteSource> source, std::string_view name,
-                         const ColumnOptions& columns) {
+RecordingText parse_recording(std::unique_ptr<ByteSource> source, std::string_view name,
+                              const ColumnOptions& columns) {
   constexpr std::size_t kSamplesBetweenStops = 1 << 16;
   ProfileRows rows(std::move(source), name, fmt::format("a CSV file with {}", kNeeded),
                    [&](const TextPlace& line) { return layout_of(line, columns); });
-  Channels channels;
+  RecordingText text{.channels = {}, .nearly = rows.layout().nearly};
+  Channels& channels = text.channels;
   while (rows.next()) {
     for (unsigned id = 0; id < kProfileColumnCount; ++id) {
       if (rows.layout().channels[id]) {
@@ -142,7 +143,7 @@ Channels parse_recording(std::unique_ptr<ByteSource> source, std::string_view na
                      fmt::format("the file ends after {} samples", samples),
                      fmt::format("at least {} samples", kFewestSamples));
   }
-  return channels;
+  return text;
 }
 
 namespace {
@@ -230,8 +231,10 @@ std::vector<Recording> read_recordings(const fs::path& campaign_folder,
     recording.file = files.file_of(row);
     recording.start_cycle = row.start_cycle;
     recording.line = row.file_place.line;
-    recording.channels = parse_recording(open_input(recording.file, "a recording that can be read"),
+    RecordingText text = parse_recording(open_input(recording.file, "a recording that can be read"),
                                          recording.file.string(), columns);
+    recording.channels = std::move(text.channels);
+    recording.nearly = std::move(text.nearly);
   }
   std::sort(recordings.begin(), recordings.end(),
             [](const Recording& a, const Recording& b) { return a.session < b.session; });

@@ -7,6 +7,7 @@
 
 #include "hal/files/column_map.hpp"
 #include "hal/files/input_file.hpp"
+#include "hal/files/profile_columns.hpp"
 #include "host_sim/campaign/csv_table.hpp"
 #include "host_sim/recording/recording.hpp"
 
@@ -29,9 +30,15 @@ std::vector<SessionRow> parse_sessions(std::unique_ptr<hal::files::ByteSource> s
 /// The fewest samples of a recording.
 inline constexpr std::size_t kFewestSamples = 16;
 
-/// Reads and checks the samples of one recording; `name` stands for the file in errors.
+/// The samples of one recording, and what its header leaves in doubt.
+struct RecordingText {
+  Channels channels;
+  std::vector<hal::files::NearlyColumn> nearly;
+};
+
+/// Reads and checks one recording; `name` stands for the file in errors.
 /// @throws InputError
-Channels parse_recording(std::unique_ptr<hal::files::ByteSource> source, std::string_view name,
-                         const hal::files::ColumnOptions& columns = {});
+RecordingText parse_recording(std::unique_ptr<hal::files::ByteSource> source, std::string_view name,
+                              const hal::files::ColumnOptions& columns = {});
 
 }  // namespace host_sim::recording

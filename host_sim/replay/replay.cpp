@@ -3,11 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ostream.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <ostream>
 #include <span>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "hal/files/input_error.hpp"
@@ -93,6 +96,8 @@ class Pass {
         wire_(model, parameters_.nominal, input_.has_motion()),
         clock_(1 / model.counting.sample_rate_Hz),
         has_output_(profile.kind() == InputKind::kOutputTension) {
+    std::ranges::transform(profile.nearly(), std::back_inserter(doubts_),
+                           &hal::files::NearlyColumn::words);
     if (options.report != nullptr) {
       plots_.emplace(
           model, parameters_.nominal,
@@ -175,6 +180,7 @@ class Pass {
     for (const Extension& extension : acting_.extensions) {
       result.extensions.push_back(extension.id);
     }
+    result.warnings = doubts_;
     if (clock_.other_rate()) {
       result.warnings.push_back(fmt::format(
           "the profile was recorded at about {:.4g} Hz, the model says {:.4g} Hz; every interval "
@@ -320,7 +326,8 @@ class Pass {
   lifemodel::ExtendedParameters parameters_;
   lifemodel::Estimator<1, Layout> estimator_;
   lifemodel::bulk::Replay bulk_;
-  std::vector<Tension> waiting_;  ///< that the estimator has not counted yet
+  std::vector<std::string> doubts_;  ///< of the columns
+  std::vector<Tension> waiting_;     ///< that the estimator has not counted yet
   reference::Reference exact_;
   std::vector<double> tensions_N_;  ///< of a batch of rows, exactly
   ProfileInput input_;

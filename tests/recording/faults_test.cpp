@@ -177,6 +177,19 @@ TEST(Faults, NameGapsInTime) {
             "anew behind the gap");
 }
 
+TEST(Faults, NameAColumnThatWasPassedOverAndIsNearlyOneOfOurs) {
+  const Recording sound = test::recording_of({.noise = 0.003});
+  Recording doubtful = sound;
+  doubtful.nearly = {{kMotorAngle, "column 'motor_angel_rad' is passed over"}};
+  ASSERT_EQ(faults_of({sound}).size(), 0U);
+  const auto faults = faults_of({doubtful});
+  ASSERT_EQ(faults.size(), 1U) << all_words(faults);
+  EXPECT_EQ(faults[0].kind, FaultKind::passed_over);
+  EXPECT_EQ(faults[0].channel, kMotorAngle);
+  EXPECT_EQ(faults[0].count, 0U);
+  EXPECT_EQ(faults[0].words, "session 's1': column 'motor_angel_rad' is passed over");
+}
+
 TEST(Faults, NameTensionsWithoutALogarithm) {
   Recording recording = test::recording_of({});
   change(recording, kOutputTensionColumn, 5, 5.5, [](double) { return -0.5; });

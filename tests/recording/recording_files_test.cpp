@@ -113,7 +113,7 @@ TEST(RecordingFile, GivesAllChannelsInTheirOwnPlaces) {
     text += "41,-0.5,1.25," + std::to_string(i) + ",20.5,40,270,3," + std::to_string(20 + i) +
             "\r\n# a comment\r\n";
   }
-  const Channels channels = parse_recording(memory_source(text), "r.csv");
+  const Channels channels = parse_recording(memory_source(text), "r.csv").channels;
   const std::array<double, kProfileColumnCount> last{15, 40, 1.25, 20.5, -0.5, 270, 3, 35, 41};
   for (std::size_t id = 0; id < kProfileColumnCount; ++id) {
     ASSERT_EQ(channels[id].size(), 16U) << id;
@@ -124,7 +124,8 @@ TEST(RecordingFile, GivesAllChannelsInTheirOwnPlaces) {
 }
 
 TEST(RecordingFile, LeavesChannelsEmptyThatItLacks) {
-  const Channels channels = parse_recording(memory_source(test::recording_text()), "r.csv");
+  const Channels channels =
+      parse_recording(memory_source(test::recording_text()), "r.csv").channels;
   EXPECT_EQ(channels[kInputTensionColumn].size(), 16U);
   EXPECT_TRUE(channels[kMotorCurrentColumn].empty());
   EXPECT_TRUE(channels[kSheathTemperature].empty());

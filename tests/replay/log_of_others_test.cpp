@@ -39,6 +39,22 @@ TEST_F(LogOfOthers, IsReplayedByNamesUnitsAndWhatIsPassedOver) {
   expect_good("blanks.csv --column force=input_tension_N");
 }
 
+TEST_F(LogOfOthers, WhatIsPassedOverAndNearlyOneOfOursIsAWarning) {
+  write("log.csv",
+        "time_s,input_tension_N,tendon_velocity_mm_s,motor_angel_rad,input_force_N,note\n"
+        "0,10,0,0,10,1\n0.005,60,0,0,60,2\n0.01,10,0,0,10,3\n0.015,60,0,0,60,4\n");
+  ASSERT_EQ(run("replay log.csv --model model.toml --ignore-extra --json other.json"), 0) << err_;
+  EXPECT_NE(
+      contents(folder_ / "other.json")
+          .find("\"column 'tendon_velocity_mm_s' is passed over, which is nearly "
+                "tendon_velocity_m_s; --column 'tendon_velocity_mm_s in "
+                "mm/s=tendon_velocity_m_s' takes it\",\n    \"column 'motor_angel_rad' is passed "
+                "over, which is nearly motor_angle_rad; --column motor_angel_rad=motor_angle_rad "
+                "takes it\"\n"),
+      std::string::npos)
+      << contents(folder_ / "other.json");
+}
+
 TEST_F(LogOfOthers, IsReadAsGzipHasCompressedIt) {
   ASSERT_EQ(std::system(("gzip -k '" + (folder_ / "good.csv").string() + "'").c_str()), 0);
   expect_good("good.csv.gz");

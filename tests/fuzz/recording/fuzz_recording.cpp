@@ -69,7 +69,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   recording::Recording one;
   one.session = "fuzz";
   try {
-    one.channels = recording::parse_recording(hal::files::memory_source(text), "fuzz");
+    one.channels = recording::parse_recording(hal::files::memory_source(text), "fuzz").channels;
   } catch (const hal::files::InputError& error) {
     host_sim::fuzz::require_one_line(error.what());
     return 0;
