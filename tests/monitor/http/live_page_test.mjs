@@ -261,9 +261,10 @@ async function theEndOfALogIsSaid() {
   await page.waitFor(() => document.querySelector('#connection').innerText === 'Live.');
 }
 
-/** Tab until the element of a selector has the focus. */
+/** Tab until the element of a selector has the focus; where one with the focus is drawn anew, Tab begins at the top. */
 async function tabTo(selector) {
-  for (let i = 0; i < 60; i += 1) {
+  await page.waitFor((wanted) => document.querySelector(wanted)?.checkVisibility(), selector);
+  for (let i = 0; i < 200; i += 1) {
     await page.press('Tab');
     const there = await page.evaluate((wanted) => document.activeElement?.matches(wanted), selector);
     if (there) {
