@@ -8,12 +8,13 @@
 #include <utility>
 
 #include "host_sim/statistics/distribution.hpp"
+#include "host_sim/statistics/parallel.hpp"
 
 namespace host_sim::diagnose {
 namespace {
 
 constexpr int kIterations = 15;
-constexpr int kFirstIterations = 4;  ///< of each start
+constexpr int kFirstIterations = 2;  ///< of each start, and again of the best one of a term
 constexpr int kFoldIterations = 4;
 
 }  // namespace
@@ -25,14 +26,22 @@ struct ForceData::Normal {
   std::vector<Eigen::VectorXd> of_records;
 };
 
-ForceData::ForceData(std::vector<ForceRecord> records)
-    : records_(std::move(records)), scales_(scales_of(records_)) {
+ForceData::ForceData(std::vector<ForceRecord> records) : records_(std::move(records)) {
+  take_scales(scales_of(records_));
   for (const ForceRecord& record : records_) {
     counts_.push_back(static_cast<double>(std::ranges::count(record.used, true)));
     samples_ += counts_.back();
   }
   settle_turn_over();
   settle_resolution();
+}
+
+void ForceData::take_scales(const ForceScales& scales) {
+  scales_ = scales;
+  kinematics_.clear();
+  for (const ForceRecord& record : records_) {
+    kinematics_.push_back(kinematics_of(record, scales_));
+  }
 }
 
 /// As sharp as the friction that any drive has shows it.
@@ -42,7 +51,9 @@ void ForceData::settle_turn_over() {
   ForceScales best = scales_;
   double least_N2 = std::numeric_limits<double>::infinity();
   for (const double share : kShares) {
-    scales_.turn_over_m_s = share * scales_.speed_m_s;
+    ForceScales sharper = scales_;
+    sharper.turn_over_m_s = share * scales_.speed_m_s;
+    take_scales(sharper);
     std::vector<double> start;
     for (const ForceParameter& parameter : parameters_of(plain, scales_)) {
       start.push_back(parameter.starts.front());
@@ -53,7 +64,7 @@ void ForceData::settle_turn_over() {
       best = scales_;
     }
   }
-  scales_ = best;
+  take_scales(best);
 }
 
 /// A place between two samples is anywhere between them.
@@ -76,7 +87,7 @@ std::vector<double> ForceData::residuals_N(std::size_t record, const ForceTerms&
                                            std::span<const double> parameters) const {
   const ForceRecord& of = records_[record];
   std::vector<double> residuals;
-  predict_input(of, terms, scales_, parameters, residuals);
+  predict_input(of, kinematics_[record], terms, scales_, parameters, residuals);
   for (std::size_t i = 0; i < residuals.size(); ++i) {
     residuals[i] = of.used[i] ? of.input_N[i] - residuals[i] : 0;
   }
@@ -180,26 +191,48 @@ ForceFit ForceData::fit(const ForceTerms& terms, std::vector<double> start, int 
   return best;
 }
 
-ForceFit ForceData::started(const ForceFit& from, ForceTerm more) const {
-  ForceTerms terms = from.terms;
-  terms.push_back(more);
-  const auto added = parameters_of(more, scales_);
-  std::size_t starts = 0;
-  for (const ForceParameter& parameter : added) {
-    starts = std::max(starts, parameter.starts.size());
-  }
-  ForceFit best;
-  for (std::size_t start = 0; start < starts; ++start) {
-    std::vector<double> parameters = from.parameters;
+std::vector<ForceFit> ForceData::started(const ForceFit& from, std::span<const ForceTerm> more,
+                                         unsigned threads) const {
+  struct Start {
+    std::size_t term;
+    std::vector<double> parameters;
+  };
+  std::vector<Start> starts;
+  for (std::size_t term = 0; term < more.size(); ++term) {
+    const auto added = parameters_of(more[term], scales_);
+    std::size_t count = 0;
     for (const ForceParameter& parameter : added) {
-      parameters.push_back(parameter.starts[std::min(start, parameter.starts.size() - 1)]);
+      count = std::max(count, parameter.starts.size());
     }
-    ForceFit found = fit(terms, std::move(parameters), kFirstIterations);
-    if (start == 0 || found.square_N2 < best.square_N2) {
-      best = std::move(found);
+    for (std::size_t start = 0; start < count; ++start) {
+      std::vector<double> parameters = from.parameters;
+      for (const ForceParameter& parameter : added) {
+        parameters.push_back(parameter.starts[std::min(start, parameter.starts.size() - 1)]);
+      }
+      starts.push_back({term, std::move(parameters)});
     }
   }
-  return best;
+  const auto fit_one = [&](std::size_t term, const std::vector<double>& parameters) {
+    ForceTerms terms = from.terms;
+    terms.push_back(more[term]);
+    return fit(terms, parameters, kFirstIterations);
+  };
+  std::vector<ForceFit> tried(starts.size());
+  statistics::parallel_for(
+      starts.size(),
+      [&](std::size_t i) { tried[i] = fit_one(starts[i].term, starts[i].parameters); }, threads);
+  std::vector<const ForceFit*> best(more.size());
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    const ForceFit*& of_term = best[starts[i].term];
+    if (of_term == nullptr || tried[i].square_N2 < of_term->square_N2) {
+      of_term = &tried[i];
+    }
+  }
+  std::vector<ForceFit> all(more.size());
+  statistics::parallel_for(
+      all.size(), [&](std::size_t term) { all[term] = fit_one(term, best[term]->parameters); },
+      threads);
+  return all;
 }
 
 ForceFit ForceData::finished(const ForceFit& from) const {
@@ -225,7 +258,7 @@ ForceFit ForceData::beyond_steps(ForceFit best) const {
       }
     }
     if (other.square_N2 < best.square_N2) {
-      best = fit(other.terms, std::move(other.parameters), kFirstIterations);
+      best = fit(other.terms, std::move(other.parameters), 2 * kFirstIterations);
     }
   }
   return best;
@@ -248,17 +281,24 @@ ForceFit ForceData::without(const ForceFit& from, std::size_t place) const {
   return fit(terms, std::move(parameters), kIterations);
 }
 
+ForceFit ForceData::fold_fit(const ForceFit& whole, int fold) const {
+  return fit(whole.terms, whole.parameters, kFoldIterations, fold);
+}
+
 std::vector<ForceFit> ForceData::fold_fits(const ForceFit& whole) const {
   std::vector<ForceFit> seen;
-  for (int fold = 0; fold < kFolds && fold < static_cast<int>(records_.size()); ++fold) {
-    seen.push_back(fit(whole.terms, whole.parameters, kFoldIterations, fold));
+  for (int fold = 0; fold < folds(); ++fold) {
+    seen.push_back(fold_fit(whole, fold));
   }
   return seen;
 }
 
 HeldOut ForceData::held_out(const ForceFit& whole) const {
+  return held_out(fold_fits(whole));
+}
+
+HeldOut ForceData::held_out(std::span<const ForceFit> seen) const {
   HeldOut held;
-  const std::vector<ForceFit> seen = fold_fits(whole);
   for (std::size_t j = 0; j < records_.size(); ++j) {
     const ForceFit& by = seen[j % kFolds];
     const std::vector<double> left_N = residuals_N(j, by.terms, by.parameters);

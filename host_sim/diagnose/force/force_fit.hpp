@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -57,17 +58,24 @@ class ForceData {
   [[nodiscard]] ForceFit fit(const ForceTerms& terms, std::vector<double> start, int iterations,
                              int fold = -1) const;
 
-  /// With one term more, the best of all its starts after a few iterations.
-  [[nodiscard]] ForceFit started(const ForceFit& fit, ForceTerm more) const;
+  /// With one of these terms more, one each, from the best of its starts, after a few iterations.
+  [[nodiscard]] std::vector<ForceFit> started(const ForceFit& fit, std::span<const ForceTerm> more,
+                                              unsigned threads) const;
   /// The same with all iterations, or fewer where it is there before.
   [[nodiscard]] ForceFit finished(const ForceFit& fit) const;
   /// Without one of its terms.
   [[nodiscard]] ForceFit without(const ForceFit& fit, std::size_t place) const;
 
-  /// Fitted again without the records of each fold in turn.
+  /// How many folds there are, kFolds where there are as many records.
+  [[nodiscard]] int folds() const { return std::min(kFolds, static_cast<int>(records_.size())); }
+
+  /// Fitted again without the records of a fold, and of each in turn.
+  [[nodiscard]] ForceFit fold_fit(const ForceFit& fit, int fold) const;
   [[nodiscard]] std::vector<ForceFit> fold_fits(const ForceFit& fit) const;
 
   [[nodiscard]] HeldOut held_out(const ForceFit& fit) const;
+  /// @param seen fold_fits() of a fit
+  [[nodiscard]] HeldOut held_out(std::span<const ForceFit> seen) const;
 
   /// How much less one model leaves than another on sessions that neither saw, beside the scatter.
   /// What the other takes off a session is regressed on what is left there: sessions count by how
@@ -93,6 +101,7 @@ class ForceData {
 
  private:
   void settle_turn_over();
+  void take_scales(const ForceScales& scales);
   void settle_resolution();
   [[nodiscard]] ForceFit beyond_steps(ForceFit best) const;
   struct Normal;
@@ -103,6 +112,7 @@ class ForceData {
 
   std::vector<ForceRecord> records_;
   ForceScales scales_;
+  std::vector<Kinematics> kinematics_;  ///< of each record
   ForceCovariance covariance_;
   std::vector<double> counts_;  ///< of samples that count, by record
   double resolution_m_ = 0;     ///< standard deviation of a place between samples, of all reversals

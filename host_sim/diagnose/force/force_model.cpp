@@ -53,14 +53,17 @@ std::size_t nearest(const std::vector<double>& poses_rad, double bend_angle_rad)
 /// How far friction is turned over, -1 .. 1, with its memory of the motion.
 class Slip {
  public:
-  Slip(const ForceValues& values, const ForceScales& scales, double position_m)
-      : values_(values), edge_m_s_(scales.turn_over_m_s), before_m_(position_m) {}
+  Slip(const ForceRecord& record, const Kinematics& kinematics, const ForceValues& values)
+      : record_(record),
+        kinematics_(kinematics),
+        values_(values),
+        before_m_(record.position_m.front()) {}
 
   /// @param i the next sample
-  void go_to(const ForceRecord& record, std::size_t i) {
-    const double moved_m = record.position_m[i] - before_m_;
-    before_m_ = record.position_m[i];
-    slip_ = std::tanh(record.velocity_m_s[i] / edge_m_s_);
+  void go_to(std::size_t i) {
+    const double moved_m = record_.position_m[i] - before_m_;
+    before_m_ = record_.position_m[i];
+    slip_ = kinematics_.turned_over[i];
     if (values_.slack_m > 0) {
       taken_up_ = std::clamp(taken_up_ + 2 * moved_m / values_.slack_m, -1.0, 1.0);
       slip_ = std::abs(taken_up_) == 1 && taken_up_ * slip_ > 0 ? slip_ : 0;
@@ -76,8 +79,9 @@ class Slip {
   [[nodiscard]] double slip() const { return slip_; }
 
  private:
+  const ForceRecord& record_;
+  const Kinematics& kinematics_;
   const ForceValues& values_;
-  double edge_m_s_;
   double before_m_;
   double slip_ = 0;
   double taken_up_ = 0;
@@ -120,8 +124,10 @@ double along_sheath(double log_ratio, double load_exponent) {
 /// What each sample has beside how far its friction is turned over.
 class Forward {
  public:
-  Forward(const ForceRecord& record, const ForceValues& values, const ForceScales& scales)
+  Forward(const ForceRecord& record, const Kinematics& kinematics, const ForceValues& values,
+          const ForceScales& scales)
       : record_(record),
+        kinematics_(kinematics),
         values_(values),
         scales_(scales),
         by_position_(values.harmonics != decltype(values.harmonics){}) {}
@@ -147,20 +153,17 @@ class Forward {
     }
     // A force the other way round is that of the other tendon, whose motion is the other way too.
     const double side = output_N < 0 ? -1 : 1;
-    const double sheath_N =
-        side * size_N *
-        std::expm1(std::clamp(along_sheath(side * log_ratio, values_.load_exponent), -kMostLogRatio,
-                              kMostLogRatio));
+    const double ratio = std::exp(std::clamp(along_sheath(side * log_ratio, values_.load_exponent),
+                                             -kMostLogRatio, kMostLogRatio));
     const double other_N = values_.preload_N * place * warm + values_.viscous_N_s_m * speed_m_s;
-    return output_N + sheath_N + other_N * slip;
+    return output_N * ratio + other_N * slip;
   }
 
   /// What the drive has for a force: as a current shows it, with what is wrong with the motor.
   [[nodiscard]] double shown_N(std::size_t i, double force_N) const {
     double efficiency = 1;
     if (values_.gear_asymmetry != 0) {
-      efficiency +=
-          values_.gear_asymmetry * std::tanh(record_.velocity_m_s[i] / scales_.turn_over_m_s);
+      efficiency += values_.gear_asymmetry * kinematics_.turned_over[i];
     }
     if (values_.droop_1_K != 0) {
       constexpr double kLeastGain = 0.05;
@@ -177,13 +180,16 @@ class Forward {
 
  private:
   [[nodiscard]] double position_factor(std::size_t i) const {
-    const double turn =
-        2 * std::numbers::pi * (record_.position_m[i] - scales_.position_m) / scales_.stroke_m;
+    // Each harmonic by the one before it: sin((k + 1) x) is sin(k x) cos x + cos(k x) sin x.
+    double sine = 0;
+    double cosine = 1;
     double factor = 1;
     for (std::size_t harmonic = 1; harmonic <= ForceValues::kHarmonics; ++harmonic) {
-      const double phase = static_cast<double>(harmonic) * turn;
-      factor += values_.harmonics[2 * harmonic - 2] * std::sin(phase) +
-                values_.harmonics[2 * harmonic - 1] * std::cos(phase);
+      const double next = sine * kinematics_.stroke_cosine[i] + cosine * kinematics_.stroke_sine[i];
+      cosine = cosine * kinematics_.stroke_cosine[i] - sine * kinematics_.stroke_sine[i];
+      sine = next;
+      factor +=
+          values_.harmonics[2 * harmonic - 2] * sine + values_.harmonics[2 * harmonic - 1] * cosine;
     }
     return factor;
   }
@@ -205,13 +211,14 @@ class Forward {
     if (values_.pose_errors_rad.empty()) {
       return nominal_rad;
     }
-    const std::size_t pose = nearest(scales_.poses_rad, nominal_rad);
+    const std::size_t pose = kinematics_.pose[i];
     return std::max(
         0.0,
         nominal_rad + (pose < values_.pose_errors_rad.size() ? values_.pose_errors_rad[pose] : 0));
   }
 
   const ForceRecord& record_;
+  const Kinematics& kinematics_;
   const ForceValues& values_;
   const ForceScales& scales_;
   bool by_position_;
@@ -264,19 +271,38 @@ ForceScales scales_of(std::span<const ForceRecord> records) {
           .poses_rad = poses_of(records)};
 }
 
+Kinematics kinematics_of(const ForceRecord& record, const ForceScales& scales) {
+  Kinematics kinematics;
+  for (std::size_t i = 0; i < record.samples(); ++i) {
+    kinematics.turned_over.push_back(std::tanh(record.velocity_m_s[i] / scales.turn_over_m_s));
+    const double turn =
+        2 * std::numbers::pi * (record.position_m[i] - scales.position_m) / scales.stroke_m;
+    kinematics.stroke_sine.push_back(std::sin(turn));
+    kinematics.stroke_cosine.push_back(std::cos(turn));
+    kinematics.pose.push_back(nearest(scales.poses_rad, record.bend_angle_rad[i]));
+  }
+  return kinematics;
+}
+
 void predict_input(const ForceRecord& record, const ForceTerms& terms, const ForceScales& scales,
                    std::span<const double> parameters, std::vector<double>& input_N) {
+  predict_input(record, kinematics_of(record, scales), terms, scales, parameters, input_N);
+}
+
+void predict_input(const ForceRecord& record, const Kinematics& kinematics, const ForceTerms& terms,
+                   const ForceScales& scales, std::span<const double> parameters,
+                   std::vector<double>& input_N) {
   const ForceValues values = values_of(terms, scales, parameters);
   input_N.resize(record.samples());
   if (input_N.empty()) {
     return;
   }
-  const Forward forward(record, values, scales);
-  Slip slip(values, scales, record.position_m.front());
+  const Forward forward(record, kinematics, values, scales);
+  Slip slip(record, kinematics, values);
   Lag lag(-values.lag_s);
   double held_N = 0;
   for (std::size_t i = 0; i < record.samples(); ++i) {
-    slip.go_to(record, i);
+    slip.go_to(i);
     if (values.stiffness_N_m > 0 && i > 0) {
       // Between slips the input follows the spring; it never leaves what friction holds.
       const auto [low_N, high_N] = std::minmax({forward.input_N(i, -1), forward.input_N(i, 1)});

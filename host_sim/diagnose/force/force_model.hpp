@@ -47,6 +47,14 @@ struct ForceScales {
 };
 ForceScales scales_of(std::span<const ForceRecord> records);
 
+/// What each sample of a record has by its motion, whatever the parameters.
+struct Kinematics {
+  std::vector<double> turned_over;  ///< how far its speed turns friction over, -1 .. 1
+  std::vector<std::size_t> pose;    ///< the nearest of ForceScales::poses_rad
+  std::vector<double> stroke_sine, stroke_cosine;  ///< of its place in the stroke, a turn long
+};
+Kinematics kinematics_of(const ForceRecord& record, const ForceScales& scales);
+
 /// Effects of the catalogue that the forward model runs, a law each: an effect may have several.
 enum class ForceTerm : unsigned {
   preload,
@@ -153,7 +161,11 @@ double written_friction(double friction, std::span<const Extension> extensions,
 /// T_in = gain (T_out + friction), where friction works against the motion, the sheath's in
 /// proportion to |T| along it, which is eq. (14) of the paper where mu is the same for all T.
 /// @param parameters as parameters_of(terms, scales)
+/// @param kinematics of the record
 /// @param input_N takes the input force of each sample
+void predict_input(const ForceRecord& record, const Kinematics& kinematics, const ForceTerms& terms,
+                   const ForceScales& scales, std::span<const double> parameters,
+                   std::vector<double>& input_N);
 void predict_input(const ForceRecord& record, const ForceTerms& terms, const ForceScales& scales,
                    std::span<const double> parameters, std::vector<double>& input_N);
 

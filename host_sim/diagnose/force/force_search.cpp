@@ -69,7 +69,10 @@ std::vector<ForceSearch::Candidate> ForceSearch::stairs() const {
       stairs.push_back(*added.grown);
     } else {
       all_so_far = false;
-      Candidate next{data_.finished(data_.started(stairs.back().fit, added.term)), {}};
+      Candidate next{
+          data_.finished(
+              data_.started(stairs.back().fit, std::span(&added.term, 1), threads_).front()),
+          {}};
       next.held = data_.held_out(next.fit);
       stairs.push_back(std::move(next));
     }
@@ -99,9 +102,10 @@ std::vector<ForceSearch::Candidate> ForceSearch::with_each(
     const ForceFit& from, const std::vector<ForceTerm>& terms) const {
   constexpr std::size_t kFinished = 5;
   const auto by_squares = [](const Candidate& one) { return one.fit.square_N2; };
-  std::vector<Candidate> all(terms.size());
-  statistics::parallel_for(
-      all.size(), [&](std::size_t i) { all[i].fit = data_.started(from, terms[i]); }, threads_);
+  std::vector<Candidate> all;
+  for (ForceFit& fit : data_.started(from, terms, threads_)) {
+    all.push_back({std::move(fit), {}});
+  }
   std::ranges::sort(all, {}, by_squares);
   all.resize(std::min(all.size(), kFinished));
   statistics::parallel_for(
@@ -111,8 +115,18 @@ std::vector<ForceSearch::Candidate> ForceSearch::with_each(
 }
 
 void ForceSearch::hold_out(std::vector<Candidate>& all) const {
+  const auto folds = static_cast<std::size_t>(data_.folds());
+  std::vector<std::vector<ForceFit>> seen(all.size(), std::vector<ForceFit>(folds));
   statistics::parallel_for(
-      all.size(), [&](std::size_t i) { all[i].held = data_.held_out(all[i].fit); }, threads_);
+      all.size() * folds,
+      [&](std::size_t i) {
+        seen[i / folds][i % folds] =
+            data_.fold_fit(all[i / folds].fit, static_cast<int>(i % folds));
+      },
+      threads_);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i].held = data_.held_out(seen[i]);
+  }
 }
 
 /// Adds the term of the least error on sessions that the fit never saw, if it is worth it.

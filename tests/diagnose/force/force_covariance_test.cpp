@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <vector>
@@ -87,8 +88,8 @@ TEST(ForceCovariance, ASampleCountsByItsNoise) {
 TEST(ForceCovariance, ASampleCountsByHowFastTheForceChanges) {
   for (const bool with_timing : {true, false}) {
     ForceData data(measured({.preload_N = 12, .noise_N = 0.1, .jitter_s = 0.003}, 8));
-    const ForceFit fit =
-        data.finished(data.started(data.fit({}, {1, 0.01}, 15), ForceTerm::preload));
+    const ForceFit fit = data.finished(
+        data.started(data.fit({}, {1, 0.01}, 15), std::array{ForceTerm::preload}, 1).front());
     data.learn_covariance(fit, fit, with_timing);
     const std::vector<double>& velocity_m_s = data.records()[0].velocity_m_s;
     const auto of = [&](std::size_t sample) {

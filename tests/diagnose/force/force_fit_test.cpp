@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <random>
 #include <utility>
@@ -38,7 +39,8 @@ TEST_P(Slack, IsFoundBetweenSamples) {
   for (unsigned seed = 1; seed <= kTimes; ++seed) {
     const ForceData data = with_slack(GetParam(), seed);
     const ForceFit nominal = data.fit({}, {1, 0.1}, 15);
-    const ForceFit fit = data.finished(data.started(nominal, ForceTerm::slack));
+    const ForceFit fit =
+        data.finished(data.started(nominal, std::array{ForceTerm::slack}, 1).front());
     const double half_m = data.half_widths(fit).at(2);
     const double found_m = fit.parameters.at(2);
     EXPECT_NEAR(found_m, GetParam(), 4 * half_m);
