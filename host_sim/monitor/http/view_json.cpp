@@ -318,7 +318,7 @@ json times_json(const std::vector<std::int64_t>& archived_us, const std::string&
   times.insert(times.end(), archived_us.begin(), archived_us.end());
   json result = {{"times_us", std::move(times)}};
   if (!archived_us.empty()) {
-    result["frames_from_us"] = archived_us.front();
+    result["whole_from_us"] = archived_us.front();
   }
   if (!why_gone.empty()) {
     result["why_gone"] = why_gone;

@@ -28,8 +28,8 @@ nlohmann::json history_json(const NodeView& node);
 nlohmann::json moment_json(const Moment& moment, const FleetView& now);
 
 /// "times_us", the moments that can be asked for: those of the archive, and before it those of the
-/// damage curves, rising, FrameArchive::kMostTimes at most of each; "frames_from_us", the first of
-/// the archive; and `why_gone`, where there were frames before it.
+/// damage curves, rising, FrameArchive::kMostTimes at most of each; "whole_from_us", the first of
+/// the archive, before which nodes are partial; and `why_gone`, where there were frames before it.
 nlohmann::json times_json(const std::vector<std::int64_t>& archived_us, const std::string& why_gone,
                           const FleetView& now);
 

@@ -95,7 +95,7 @@ test('before what the page has seen, the monitor is asked', async () => {
   const history = { curve: [[4, 0.1]], events: [] };
   monitorThatKnows(
     {
-      '/api/times': { times_us: [3, 5, 10, 12], frames_from_us: 5, why_gone: 'few are kept' },
+      '/api/times': { times_us: [3, 5, 10, 12], whole_from_us: 5, why_gone: 'few are kept' },
       '/api/moment/5': { now_us: 5, from_us: 1, nodes: { 2: { bins: {} } } },
       '/api/moment/5/2': { now_us: 5, from_us: 1, nodes: { 2: { bins: {} } }, history },
     },
@@ -189,7 +189,7 @@ test('from when on there are frames is said where there were some before', async
   assert.equal(goneText({ before_us: 5e6 }), '');
   assert.equal(
     goneText({ before_us: 5e6, why: 'few are kept' }),
-    'Frames before 5.0\u00a0s are gone: few are kept. Before it only damage, rate and state are known.',
+    'Frames before 5.0\u00a0s are gone: few are kept. Before then only damage, rate and state are known.',
   );
 });
 

@@ -121,7 +121,7 @@ TEST(Server, TellsMomentsOfThePast) {
   const TwoLines log;
   Served served({}, log);
   EXPECT_EQ(json::parse(served.client.Get("/api/times")->body), json::parse(R"({
-      "times_us": [1000000, 8000000], "frames_from_us": 8000000, "why_gone": "two lines are kept"})"));
+      "times_us": [1000000, 8000000], "whole_from_us": 8000000, "why_gone": "two lines are kept"})"));
   const json eight = json::parse(served.client.Get("/api/moment/8500000")->body);
   EXPECT_EQ(eight["now_us"], 8'500'000);
   EXPECT_EQ(eight["frames"], 1);

@@ -82,10 +82,10 @@ TEST(ViewJson, TimesBeforeTheArchiveAreThoseOfTheCurves) {
   FleetView now = test::made_view();
   EXPECT_EQ(times_json({}, "", now), json::parse(R"({"times_us": [1000000, 9000000]})"));
   EXPECT_EQ(times_json({9'000'000, 9'500'000}, "why", now),
-            json::parse(R"({"times_us": [1000000, 9000000, 9500000], "frames_from_us": 9000000,
+            json::parse(R"({"times_us": [1000000, 9000000, 9500000], "whole_from_us": 9000000,
                             "why_gone": "why"})"));
   EXPECT_EQ(times_json({500'000}, "", now),
-            json::parse(R"({"times_us": [500000], "frames_from_us": 500000})"));
+            json::parse(R"({"times_us": [500000], "whole_from_us": 500000})"));
   NodeView& node = now.nodes.at(5);
   node.curve.clear();
   for (std::int64_t i = 0; i < 4000; ++i) {

@@ -111,10 +111,11 @@ class TerminalTest(unittest.TestCase):
     def test_the_width_is_respected(self):
         pane = self.pane(columns=34)
         self.show(pane, (1, "normal", 20_000_000))
-        self.assertEqual([line for line in pane.screen().splitlines() if line][1:3],
-                         ["NODE  STATE   DAMAGE %  FAILED", "1     normal  2         0"])
+        self.assertEqual([line for line in pane.screen().splitlines() if line][1:6],
+                         ["Too narrow for LEFT B10 - B90,", "BREAK RISK, RATE %/h, HEARTBEAT,", "LOST, NOTES",
+                          "NODE  STATE   DAMAGE %  FAILED", "1     normal  2         0"])
         pane.resize(110, 24)
-        self.eventually(pane, lambda screen: "HEARTBEAT" in screen, "all columns")
+        self.eventually(pane, lambda screen: "HEARTBEAT" in screen and "Too narrow" not in screen, "all columns")
 
     def test_rows_that_have_no_room_are_counted(self):
         pane = self.pane(rows=6)
@@ -141,9 +142,9 @@ class TerminalTest(unittest.TestCase):
         self.eventually(pane, lambda screen: "status=0" in screen, "q ends it")
         lines = [line.rstrip() for line in pane.screen().splitlines()]
         head = next(i for i, line in enumerate(lines) if line.startswith("NODE"))
-        self.assertRegex(lines[head - 1], r"run\.log, at its end  \d+ frames")
+        self.assertRegex(lines[head - 2], r"run\.log, at its end  \d+ frames")
         self.assertEqual([line.split()[:3] for line in lines[head + 1:head + 3]],
-                         [["1", "normal", "2"], ["2", "worn", "120"]])
+                         [["2", "worn", "120"], ["1", "normal", "2"]])
         self.assertEqual(lines[head + 3], "status=0")
 
     def test_it_is_paused_and_goes_back_and_on(self):

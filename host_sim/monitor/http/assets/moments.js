@@ -56,9 +56,9 @@ export class Moments {
     this.looked_ms = performance.now();
     const answer = await fetch('/api/times').catch(() => undefined);
     if (answer?.ok) {
-      const { times_us, frames_from_us, why_gone } = await answer.json();
+      const { times_us, whole_from_us, why_gone } = await answer.json();
       this.earlier = times_us;
-      this.gone = { before_us: frames_from_us, why: why_gone };
+      this.gone = { before_us: whole_from_us, why: why_gone };
       this.answer = undefined;
       this.onNews();
     }

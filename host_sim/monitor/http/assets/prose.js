@@ -227,7 +227,7 @@ export function momentText(time_us) {
 /** From when on frames can be gone back to, where there were frames before. */
 export function goneText({ before_us: before, why }) {
   return why && before !== undefined
-    ? `Frames before ${momentText(before)} are gone: ${why}. Before it only damage, rate and state are known.`
+    ? `Frames before ${momentText(before)} are gone: ${why}. Before then only damage, rate and state are known.`
     : '';
 }
 
