@@ -134,6 +134,7 @@ class Pass {
     const reference::Reading exact = exact_.reading();
 
     ReplayResult result;
+    result.warnings = doubts_;
     result.input = kind;
     result.samples = clock_.samples();
     result.duration_s = clock_.duration_s();
@@ -180,7 +181,6 @@ class Pass {
     for (const Extension& extension : acting_.extensions) {
       result.extensions.push_back(extension.id);
     }
-    result.warnings = doubts_;
     if (clock_.other_rate()) {
       result.warnings.push_back(fmt::format(
           "the profile was recorded at about {:.4g} Hz, the model says {:.4g} Hz; every interval "
