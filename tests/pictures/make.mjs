@@ -34,6 +34,9 @@ async function picture(name, address, { height, sections, until, width = 1000 })
   await sleep(SETTLE_MS);
   const file = join(folder, `${name}.png`);
   if (sections) {
+    // As tall as the page, which has no scroll bar then, neither measured nor captured.
+    await page.look({ width, height: await page.evaluate(() => document.documentElement.scrollHeight) });
+    await sleep(SETTLE_MS);
     const { top } = await page.evaluate(edges, sections[0]);
     const { bottom } = await page.evaluate(edges, sections[1]);
     await page.screenshot(file, bottom - top + 2 * MARGIN, top - MARGIN);

@@ -175,7 +175,7 @@ std::string origin(const diagnose::Diagnosis& diagnosis) {
   return from.empty() ? "The campaign holds neither recordings nor lives."
                       : "Found in " + listed(from, "and") + ". Probabilities are " +
                             (in_newtons ? "those of gains on sessions held out"
-                                        : "calibrated on simulated campaigns") +
+                                        : "scored on simulated campaigns") +
                             "; intervals are of 95\u00a0%.";
 }
 
