@@ -287,6 +287,7 @@ ForceFit ForceData::fold_fit(const ForceFit& whole, int fold) const {
 
 std::vector<ForceFit> ForceData::fold_fits(const ForceFit& whole) const {
   std::vector<ForceFit> seen;
+  seen.reserve(static_cast<std::size_t>(folds()));
   for (int fold = 0; fold < folds(); ++fold) {
     seen.push_back(fold_fit(whole, fold));
   }
