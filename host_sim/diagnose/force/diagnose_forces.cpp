@@ -40,11 +40,11 @@ double output_rmse_N(const ForceData& data, const ForceFit& model,
   std::vector<double> above;
   for (std::size_t j = 0; j < data.records().size(); ++j) {
     ForceRecord moved = data.records()[j];
-    predict_input(moved, model.terms, data.scales(), model.parameters, at);
+    predict_input(moved, data.kinematics()[j], model.terms, data.scales(), model.parameters, at);
     for (double& output_N : moved.output_N) {
       output_N += step_N;
     }
-    predict_input(moved, model.terms, data.scales(), model.parameters, above);
+    predict_input(moved, data.kinematics()[j], model.terms, data.scales(), model.parameters, above);
     for (std::size_t i = 0; i < at.size(); ++i) {
       constexpr double kLeastSlope = 0.05;
       const double slope = std::max((above[i] - at[i]) / step_N, kLeastSlope);
@@ -422,8 +422,10 @@ class Report {
     const ForceFit& nominal = search_.nominal().fit;
     for (std::size_t j = 0; j < data_.records().size(); ++j) {
       const ForceRecord& record = data_.records()[j];
-      predict_input(record, nominal.terms, data_.scales(), nominal.parameters, before);
-      predict_input(record, extended_.fit.terms, data_.scales(), extended_.fit.parameters, after);
+      const Kinematics& kinematics = data_.kinematics()[j];
+      predict_input(record, kinematics, nominal.terms, data_.scales(), nominal.parameters, before);
+      predict_input(record, kinematics, extended_.fit.terms, data_.scales(),
+                    extended_.fit.parameters, after);
       for (std::size_t i = 0; i < after.size(); ++i) {
         after[i] += added_N(extended_, j, i);
       }

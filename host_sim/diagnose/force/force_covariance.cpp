@@ -15,8 +15,9 @@ Eigen::MatrixX2d directions_of(const ForceRecord& record, const ForceScales& sca
   std::vector<double> above_N;
   const double gain = parameters[0];
   const double friction = parameters[1];
-  predict_input(record, {}, scales, std::vector{gain, friction}, at_N);
-  predict_input(record, {}, scales, std::vector{gain, friction + kStep}, above_N);
+  const Kinematics kinematics = kinematics_of(record, scales);
+  predict_input(record, kinematics, {}, scales, std::vector{gain, friction}, at_N);
+  predict_input(record, kinematics, {}, scales, std::vector{gain, friction + kStep}, above_N);
   Eigen::MatrixX2d directions_N(static_cast<Eigen::Index>(at_N.size()), 2);
   directions_N.col(0) = vector_of(at_N);
   directions_N.col(1) = (vector_of(above_N) - vector_of(at_N)) / kStep;

@@ -38,6 +38,7 @@ class ForceData {
 
   [[nodiscard]] const std::vector<ForceRecord>& records() const { return records_; }
   [[nodiscard]] const ForceScales& scales() const { return scales_; }
+  [[nodiscard]] const std::vector<Kinematics>& kinematics() const { return kinematics_; }
   [[nodiscard]] double samples() const { return samples_; }
 
   /// From here on gain and friction of sessions scatter as this model leaves them to.

@@ -284,11 +284,6 @@ Kinematics kinematics_of(const ForceRecord& record, const ForceScales& scales) {
   return kinematics;
 }
 
-void predict_input(const ForceRecord& record, const ForceTerms& terms, const ForceScales& scales,
-                   std::span<const double> parameters, std::vector<double>& input_N) {
-  predict_input(record, kinematics_of(record, scales), terms, scales, parameters, input_N);
-}
-
 void predict_input(const ForceRecord& record, const Kinematics& kinematics, const ForceTerms& terms,
                    const ForceScales& scales, std::span<const double> parameters,
                    std::vector<double>& input_N) {

@@ -160,13 +160,11 @@ double written_friction(double friction, std::span<const Extension> extensions,
 
 /// T_in = gain (T_out + friction), where friction works against the motion, the sheath's in
 /// proportion to |T| along it, which is eq. (14) of the paper where mu is the same for all T.
+/// @param kinematics of the record by the scales
 /// @param parameters as parameters_of(terms, scales)
-/// @param kinematics of the record
 /// @param input_N takes the input force of each sample
 void predict_input(const ForceRecord& record, const Kinematics& kinematics, const ForceTerms& terms,
                    const ForceScales& scales, std::span<const double> parameters,
                    std::vector<double>& input_N);
-void predict_input(const ForceRecord& record, const ForceTerms& terms, const ForceScales& scales,
-                   std::span<const double> parameters, std::vector<double>& input_N);
 
 }  // namespace host_sim::diagnose

@@ -20,8 +20,8 @@ ForceData with_slack(double slack_m, unsigned seed) {
   std::mt19937 engine(seed);
   std::normal_distribution<double> noise(0, 0.2);
   for (ForceRecord& record : records) {
-    predict_input(record, {ForceTerm::slack}, scales, std::vector<double>{1, 0.1, slack_m},
-                  record.input_N);
+    predict_input(record, kinematics_of(record, scales), {ForceTerm::slack}, scales,
+                  std::vector<double>{1, 0.1, slack_m}, record.input_N);
     for (double& input_N : record.input_N) {
       input_N += noise(engine);
     }

@@ -40,7 +40,7 @@ ForceRecord record(const std::vector<double>& positions_m, double velocity_m_s, 
 double predicted(const ForceRecord& record, const ForceTerms& terms,
                  const std::vector<double>& parameters) {
   std::vector<double> input_N;
-  predict_input(record, terms, kScales, parameters, input_N);
+  predict_input(record, kinematics_of(record, kScales), terms, kScales, parameters, input_N);
   return input_N.back();
 }
 
