@@ -96,8 +96,6 @@ class Pass {
         wire_(model, parameters_.nominal, input_.has_motion()),
         clock_(1 / model.counting.sample_rate_Hz),
         has_output_(profile.kind() == InputKind::kOutputTension) {
-    std::ranges::transform(profile.nearly(), std::back_inserter(doubts_),
-                           &hal::files::NearlyColumn::words);
     if (options.report != nullptr) {
       plots_.emplace(
           model, parameters_.nominal,
@@ -127,15 +125,16 @@ class Pass {
     }
   }
 
-  ReplayResult finish(InputKind kind) {
+  ReplayResult finish(const ProfileReader& profile) {
     report(true);
     count_waiting();
     const Reading reading = estimator_.reading(0, cycles_to_plots());
     const reference::Reading exact = exact_.reading();
 
     ReplayResult result;
-    result.warnings = doubts_;
-    result.input = kind;
+    result.input = profile.kind();
+    std::ranges::transform(profile.nearly(), std::back_inserter(result.warnings),
+                           &hal::files::NearlyColumn::words);
     result.samples = clock_.samples();
     result.duration_s = clock_.duration_s();
     result.cycles = {reading.closed_cycles.raw(), reading.open_half_cycles.raw()};
@@ -326,8 +325,7 @@ class Pass {
   lifemodel::ExtendedParameters parameters_;
   lifemodel::Estimator<1, Layout> estimator_;
   lifemodel::bulk::Replay bulk_;
-  std::vector<std::string> doubts_;  ///< of the columns
-  std::vector<Tension> waiting_;     ///< that the estimator has not counted yet
+  std::vector<Tension> waiting_;  ///< that the estimator has not counted yet
   reference::Reference exact_;
   std::vector<double> tensions_N_;  ///< of a batch of rows, exactly
   ProfileInput input_;
@@ -359,7 +357,7 @@ ReplayResult replay(ProfileReader& profile, const Model& model, const std::strin
       options.progress(profile.bytes_read());
     }
   }
-  return pass.finish(profile.kind());
+  return pass.finish(profile);
 }
 
 }  // namespace host_sim
