@@ -29,7 +29,7 @@ bool has_current(const ForceRecord& record) {
 namespace preload {
 
 Parameters parameters(const ForceScales& scales) {
-  return {{"preload_N", "N", 0, 10 * scales.force_N, {0.2 * scales.force_N}}};
+  return {{"preload_N", "N", 0, 10 * scales.larger_N(), {0.2 * scales.larger_N()}}};
 }
 
 constexpr ForceEffect kEffect{
@@ -49,7 +49,7 @@ constexpr ForceEffect kEffect{
 namespace velocity {
 
 Parameters parameters(const ForceScales& scales) {
-  const double force_N = scales.force_N;
+  const double force_N = scales.larger_N();
   const double speed_m_s = scales.speed_m_s;
   return {{"viscous_N_s_m", "N s/m", 0, 10 * force_N / speed_m_s, {0.05 * force_N / speed_m_s}},
           {"viscous_friction_s_m", "s/m", -1 / speed_m_s, 1 / speed_m_s, {0.01 / speed_m_s}}};

@@ -15,7 +15,9 @@ namespace {
 
 constexpr int kIterations = 15;
 constexpr int kFirstIterations = 2;  ///< of each start, and again of the best one of a term
-constexpr int kFoldIterations = 2;   ///< from where all records have led
+/// Standard deviation of ln gain: more than that off is told as a doubt about units.
+constexpr double kLogGain = 0.3;
+constexpr int kFoldIterations = 2;  ///< from where all records have led
 
 }  // namespace
 
@@ -32,6 +34,7 @@ ForceData::ForceData(std::vector<ForceRecord> records) : records_(std::move(reco
     counts_.push_back(static_cast<double>(std::ranges::count(record.used, true)));
     samples_ += counts_.back();
   }
+  gain_weight_N2_ = gain_weight_N2(scales_.input_N * scales_.input_N * samples_);
   settle_turn_over();
   settle_resolution();
 }
@@ -102,9 +105,17 @@ std::vector<std::vector<double>> ForceData::residuals_N(const ForceFit& fit) con
   return all;
 }
 
+/// The gain is near 1, as the nominal model has it, by as much as one session says of it: where the
+/// output is hardly loaded, or all motion goes one way, nothing else tells it from friction.
+double ForceData::gain_weight_N2(double square_N2) const {
+  return square_N2 / static_cast<double>(std::max<std::size_t>(records_.size(), 1)) /
+         (kLogGain * kLogGain);
+}
+
 double ForceData::square_of(const ForceTerms& terms, std::span<const double> parameters,
                             int fold) const {
-  double square_N2 = 0;
+  const double log_gain = std::log(parameters[0]);
+  double square_N2 = gain_weight_N2_ * log_gain * log_gain;
   for (std::size_t j = 0; j < records_.size(); ++j) {
     if (!is_held_out(j, fold)) {
       const std::vector<double> left_N = residuals_N(j, terms, parameters);
@@ -147,6 +158,8 @@ ForceData::Normal ForceData::normal_of(const ForceTerms& terms, std::span<const 
     normal.of_records.emplace_back(covariance_.product(j, jacobian, vector_of(at)));
     normal.gradient += normal.of_records.back();
   }
+  normal.matrix(0, 0) += gain_weight_N2_ / (parameters[0] * parameters[0]);
+  normal.gradient(0) -= gain_weight_N2_ * std::log(parameters[0]) / parameters[0];
   return normal;
 }
 
@@ -315,6 +328,8 @@ HeldOut ForceData::held_out(std::span<const ForceFit> seen) const {
 void ForceData::learn_covariance(const ForceFit& nominal, const ForceFit& model, bool with_timing) {
   covariance_ =
       ForceCovariance(records_, scales_, nominal.parameters, residuals_N(model), with_timing);
+  gain_weight_N2_ = 0;
+  gain_weight_N2_ = gain_weight_N2(square_of(model.terms, model.parameters, -1));
 }
 
 double ForceData::rmse_N(std::span<const double> means_N2) const {
@@ -332,6 +347,7 @@ std::vector<double> ForceData::half_widths(const ForceFit& fit) const {
   for (const Eigen::VectorXd& gradient : normal.of_records) {
     scatter += gradient * gradient.transpose();
   }
+  scatter(0, 0) += std::pow(gain_weight_N2_ * kLogGain / fit.parameters[0], 2);
   const Eigen::MatrixXd inverse =
       normal.matrix.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
   const double records = static_cast<double>(records_.size());

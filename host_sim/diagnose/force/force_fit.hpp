@@ -103,6 +103,8 @@ class ForceData {
  private:
   void settle_turn_over();
   void take_scales(const ForceScales& scales);
+  /// @param square_N2 of the residuals of all sessions
+  [[nodiscard]] double gain_weight_N2(double square_N2) const;
   void settle_resolution();
   [[nodiscard]] ForceFit beyond_steps(ForceFit best) const;
   struct Normal;
@@ -115,6 +117,7 @@ class ForceData {
   ForceScales scales_;
   std::vector<Kinematics> kinematics_;  ///< of each record
   ForceCovariance covariance_;
+  double gain_weight_N2_ = 0;   ///< of the square of ln gain, beside the residuals
   std::vector<double> counts_;  ///< of samples that count, by record
   double resolution_m_ = 0;     ///< standard deviation of a place between samples, of all reversals
   double samples_ = 0;

@@ -244,12 +244,14 @@ ForceScales scales_of(std::span<const ForceRecord> records) {
   std::vector<double> speeds;
   std::vector<double> positions;
   double square_N2 = 0;
+  double input_N2 = 0;
   double cycles = 1;
   for (const ForceRecord& record : records) {
     for (std::size_t i = 0; i < record.samples(); ++i) {
       speeds.push_back(std::abs(record.velocity_m_s[i]));
       positions.push_back(record.position_m[i]);
       square_N2 += record.output_N[i] * record.output_N[i];
+      input_N2 += record.input_N[i] * record.input_N[i];
     }
     if (!record.cycle.empty()) {
       cycles = std::max(cycles, record.cycle.back());
@@ -257,7 +259,7 @@ ForceScales scales_of(std::span<const ForceRecord> records) {
   }
   constexpr double kLeast = 1e-9;
   if (speeds.empty()) {
-    return {kLeast, kLeast, 0, kLeast, kLeast, cycles, {}};
+    return {kLeast, kLeast, 0, kLeast, 0, kLeast, cycles, {}};
   }
   const double low_m = quantile(positions, 0.01);
   const double high_m = quantile(positions, 0.99);
@@ -266,6 +268,7 @@ ForceScales scales_of(std::span<const ForceRecord> records) {
           .stroke_m = std::max(high_m - low_m, kLeast),
           .position_m = (high_m + low_m) / 2,
           .force_N = std::max(std::sqrt(square_N2 / static_cast<double>(speeds.size())), kLeast),
+          .input_N = std::sqrt(input_N2 / static_cast<double>(speeds.size())),
           .turn_over_m_s = kUsualTurnOver * speed_m_s,
           .cycles = cycles,
           .poses_rad = poses_of(records)};

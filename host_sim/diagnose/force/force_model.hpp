@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
@@ -40,10 +41,13 @@ struct ForceScales {
   double stroke_m = 0;    ///< between the 1 % and the 99 % quantile of the position
   double position_m = 0;  ///< the middle between these
   double force_N = 0;     ///< root mean square of the output force
+  double input_N = 0;     ///< of the input force, which a drive that runs free has nearly alone
   /// Of velocity: below it the direction of friction is not settled, by what it was measured with.
   double turn_over_m_s = 0;
   double cycles = 0;              ///< the last of the tendon's life
   std::vector<double> poses_rad;  ///< mean bend angles of sessions that differ by a degree, rising
+
+  [[nodiscard]] double larger_N() const { return std::max(force_N, input_N); }
 };
 ForceScales scales_of(std::span<const ForceRecord> records);
 

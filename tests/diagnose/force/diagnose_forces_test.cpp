@@ -8,9 +8,12 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <numeric>
+#include <random>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hal/files/input_file.hpp"
@@ -72,6 +75,48 @@ TEST(DiagnoseForces, NamesNothingWhereNothingIsHidden) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     const Findings findings = found(measured({}, seed));
     EXPECT_THAT(ids_of(findings), IsEmpty()) << seed << ' ' << findings.prose;
+  }
+}
+
+/// A joint that carries 2 N of its own and runs one way, at another speed in each session: 30 N of
+/// friction and 300 N s/m.
+std::vector<ForceRecord> running_free(unsigned seed) {
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> normal;
+  std::vector<ForceRecord> records;
+  for (int j = 0; j < 10; ++j) {
+    ForceRecord record;
+    record.session = "s" + std::to_string(j);
+    const double speed_m_s = 0.008 * (j + 1);
+    for (int i = 0; i < 250; ++i) {
+      const double t = 0.01 * i;
+      record.time_s.push_back(t);
+      record.position_m.push_back(speed_m_s * t);
+      record.velocity_m_s.push_back(speed_m_s + 0.0002 * normal(engine));
+      record.output_N.push_back(-2 + 0.7 * normal(engine));
+      record.output_rate_N_s.push_back(0);
+      record.input_N.push_back(-2 + 30 + 300 * speed_m_s + 1.5 * normal(engine));
+      record.bend_angle_rad.push_back(std::numbers::pi);
+      record.used.push_back(true);
+    }
+    records.push_back(std::move(record));
+  }
+  return records;
+}
+
+/// The input is twenty times the output: no bound is by the output alone. Gain and friction are one
+/// where all motion goes one way, and the gain is near 1 unless something shows that it is not.
+TEST(DiagnoseForces, AJointThatRunsFreeHasFrictionAndNoOtherGain) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    const Findings findings = found(running_free(seed));
+    EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
+    EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload", "friction_velocity"));
+    const Estimate& preload = estimate(findings, "preload_N");
+    EXPECT_LT(preload.low, 30);
+    EXPECT_GT(preload.high, 30);
+    EXPECT_LT(preload.high - preload.low, 100);
+    EXPECT_NEAR(estimate(findings, "viscous_N_s_m").value, 300, 100);
+    EXPECT_LT(metric(findings, "input_rmse_N", true), 1.15 * std::hypot(1.5, 0.7));
   }
 }
 

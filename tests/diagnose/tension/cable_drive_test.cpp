@@ -68,8 +68,9 @@ TEST(DiagnoseCableDrive, TakesOffTheErrorOfCapstanStepByStep) {
   for (const Extension& extension : findings.extensions) {
     written.push_back(extension.id);
   }
-  EXPECT_THAT(written, ::testing::UnorderedElementsAre("friction_preload", "load_cell_zero",
-                                                       "presliding", "empirical"));
+  EXPECT_THAT(written,
+              ::testing::UnorderedElementsAre("friction_preload", "load_cell_zero", "presliding",
+                                              "friction_position", "empirical"));
   // Least squares with dependence on position besides has 11.9 mNm.
   ASSERT_TRUE(findings.correction);
   EXPECT_EQ(findings.correction->covariate, "position");
