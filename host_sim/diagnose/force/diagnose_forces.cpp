@@ -145,25 +145,50 @@ class Report {
   void add_candidates(Findings& findings) const {
     const std::string rest = findings.verdict == Verdict::none ? "none" : "unknown";
     double all = few() ? 0 : 1;
-    std::vector<std::string> ids;
+    std::vector<std::vector<std::string>> sets(1);
     for (const Judged& one : search_.judged()) {
       if (findings.verdict == Verdict::named && !stands(one)) {
         continue;
       }
-      ids.emplace_back(definition_of(one.term).id);
       all *= probability_of(one.gain, data_.records().size()) /
              static_cast<double>(1 + one.others.size());
+      const std::size_t before = sets.size();
+      for (const ForceTerm other : one.others) {
+        sets.push_back(sets.front());
+        sets.back().emplace_back(definition_of(other).id);
+      }
+      for (std::size_t i = 0; i < before; ++i) {
+        sets[i].emplace_back(definition_of(one.term).id);
+      }
     }
-    std::ranges::sort(ids);
-    if (ids.empty() || all == 0) {
-      findings.candidates = {{rest, 1}};
-    } else {
-      findings.candidates = {{fmt::format("{}", fmt::join(ids, "+")), all}, {rest, 1 - all}};
+    if (!sets.front().empty() && all > 0) {
+      add_sets(std::move(sets), all, findings.candidates);
     }
+    double named = 0;
+    for (const Candidate& candidate : findings.candidates) {
+      named += candidate.probability;
+    }
+    findings.candidates.push_back({rest, std::max(0.0, 1 - named)});
     std::ranges::stable_sort(findings.candidates, std::greater<>(), &Candidate::probability);
-    findings.credible_set = {findings.candidates.front().id};
-    if (findings.candidates.front().probability < kNamed && findings.candidates.size() > 1) {
-      findings.credible_set.push_back(findings.candidates.back().id);
+    double held = 0;
+    for (std::size_t i = 0; i < findings.candidates.size() && held < kNamed; ++i) {
+      findings.credible_set.push_back(findings.candidates[i].id);
+      held += findings.candidates[i].probability;
+    }
+  }
+
+  /// Of as much probability each: the model, and with one effect in the place of another.
+  static void add_sets(std::vector<std::vector<std::string>> sets, double each,
+                       std::vector<Candidate>& candidates) {
+    for (std::vector<std::string>& ids : sets) {
+      std::ranges::sort(ids);
+      const std::string id = fmt::format("{}", fmt::join(ids, "+"));
+      const auto same = std::ranges::find(candidates, id, &Candidate::id);
+      if (same == candidates.end()) {
+        candidates.push_back({id, each});
+      } else {
+        same->probability += each;  // by another law
+      }
     }
   }
 
