@@ -213,6 +213,26 @@ TEST(SynthTwoSided, ASensorLags) {
   }
 }
 
+// 7 ms at 200 Hz: 1.4 samples. Of a late channel of the drive all that it shows is late.
+TEST(SynthTwoSided, AChannelIsLate) {
+  const Channels in_time = both_ways("");
+  const Channels late = both_ways("[effects.channel_delay]\ndelay_ms = 7\n");
+  const double rate_rad_s = 3 * kRate_rad_s;
+  for (std::size_t i = 2; i < 800; ++i) {
+    const double expected_N =
+        -40 * std::cos(rate_rad_s * (time_of(i) - 0.007) + 2 * std::numbers::pi / 9);
+    ASSERT_NEAR(late[kOutputTensionColumn][i], expected_N, 1e-3) << i;
+  }
+  EXPECT_EQ(late[kOutputTensionColumn][1], in_time[kOutputTensionColumn][0]);
+  EXPECT_EQ(late[kInputTensionColumn], in_time[kInputTensionColumn]);
+  const Channels drive =
+      both_ways("[effects.channel_delay]\ndelay_ms = 10\nsensor = \"input_tension\"\n");
+  EXPECT_EQ(drive[kOutputTensionColumn], in_time[kOutputTensionColumn]);
+  for (std::size_t i = 2; i < 800; ++i) {
+    ASSERT_NEAR(drive[kInputTensionColumn][i], in_time[kInputTensionColumn][i - 2], 1e-9) << i;
+  }
+}
+
 TEST(SynthTwoSided, WhatIsFromOutside) {
   expect_input("[outside.moving_mass]\nmass_kg = 20\n", 1e-9, [](const Sample& sample) {
     return sample.output_N + capstan_N(sample.output_N, sample.direction) -

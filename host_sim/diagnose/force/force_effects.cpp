@@ -225,9 +225,29 @@ constexpr ForceEffect kEffect{
     [](Numbers numbers, ForceValues& values) { values.lag_s = numbers[0]; },
     [](std::string_view id, Numbers numbers, const ForceScales& scales) {
       return by_name(id, numbers, parameters(scales));
-    }};
+    },
+    true};
 
 }  // namespace lag
+
+namespace delay {
+
+Parameters parameters(const ForceScales& /*scales*/) {
+  return {{"delay_s", "s", -0.1, 0.1, {0.005, -0.005, 0.02, -0.02}}};
+}
+
+constexpr ForceEffect kEffect{
+    "channel_delay",
+    "delay of a channel",
+    "T_out(t + d); T_in(t + |d|) where d is negative",
+    "nothing by itself: friction and lag are read wrong where it is not known",
+    nullptr,
+    parameters,
+    [](Numbers numbers, ForceValues& values) { values.delay_s = numbers[0]; },
+    nullptr,
+    true};
+
+}  // namespace delay
 
 namespace zero {
 
@@ -464,11 +484,11 @@ constexpr ForceEffect kEffect{
 
 /// In order of ForceTerm.
 constexpr std::array<ForceEffect, kForceTermCount> kEffects{
-    preload::kEffect,      velocity::kEffect,       presliding::kEffect,     load::kEffect,
-    position::kEffect,     slack::kEffect,          compliance::kEffect,     lag::kEffect,
-    zero::kEffect,         temperature::kEffect,    wear::kEffect,           run_in::kEffect,
-    bend_angle::kEffect,   current_offset::kEffect, gear_asymmetry::kEffect, torque_gain::kEffect,
-    torque_ripple::kEffect};
+    preload::kEffect,     velocity::kEffect,     presliding::kEffect,     load::kEffect,
+    position::kEffect,    slack::kEffect,        compliance::kEffect,     lag::kEffect,
+    delay::kEffect,       zero::kEffect,         temperature::kEffect,    wear::kEffect,
+    run_in::kEffect,      bend_angle::kEffect,   current_offset::kEffect, gear_asymmetry::kEffect,
+    torque_gain::kEffect, torque_ripple::kEffect};
 
 }  // namespace
 

@@ -238,6 +238,80 @@ ForceValues values_of(const ForceTerms& terms, const ForceScales& scales,
   return values;
 }
 
+/// Where a time lies between two samples.
+struct Place {
+  std::size_t before = 0;
+  double share = 0;  ///< of the way to the next
+};
+
+/// Of each sample's time and more; beyond the ends as there.
+std::vector<Place> places_at(const std::vector<double>& time_s, double later_s) {
+  std::vector<Place> places;
+  std::size_t before = 0;
+  for (const double own_s : time_s) {
+    const double at_s = own_s + later_s;
+    while (before + 2 < time_s.size() && time_s[before + 1] < at_s) {
+      ++before;
+    }
+    const double share = (at_s - time_s[before]) / (time_s[before + 1] - time_s[before]);
+    places.push_back({before, std::clamp(share, 0.0, 1.0)});
+  }
+  return places;
+}
+
+/// On lines between samples.
+std::vector<double> read_at(const std::vector<double>& time_s, const std::vector<double>& values,
+                            double later_s) {
+  std::vector<double> read;
+  for (const Place& place : places_at(time_s, later_s)) {
+    read.push_back(std::lerp(values[place.before], values[place.before + 1], place.share));
+  }
+  return read;
+}
+
+/// Output forces at other times, on cubics by their rates: samples are far apart for fast ones.
+std::vector<double> forces_at(const ForceRecord& record, double later_s) {
+  std::vector<double> read_N;
+  for (const auto& [before, share] : places_at(record.time_s, later_s)) {
+    const double step_s = record.time_s[before + 1] - record.time_s[before];
+    const double left = 1 - share;
+    read_N.push_back(
+        left * left * (1 + 2 * share) * record.output_N[before] +
+        share * share * (1 + 2 * left) * record.output_N[before + 1] +
+        share * left * step_s *
+            (left * record.output_rate_N_s[before] - share * record.output_rate_N_s[before + 1]));
+  }
+  return read_N;
+}
+
+void predict_in_time(const ForceRecord& record, const Kinematics& kinematics,
+                     const ForceValues& values, const ForceScales& scales,
+                     std::vector<double>& input_N) {
+  input_N.resize(record.samples());
+  if (input_N.empty()) {
+    return;
+  }
+  const Forward forward(record, kinematics, values, scales);
+  Slip slip(record, kinematics, values);
+  Lag lag(-values.lag_s);
+  double held_N = 0;
+  for (std::size_t i = 0; i < record.samples(); ++i) {
+    slip.go_to(i);
+    if (values.stiffness_N_m > 0 && i > 0) {
+      // Between slips the input follows the spring; it never leaves what friction holds.
+      const auto [low_N, high_N] = std::minmax({forward.input_N(i, -1), forward.input_N(i, 1)});
+      held_N += values.stiffness_N_m * (record.position_m[i] - record.position_m[i - 1]);
+      held_N = std::clamp(held_N, low_N, high_N);
+    } else {
+      held_N = forward.input_N(i, slip.slip());
+    }
+    input_N[i] = forward.shown_N(i, held_N);
+    if (values.lag_s < 0) {
+      input_N[i] = lag.read(input_N[i], record.time_s[i]);
+    }
+  }
+}
+
 }  // namespace
 
 ForceScales scales_of(std::span<const ForceRecord> records) {
@@ -291,28 +365,22 @@ void predict_input(const ForceRecord& record, const Kinematics& kinematics, cons
                    const ForceScales& scales, std::span<const double> parameters,
                    std::vector<double>& input_N) {
   const ForceValues values = values_of(terms, scales, parameters);
-  input_N.resize(record.samples());
-  if (input_N.empty()) {
-    return;
-  }
-  const Forward forward(record, kinematics, values, scales);
-  Slip slip(record, kinematics, values);
-  Lag lag(-values.lag_s);
-  double held_N = 0;
-  for (std::size_t i = 0; i < record.samples(); ++i) {
-    slip.go_to(i);
-    if (values.stiffness_N_m > 0 && i > 0) {
-      // Between slips the input follows the spring; it never leaves what friction holds.
-      const auto [low_N, high_N] = std::minmax({forward.input_N(i, -1), forward.input_N(i, 1)});
-      held_N += values.stiffness_N_m * (record.position_m[i] - record.position_m[i - 1]);
-      held_N = std::clamp(held_N, low_N, high_N);
-    } else {
-      held_N = forward.input_N(i, slip.slip());
+  if (values.delay_s == 0 || record.samples() < 2) {
+    predict_in_time(record, kinematics, values, scales, input_N);
+  } else if (values.delay_s > 0) {
+    ForceRecord in_time = record;
+    in_time.output_N = forces_at(record, values.delay_s);
+    predict_in_time(in_time, kinematics, values, scales, input_N);
+  } else {
+    ForceRecord behind = record;
+    behind.output_N = forces_at(record, values.delay_s);
+    Kinematics behind_too = kinematics;
+    for (auto* const channel :
+         {&behind.output_rate_N_s, &behind.position_m, &behind.velocity_m_s,
+          &behind_too.turned_over, &behind_too.stroke_sine, &behind_too.stroke_cosine}) {
+      *channel = read_at(record.time_s, *channel, values.delay_s);
     }
-    input_N[i] = forward.shown_N(i, held_N);
-    if (values.lag_s < 0) {
-      input_N[i] = lag.read(input_N[i], record.time_s[i]);
-    }
+    predict_in_time(behind, behind_too, values, scales, input_N);
   }
 }
 

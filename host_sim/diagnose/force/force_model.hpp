@@ -69,6 +69,7 @@ enum class ForceTerm : unsigned {
   slack,
   compliance,
   lag,
+  delay,
   zero,
   temperature,
   wear,
@@ -79,7 +80,7 @@ enum class ForceTerm : unsigned {
   torque_gain,
   torque_ripple,
 };
-inline constexpr std::size_t kForceTermCount = 17;
+inline constexpr std::size_t kForceTermCount = 18;
 using ForceTerms = std::vector<ForceTerm>;
 
 /// A parameter with bounds of physics, and what a fit tries to start with.
@@ -108,7 +109,8 @@ struct ForceValues {
   std::array<double, 2 * kHarmonics> harmonics{};  ///< sine and cosine of each, of the stroke
   double slack_m = 0;
   double stiffness_N_m = 0;
-  double lag_s = 0;  ///< of the output sensor; below 0 of the input's
+  double lag_s = 0;    ///< of the output sensor; below 0 of the input's
+  double delay_s = 0;  ///< the same, of samples that are as they were
   double zero_N = 0;
   double temperature_1_K = 0;
   double wear = 0;
@@ -138,6 +140,8 @@ struct ForceEffect {
   /// Its table in a model that is written; null where no model holds it.
   Extension (*written)(std::string_view id, std::span<const double> parameters,
                        const ForceScales& scales);
+  /// Of when a channel is read. Two of these together smooth its noise, which gains by itself.
+  bool in_time = false;
 };
 const ForceEffect& definition_of(ForceTerm term);
 

@@ -80,13 +80,14 @@ std::vector<ForceSearch::Candidate> ForceSearch::stairs() const {
   return stairs;
 }
 
-/// Laws of effects of which none is taken.
+/// Laws of effects of which none is taken, and no other that it cannot be beside.
 std::vector<ForceTerm> ForceSearch::outside(const ForceTerms& taken) const {
   std::vector<ForceTerm> terms;
   for (unsigned i = 0; i < kForceTermCount; ++i) {
     const auto term = static_cast<ForceTerm>(i);
     const auto same = [&](ForceTerm one) {
-      return definition_of(one).id == definition_of(term).id;
+      return definition_of(one).id == definition_of(term).id ||
+             (definition_of(one).in_time && definition_of(term).in_time);
     };
     const bool wanted = std::ranges::find(without_, definition_of(term).id) == without_.end();
     if (wanted && is_shown(term, data_.records()) && std::ranges::none_of(taken, same) &&

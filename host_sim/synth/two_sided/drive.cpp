@@ -161,15 +161,24 @@ class TwoSidedSession {
     const double step_s = covariates_.step_s;
     const double at_drive_N = input_sensor_.read(contact_.step(covariates_), step_s);
     const double at_load_N = output_sensor_.read(covariates_.output_tension_N, step_s);
-    recorder_.output.pass(time_s, gain_ * (at_load_N + effects_.output_zero_N));
-    recorder_.input.pass(time_s, at_drive_N);
+    pass(recorder_.output, time_s, effects_.output_delay_s,
+         gain_ * (at_load_N + effects_.output_zero_N));
+    pass(recorder_.input, time_s, effects_.input_delay_s, at_drive_N);
     if (rig_.drive) {
       const Model::Drive& drive = *rig_.drive;
       const double torque_Nm =
           at_drive_N * drive.spool_radius_m() / (drive.gear_ratio * drive.gear_efficiency);
-      recorder_.current.pass(time_s,
-                             torque_Nm / drive.torque_constant_Nm_per_A + drive.current_offset_A);
+      pass(recorder_.current, time_s, effects_.input_delay_s,
+           torque_Nm / drive.torque_constant_Nm_per_A + drive.current_offset_A);
     }
+  }
+
+  /// A late channel shows what was; before the session that is what it begins with.
+  static void pass(Reader& reader, double time_s, double delay_s, double value) {
+    if (time_s == 0) {
+      reader.pass(0, value);
+    }
+    reader.pass(time_s + delay_s, value);
   }
 
   const Rig& rig_;

@@ -21,6 +21,8 @@ struct TwoSidedEffects {
   double output_zero_N = 0;
   double output_lag_s = 0;
   double input_lag_s = 0;
+  double output_delay_s = 0;
+  double input_delay_s = 0;
   double one_way = 0;   ///< share by which friction is larger while pulling; outside
   double moved_kg = 0;  ///< mass that the drive speeds up; outside
   double creep = 0;     ///< share by which the force at the drive drifts; outside

@@ -64,6 +64,13 @@ std::span<const TwoSidedKind> two_sided_kinds() {
          const bool output = values.choice("sensor") == "output_tension";
          (output ? effects.output_lag_s : effects.input_lag_s) = values["time_constant_ms"] * 1e-3;
        }},
+      {"channel_delay",
+       {{{"delay_ms", "ms", {0.01, 1000}}}},
+       {{"sensor", {"output_tension", "input_tension", "motor_current"}}},
+       [](const Values& values, TwoSidedEffects& effects) {
+         const bool output = values.choice("sensor") == "output_tension";
+         (output ? effects.output_delay_s : effects.input_delay_s) = values["delay_ms"] * 1e-3;
+       }},
   };
   return kinds;
 }

@@ -78,6 +78,14 @@ HiddenEffect signed_lag(const TensionScales& scales, Dice& dice) {
           {{"sensor", dice.chance(0.5) ? "output_tension" : at_drive}}};
 }
 
+HiddenEffect signed_delay(const TensionScales& scales, Dice& dice) {
+  const char* const at_drive = scales.input == Input::load_cell ? "input_tension" : "motor_current";
+  return {"channel_delay",
+          false,
+          {{"delay_ms", {dice.log_between(1, 20)}}},
+          {{"sensor", dice.chance(0.5) ? "output_tension" : at_drive}}};
+}
+
 HiddenEffect signed_creep(const TensionScales& /*scales*/, Dice& dice) {
   return {"sheath_creep",
           true,
@@ -130,6 +138,7 @@ TensionScales scales_of(const Choice& choice, const RecordingsDesign& design) {
 
 std::span<const SizedEffect> two_sided_effects() {
   static const std::vector<SizedEffect> effects{
+      {"channel_delay", Needs::any_input, signed_delay},
       {"compliance", Needs::any_input, signed_compliance},
       {"filter_lag", Needs::any_input, signed_lag},
       {"friction_load", Needs::any_input, signed_load},

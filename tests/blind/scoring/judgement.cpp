@@ -84,6 +84,10 @@ std::vector<TrueParameter> of_sensors(const std::string& id, const Values& value
     const double sign = values.says("sensor", "output_tension") ? 1 : -1;
     return {{"lag_s", sign * values("time_constant_ms") * 1e-3}};
   }
+  if (id == "channel_delay") {
+    const double sign = values.says("sensor", "output_tension") ? 1 : -1;
+    return {{"delay_s", sign * values("delay_ms") * 1e-3}};
+  }
   if (id == "gear_asymmetry") {
     const double pulling = values("pulling_efficiency");
     const double releasing = values("releasing_efficiency");

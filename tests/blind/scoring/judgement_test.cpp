@@ -128,6 +128,10 @@ TEST(Parameters, ALagAtTheDriveCountsBackwards) {
       "filter_lag", false, {{"time_constant_ms", {5}}}, {{"sensor", "motor_current"}}};
   ASSERT_EQ(true_parameters(lag).size(), 1U);
   EXPECT_NEAR(true_parameters(lag)[0].value, -0.005, 1e-12);
+  const HiddenEffect late{
+      "channel_delay", false, {{"delay_ms", {5}}}, {{"sensor", "output_tension"}}};
+  ASSERT_EQ(true_parameters(late).size(), 1U);
+  EXPECT_NEAR(true_parameters(late)[0].value, 0.005, 1e-12);
 }
 
 // 0.89 and 0.853 about their mean 0.8715: +-2.12 %.

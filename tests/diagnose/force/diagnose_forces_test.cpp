@@ -120,6 +120,49 @@ TEST(DiagnoseForces, AJointThatRunsFreeHasFrictionAndNoOtherGain) {
   }
 }
 
+/// The friction turns over at once, and shows three samples later: a lag would bring it on slowly.
+TEST(DiagnoseForces, AChannelThatIsLateIsNoLag) {
+  std::vector<ForceRecord> records = measured({.preload_N = 12, .noise_N = 0.2}, 5);
+  for (ForceRecord& record : records) {
+    std::ranges::rotate(record.input_N, record.input_N.end() - 3);
+    std::fill_n(record.used.begin(), 3, false);
+  }
+  const Findings findings = found(records);
+  EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
+  EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload", "channel_delay"));
+  EXPECT_NEAR(estimate(findings, "delay_s").value, -0.03, 0.005);  // half a sample
+}
+
+/// All motion goes one way at one speed: friction that the load does not change and a zero of the
+/// load cell are one force.
+TEST(DiagnoseForces, WhatIsAsGoodInThePlaceOfACauseIsACandidateToo) {
+  std::vector<ForceRecord> records = measured({.noise_N = 0.2}, 6);
+  for (ForceRecord& record : records) {
+    for (std::size_t i = 0; i < record.samples(); ++i) {
+      record.velocity_m_s[i] = 0.1;
+      record.position_m[i] = 0.1 * record.time_s[i];
+      record.input_N[i] += 8;
+    }
+  }
+  const Findings findings = found(records);
+  EXPECT_EQ(findings.verdict, Verdict::ambiguous) << findings.prose;
+  std::vector<std::string> ids;
+  double all = 0;
+  for (const Candidate& candidate : findings.candidates) {
+    ids.push_back(candidate.id);
+    all += candidate.probability;
+  }
+  EXPECT_NEAR(all, 1, 1e-12);
+  EXPECT_THAT(ids, Contains("friction_preload"));
+  EXPECT_THAT(ids, Contains("load_cell_zero"));
+  EXPECT_EQ(ids.back(), "unknown");
+  for (std::size_t i = 0; i + 1 < ids.size(); ++i) {
+    EXPECT_NEAR(findings.candidates[i].probability, 1.0 / static_cast<double>(ids.size() - 1), 0.01)
+        << ids[i];
+  }
+  EXPECT_EQ(findings.credible_set.size(), ids.size() - 1);
+}
+
 TEST(DiagnoseForces, NamesLoadIndependentAndViscousFrictionOfASignedForce) {
   const Findings findings = found(measured({.preload_N = 12, .viscous_N_s_m = 150}, 3));
   EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <span>
 #include <vector>
 
 namespace host_sim::diagnose {
@@ -135,6 +137,30 @@ TEST(ForceModel, SensorsShiftAndDelayTheOutput) {
   ForceRecord rising = record({0, 0.1}, 1, 10);
   rising.output_rate_N_s.assign(2, 20);
   EXPECT_NEAR(predicted(rising, {ForceTerm::lag}, {1, 0, 0.01}), 10.2, 1e-9);
+}
+
+/// T = 1000 t^2 at 0, 0.1 and 0.2 s, of which cubics by the rates are exact; what is before or
+/// after them is as at the ends. The motion is late with the input, and not with the output.
+TEST(ForceModel, AChannelIsReadWhereItWasLate) {
+  ForceRecord rising = record({0, 0.1, 0.1}, 1, 10);
+  rising.output_N = {0, 10, 40};
+  rising.output_rate_N_s = {0, 200, 400};
+  rising.velocity_m_s = {1, 1, -1};
+  const auto input_N = [&](std::size_t sample, double delay_s, double preload_N) {
+    std::vector<double> all_N;
+    const ForceScales scales = scales_of(std::span(&rising, 1));
+    predict_input(rising, kinematics_of(rising, scales), {ForceTerm::preload, ForceTerm::delay},
+                  scales, std::vector{1.0, 0.0, preload_N, delay_s}, all_N);
+    return all_N.at(sample);
+  };
+  EXPECT_NEAR(input_N(0, 0.02, 0), 0.4, 1e-9);
+  EXPECT_NEAR(input_N(0, 0.12, 0), 14.4, 1e-9);
+  EXPECT_NEAR(input_N(1, 0.12, 0), 40, 1e-9);
+  EXPECT_NEAR(input_N(2, -0.12, 0), 6.4, 1e-9);
+  EXPECT_NEAR(input_N(0, -0.1, 0), 0, 1e-9);
+  EXPECT_NEAR(input_N(2, 0.05, 3), 40 - 3, 1e-9);
+  EXPECT_NEAR(input_N(2, -0.1, 3), 10 + 3, 1e-9);
+  EXPECT_NEAR(input_N(2, -0.05, 3), 22.5, 1e-9);  // halfway between 3 N this way and that
 }
 
 /// One step of 0.1 s on a line from 10 to 20 N, read with a lag of 0.05 s: 100 N/s times the lag
