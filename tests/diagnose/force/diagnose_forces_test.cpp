@@ -124,7 +124,7 @@ TEST(DiagnoseForces, AJointThatRunsFreeHasFrictionAndNoOtherGain) {
 TEST(DiagnoseForces, AChannelThatIsLateIsNoLag) {
   std::vector<ForceRecord> records = measured({.preload_N = 12, .noise_N = 0.2}, 5);
   for (ForceRecord& record : records) {
-    std::ranges::rotate(record.input_N, record.input_N.end() - 3);
+    std::rotate(record.input_N.begin(), record.input_N.end() - 3, record.input_N.end());
     std::fill_n(record.used.begin(), 3, false);
   }
   const Findings findings = found(records);
