@@ -45,6 +45,19 @@ std::string_view name_of(Verdict verdict) {
   return "";
 }
 
+std::vector<std::string> credible_set_of(const std::vector<Candidate>& candidates, double share) {
+  std::vector<std::string> ids;
+  double sum = 0;
+  for (const Candidate& candidate : candidates) {
+    if (sum >= share) {
+      break;
+    }
+    ids.push_back(candidate.id);
+    sum += candidate.probability;
+  }
+  return ids;
+}
+
 bool improves(const HeldOutGain& gain) {
   const auto error = std::ranges::find(gain.metrics, "rmse_N", &Metric::name);
   if (error != gain.metrics.end()) {

@@ -46,6 +46,11 @@ struct Candidate {
   double probability = 0;
 };
 
+/// Ids of the first that hold `share` together.
+/// @param candidates most probable first
+std::vector<std::string> credible_set_of(const std::vector<Candidate>& candidates,
+                                         double share = kNamed);
+
 struct Invisible {
   std::string id;
   std::string why;  ///< and what would show it

@@ -170,11 +170,7 @@ class Report {
     }
     findings.candidates.push_back({rest, std::max(0.0, 1 - named)});
     std::ranges::stable_sort(findings.candidates, std::greater<>(), &Candidate::probability);
-    double held = 0;
-    for (std::size_t i = 0; i < findings.candidates.size() && held < kNamed; ++i) {
-      findings.credible_set.push_back(findings.candidates[i].id);
-      held += findings.candidates[i].probability;
-    }
+    findings.credible_set = credible_set_of(findings.candidates);
   }
 
   /// Of as much probability each: the model, and with one effect in the place of another.

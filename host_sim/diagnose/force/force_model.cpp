@@ -260,19 +260,18 @@ std::vector<Place> places_at(const std::vector<double>& time_s, double later_s) 
 }
 
 /// On lines between samples.
-std::vector<double> read_at(const std::vector<double>& time_s, const std::vector<double>& values,
-                            double later_s) {
+std::vector<double> read_at(const std::vector<Place>& places, const std::vector<double>& values) {
   std::vector<double> read;
-  for (const Place& place : places_at(time_s, later_s)) {
+  for (const Place& place : places) {
     read.push_back(std::lerp(values[place.before], values[place.before + 1], place.share));
   }
   return read;
 }
 
 /// Output forces at other times, on cubics by their rates: samples are far apart for fast ones.
-std::vector<double> forces_at(const ForceRecord& record, double later_s) {
+std::vector<double> forces_at(const std::vector<Place>& places, const ForceRecord& record) {
   std::vector<double> read_N;
-  for (const auto& [before, share] : places_at(record.time_s, later_s)) {
+  for (const auto& [before, share] : places) {
     const double step_s = record.time_s[before + 1] - record.time_s[before];
     const double left = 1 - share;
     read_N.push_back(
@@ -367,21 +366,21 @@ void predict_input(const ForceRecord& record, const Kinematics& kinematics, cons
   const ForceValues values = values_of(terms, scales, parameters);
   if (values.delay_s == 0 || record.samples() < 2) {
     predict_in_time(record, kinematics, values, scales, input_N);
-  } else if (values.delay_s > 0) {
-    ForceRecord in_time = record;
-    in_time.output_N = forces_at(record, values.delay_s);
-    predict_in_time(in_time, kinematics, values, scales, input_N);
-  } else {
-    ForceRecord behind = record;
-    behind.output_N = forces_at(record, values.delay_s);
-    Kinematics behind_too = kinematics;
-    for (auto* const channel :
-         {&behind.output_rate_N_s, &behind.position_m, &behind.velocity_m_s,
-          &behind_too.turned_over, &behind_too.stroke_sine, &behind_too.stroke_cosine}) {
-      *channel = read_at(record.time_s, *channel, values.delay_s);
-    }
-    predict_in_time(behind, behind_too, values, scales, input_N);
+    return;
   }
+  const std::vector<Place> places = places_at(record.time_s, values.delay_s);
+  ForceRecord read = record;
+  read.output_N = forces_at(places, record);
+  if (values.delay_s > 0) {
+    predict_in_time(read, kinematics, values, scales, input_N);
+    return;
+  }
+  Kinematics behind = kinematics;
+  for (auto* const channel : {&read.output_rate_N_s, &read.position_m, &read.velocity_m_s,
+                              &behind.turned_over, &behind.stroke_sine, &behind.stroke_cosine}) {
+    *channel = read_at(places, *channel);
+  }
+  predict_in_time(read, behind, values, scales, input_N);
 }
 
 }  // namespace host_sim::diagnose

@@ -53,19 +53,6 @@ std::vector<Candidate> candidates_of(const std::vector<Hypothesis>& hypotheses) 
   return candidates;
 }
 
-std::vector<std::string> credible_set_of(const std::vector<Candidate>& candidates) {
-  std::vector<std::string> ids;
-  double sum = 0;
-  for (const Candidate& candidate : candidates) {
-    ids.push_back(candidate.id);
-    sum += candidate.probability;
-    if (sum >= kNamed) {
-      break;
-    }
-  }
-  return ids;
-}
-
 Decision decide(const std::vector<Hypothesis>& hypotheses, double p) {
   Decision decision;
   decision.candidates = candidates_of(hypotheses);

@@ -28,7 +28,4 @@ std::vector<Candidate> candidates_of(const std::vector<Hypothesis>& hypotheses);
 /// @pre hypotheses by falling probability
 Decision decide(const std::vector<Hypothesis>& hypotheses, double p);
 
-/// Ids of candidates, from the first on, until they hold 95 %.
-std::vector<std::string> credible_set_of(const std::vector<Candidate>& candidates);
-
 }  // namespace host_sim::diagnose::lives

@@ -140,19 +140,6 @@ double Weighed::marginal(std::string_view effect) const {
   return sum;
 }
 
-std::vector<std::string> Weighed::credible_set(double share) const {
-  std::vector<std::string> set;
-  double sum = 0;
-  for (const Candidate& candidate : candidates) {
-    if (sum >= share) {
-      break;
-    }
-    set.push_back(candidate.id);
-    sum += candidate.probability;
-  }
-  return set;
-}
-
 Verdict decide(const Weighed& weighed) {
   const Candidate& first = weighed.candidates.front();
   if (first.id == "unknown") {

@@ -17,8 +17,6 @@ struct Weighed {
   [[nodiscard]] double of(std::string_view id) const;
   /// Of all hypotheses that hold this effect.
   [[nodiscard]] double marginal(std::string_view effect) const;
-  /// Those that hold `share` together, most probable first.
-  [[nodiscard]] std::vector<std::string> credible_set(double share) const;
 };
 
 /// The evidences are tempered: signatures are linear and the catalogue's terms are

@@ -88,7 +88,7 @@ class Diagnoser {
     TensionDiagnosis diagnosis;
     Findings& findings = diagnosis.findings;
     findings.candidates = weighed_.candidates;
-    findings.credible_set = weighed_.credible_set(kNamed);
+    findings.credible_set = credible_set_of(weighed_.candidates);
     std::vector<Component> model = model_of(ranking);
     findings.verdict = verdict(model);
     const Audit audited = audit(grams, audit_noise(grams));

@@ -1,8 +1,16 @@
 #include "host_sim/synth/two_sided/kinds.hpp"
 
 namespace host_sim::synth {
+namespace {
+
+bool at_output(const Values& values) {
+  return values.choice("sensor") == "output_tension";
+}
+
+}  // namespace
 
 std::span<const TwoSidedKind> two_sided_kinds() {
+  static const Choice kSensor{"sensor", {"output_tension", "input_tension", "motor_current"}};
   static const std::vector<TwoSidedKind> kinds{
       {"friction_velocity",
        {{{"viscous_N_s_m", "N_s_m", {0, 1e5}}}},
@@ -59,17 +67,17 @@ std::span<const TwoSidedKind> two_sided_kinds() {
        }},
       {"filter_lag",
        {{{"time_constant_ms", "ms", {0.01, 1000}}}},
-       {{"sensor", {"output_tension", "input_tension", "motor_current"}}},
+       {kSensor},
        [](const Values& values, TwoSidedEffects& effects) {
-         const bool output = values.choice("sensor") == "output_tension";
-         (output ? effects.output_lag_s : effects.input_lag_s) = values["time_constant_ms"] * 1e-3;
+         (at_output(values) ? effects.output_lag_s : effects.input_lag_s) =
+             values["time_constant_ms"] * 1e-3;
        }},
       {"channel_delay",
        {{{"delay_ms", "ms", {0.01, 1000}}}},
-       {{"sensor", {"output_tension", "input_tension", "motor_current"}}},
+       {kSensor},
        [](const Values& values, TwoSidedEffects& effects) {
-         const bool output = values.choice("sensor") == "output_tension";
-         (output ? effects.output_delay_s : effects.input_delay_s) = values["delay_ms"] * 1e-3;
+         (at_output(values) ? effects.output_delay_s : effects.input_delay_s) =
+             values["delay_ms"] * 1e-3;
        }},
   };
   return kinds;

@@ -34,6 +34,10 @@ struct SizedEffect {
   HiddenEffect (*draw)(const TensionScales& scales, Dice& dice);
 };
 
+/// A time of 1 .. 20 ms of the sensor at either end.
+HiddenEffect of_either_sensor(const char* id, const char* key, const TensionScales& scales,
+                              Dice& dice);
+
 /// Effects of the catalogue on friction, on the transmission, and on drive and sensors; departures
 /// that it does not have.
 std::span<const SizedEffect> friction_effects();

@@ -134,14 +134,19 @@ HiddenEffect torque_ripple(const TensionScales& scales, Dice& dice) {
 }
 
 HiddenEffect filter_lag(const TensionScales& scales, Dice& dice) {
-  const char* const at_drive = scales.input == Input::load_cell ? "input_tension" : "motor_current";
-  return {"filter_lag",
-          false,
-          {{"time_constant_ms", {dice.log_between(1, 20)}}},
-          {{"sensor", dice.chance(0.5) ? "output_tension" : at_drive}}};
+  return of_either_sensor("filter_lag", "time_constant_ms", scales, dice);
 }
 
 }  // namespace
+
+HiddenEffect of_either_sensor(const char* id, const char* key, const TensionScales& scales,
+                              Dice& dice) {
+  const char* const at_drive = scales.input == Input::load_cell ? "input_tension" : "motor_current";
+  return {id,
+          false,
+          {{key, {dice.log_between(1, 20)}}},
+          {{"sensor", dice.chance(0.5) ? "output_tension" : at_drive}}};
+}
 
 std::span<const SizedEffect> friction_effects() {
   static const std::vector<SizedEffect> effects{

@@ -71,19 +71,11 @@ HiddenEffect signed_zero(const TensionScales& scales, Dice& dice) {
 }
 
 HiddenEffect signed_lag(const TensionScales& scales, Dice& dice) {
-  const char* const at_drive = scales.input == Input::load_cell ? "input_tension" : "motor_current";
-  return {"filter_lag",
-          false,
-          {{"time_constant_ms", {dice.log_between(1, 20)}}},
-          {{"sensor", dice.chance(0.5) ? "output_tension" : at_drive}}};
+  return of_either_sensor("filter_lag", "time_constant_ms", scales, dice);
 }
 
 HiddenEffect signed_delay(const TensionScales& scales, Dice& dice) {
-  const char* const at_drive = scales.input == Input::load_cell ? "input_tension" : "motor_current";
-  return {"channel_delay",
-          false,
-          {{"delay_ms", {dice.log_between(1, 20)}}},
-          {{"sensor", dice.chance(0.5) ? "output_tension" : at_drive}}};
+  return of_either_sensor("channel_delay", "delay_ms", scales, dice);
 }
 
 HiddenEffect signed_creep(const TensionScales& /*scales*/, Dice& dice) {

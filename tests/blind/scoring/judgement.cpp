@@ -80,12 +80,11 @@ std::vector<TrueParameter> of_sensors(const std::string& id, const Values& value
   if (id == "current_offset") {
     return {{"current_offset_A", values("offset_A")}};
   }
+  const double sign = values.says("sensor", "output_tension") ? 1 : -1;
   if (id == "filter_lag") {
-    const double sign = values.says("sensor", "output_tension") ? 1 : -1;
     return {{"lag_s", sign * values("time_constant_ms") * 1e-3}};
   }
   if (id == "channel_delay") {
-    const double sign = values.says("sensor", "output_tension") ? 1 : -1;
     return {{"delay_s", sign * values("delay_ms") * 1e-3}};
   }
   if (id == "gear_asymmetry") {

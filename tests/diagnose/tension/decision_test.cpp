@@ -152,8 +152,8 @@ TEST(Weighed, MarginalsAreOfWholeIds) {
 
 TEST(Weighed, TheCredibleSetIsTheSmallestThatHoldsTheShare) {
   const Weighed weighed{{{"a", 0.6}, {"b", 0.3}, {"c", 0.06}, {"d", 0.04}}};
-  EXPECT_THAT(weighed.credible_set(0.95), ElementsAre("a", "b", "c"));
-  EXPECT_THAT(weighed.credible_set(0.5), ElementsAre("a"));
+  EXPECT_THAT(credible_set_of(weighed.candidates, 0.95), ElementsAre("a", "b", "c"));
+  EXPECT_THAT(credible_set_of(weighed.candidates, 0.5), ElementsAre("a"));
 }
 
 TEST(Decide, NamesFromNinetyFivePercentOn) {
