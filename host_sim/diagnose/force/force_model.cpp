@@ -262,6 +262,7 @@ std::vector<Place> places_at(const std::vector<double>& time_s, double later_s) 
 /// On lines between samples.
 std::vector<double> read_at(const std::vector<Place>& places, const std::vector<double>& values) {
   std::vector<double> read;
+  read.reserve(places.size());
   for (const Place& place : places) {
     read.push_back(std::lerp(values[place.before], values[place.before + 1], place.share));
   }
@@ -271,6 +272,7 @@ std::vector<double> read_at(const std::vector<Place>& places, const std::vector<
 /// Output forces at other times, on cubics by their rates: samples are far apart for fast ones.
 std::vector<double> forces_at(const std::vector<Place>& places, const ForceRecord& record) {
   std::vector<double> read_N;
+  read_N.reserve(places.size());
   for (const auto& [before, share] : places) {
     const double step_s = record.time_s[before + 1] - record.time_s[before];
     const double left = 1 - share;
