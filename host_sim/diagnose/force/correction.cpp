@@ -14,6 +14,8 @@
 namespace host_sim::diagnose {
 namespace {
 
+constexpr double kWorthWriting = 0.02;  ///< of ln rmse
+
 /// Between which knots a value lies, and how far from the first of them; beyond all the end counts.
 struct Between {
   std::size_t knot = 0;
@@ -158,7 +160,7 @@ std::optional<ForceCorrection> correction_of(const ForceData& data, const ForceF
     }
   }
   const bool gains = best && paired_gain(held_N2, best->held_N2).z >= kSeen &&
-                     std::log(data.rmse_N(held_N2) / data.rmse_N(best->held_N2)) >= kWorthTrying;
+                     std::log(data.rmse_N(held_N2) / data.rmse_N(best->held_N2)) >= kWorthWriting;
   return gains ? best : std::nullopt;
 }
 

@@ -18,17 +18,9 @@
 namespace host_sim::diagnose {
 namespace {
 
-constexpr double kPrior = 0.05;  ///< of an effect of the catalogue
 /// Of the squared error: a sheath that stretches under load looks like friction of the load where
 /// all sessions are of one pose, and explains less.
 constexpr double kMostBesideLoad = 0.25;
-
-/// Laplace: the standard errors of the gain as evidence, one parameter more for as many sessions.
-double probability_of(const PairedGain& gain, std::size_t sessions) {
-  const double log_odds = gain.z * gain.z / 2 - std::log(static_cast<double>(sessions)) / 2 +
-                          std::log(kPrior / (1 - kPrior));
-  return gain.mean > 0 ? 1 / (1 + std::exp(-log_odds)) : 0;
-}
 
 /// The error of the output force that one of the input force is, sample by sample.
 double output_rmse_N(const ForceData& data, const ForceFit& model,
@@ -70,9 +62,9 @@ class Report {
         stairs_(search.stairs()),
         nominal_(nominal),
         constants_(constants),
-        covariates_(force_covariates(data.records())),
-        remainder_(
-            remainder_of(data, search.nominal().fit, search.model().fit, covariates_, seed)) {}
+        covariates_(search.covariates()),
+        remainder_(remainder_of(data, search.nominal().fit, search.model().fit, covariates_,
+                                search.bins(), seed)) {}
 
   TensionDiagnosis diagnosis() {
     TensionDiagnosis diagnosis;
@@ -137,9 +129,13 @@ class Report {
     return left * left;
   }
 
+  [[nodiscard]] double probability_of(const Judged& one) const {
+    return one.probability(data_.records().size(), data_.scales());
+  }
+
   /// By itself: nothing could be in its place.
   [[nodiscard]] bool stands(const Judged& one) const {
-    return one.others.empty() && probability_of(one.gain, data_.records().size()) >= kNamed;
+    return one.others.empty() && probability_of(one) >= kNamed;
   }
 
   void add_candidates(Findings& findings) const {
@@ -150,8 +146,7 @@ class Report {
       if (findings.verdict == Verdict::named && !stands(one)) {
         continue;
       }
-      all *= probability_of(one.gain, data_.records().size()) /
-             static_cast<double>(1 + one.others.size());
+      all *= probability_of(one) / static_cast<double>(1 + one.others.size());
       const std::size_t before = sets.size();
       for (const ForceTerm other : one.others) {
         sets.push_back(sets.front());
@@ -220,7 +215,7 @@ class Report {
     const std::vector<double> half = data_.half_widths(search_.model().fit);
     for (const Judged& one : search_.judged()) {
       FoundEffect found = effect_of(one.term, search_.model().fit, half);
-      found.probability = probability_of(one.gain, data_.records().size());
+      found.probability = probability_of(one);
       if (!one.others.empty()) {
         std::vector<std::string> same{found.id};
         for (const ForceTerm other : one.others) {
@@ -251,8 +246,11 @@ class Report {
         const std::vector<double>& before_N2 = stairs_[i - 1].held.beside_scatter_N2;
         step.effect = effect_of(stairs_[i].fit.terms.back(), stairs_[i].fit,
                                 data_.half_widths(stairs_[i].fit));
-        step.effect.probability = probability_of(
-            data_.gain_of(stairs_[i - 1].held, stairs_[i].held), data_.records().size());
+        step.effect.probability =
+            probability_of({.term = stairs_[i].fit.terms.back(),
+                            .gain = data_.gain_of(stairs_[i - 1].held, stairs_[i].held, true),
+                            .without = {},
+                            .others = {}});
         for (std::size_t j = 0; j < before_N2.size(); ++j) {
           step.sessions_better += stairs_[i].held.beside_scatter_N2[j] < before_N2[j] ? 1 : 0;
         }
@@ -546,7 +544,7 @@ class Report {
   std::vector<ForceSearch::Candidate> stairs_;
   const NominalModel& nominal_;
   const reference::Constants& constants_;
-  std::vector<ForceCovariate> covariates_;
+  const std::vector<ForceCovariate>& covariates_;
   ForceRemainder remainder_;
   Extended extended_;
 };

@@ -11,13 +11,13 @@
 
 namespace host_sim::diagnose {
 
-/// The recordings as records in newtons, thinned to kMostForceSamples each. Samples that a fault
+/// The recordings as records in newtons. Samples that a fault
 /// touches do not count; left out are recordings without both forces and a velocity.
+/// @param pulls_alone whether all forces are of one tendon
 /// @throws InputError where the drive or the bend angle is missing
 std::vector<ForceRecord> force_records(const std::vector<recording::Recording>& recordings,
                                        const std::vector<recording::Fault>& faults,
-                                       const NominalModel& nominal);
-inline constexpr std::size_t kMostForceSamples = 600;
+                                       const NominalModel& nominal, bool pulls_alone);
 
 /// Causes in a forward model in newtons: effects of the catalogue are added as long as they gain on
 /// sessions that the fit never saw, those are taken out again without which it does as well, and

@@ -236,6 +236,12 @@ Eigen::MatrixXd ForceCovariance::product(std::size_t record,
          (a.transpose() * along_N) * shrinks_[record] * (along_N.transpose() * b);
 }
 
+double ForceCovariance::weighted_square(
+    std::size_t record, const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const {
+  return weights_.empty() ? residuals_N.squaredNorm()
+                          : (weights_[record].array() * residuals_N.array().square()).sum();
+}
+
 Eigen::VectorXd ForceCovariance::beside_scatter(
     std::size_t record, const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const {
   if (record >= shrinks_.size()) {

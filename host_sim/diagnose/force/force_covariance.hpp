@@ -38,6 +38,15 @@ class ForceCovariance {
   [[nodiscard]] Eigen::VectorXd beside_scatter(
       std::size_t record, const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const;
 
+  /// How much a sample of a record says beside others, by its noise: 1 in the mean over all.
+  [[nodiscard]] double weight(std::size_t record, std::size_t sample) const {
+    return weights_.empty() ? 1 : weights_[record](static_cast<Eigen::Index>(sample));
+  }
+
+  /// The sum of squares by these weights.
+  [[nodiscard]] double weighted_square(std::size_t record,
+                                       const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const;
+
   [[nodiscard]] double log_gain_sd() const { return log_gain_sd_; }
   [[nodiscard]] double friction_sd() const { return friction_sd_; }
 

@@ -22,8 +22,14 @@ Extension by_name(std::string_view id, Numbers parameters, const Parameters& nam
   return extension;
 }
 
+constexpr double kOfStep = 0.04;  ///< of the time between samples, which times are resolved by
+
 bool has_current(const ForceRecord& record) {
   return record.input_N_per_A > 0;
+}
+
+bool pulls_alone(const ForceRecord& record) {
+  return record.pulls_alone;
 }
 
 namespace preload {
@@ -42,7 +48,8 @@ constexpr ForceEffect kEffect{
     [](Numbers numbers, ForceValues& values) { values.preload_N = numbers[0]; },
     [](std::string_view id, Numbers numbers, const ForceScales& scales) {
       return by_name(id, numbers, parameters(scales));
-    }};
+    },
+    ForceEffect::Of::friction};
 
 }  // namespace preload
 
@@ -67,9 +74,47 @@ constexpr ForceEffect kEffect{"friction_velocity",
                               },
                               [](std::string_view id, Numbers numbers, const ForceScales& scales) {
                                 return by_name(id, numbers, parameters(scales));
-                              }};
+                              },
+                              ForceEffect::Of::friction};
 
 }  // namespace velocity
+
+namespace stribeck {
+
+/// A model that is written has the velocity within these bounds. Slower than friction turns over it
+/// would be that.
+Parameters parameters(const ForceScales& scales) {
+  constexpr double kLeast_m_s = 0.002;
+  constexpr double kMost_m_s = 0.1;
+  const double speed_m_s = scales.speed_m_s;
+  const double least_m_s = std::max(kLeast_m_s, 2 * scales.turn_over_m_s);
+  if (least_m_s >= kMost_m_s) {
+    return {};
+  }
+  return {
+      {"viscous_friction_s_m", "s/m", -1 / speed_m_s, 1 / speed_m_s, {0.01 / speed_m_s}},
+      {"stribeck_friction", "1", -0.5, 0.5, {0.02}},
+      {"stribeck_velocity_m_s", "m/s", least_m_s, kMost_m_s, {0.1 * speed_m_s, 0.3 * speed_m_s}}};
+}
+
+constexpr ForceEffect kEffect{
+    "friction_velocity",
+    "viscous and Stribeck friction",
+    "mu + (mu_s - mu) exp(-|v|/v_s) + kappa |v|",
+    "the same grip does more damage at the speed where friction is larger",
+    pulls_alone,
+    parameters,
+    [](Numbers numbers, ForceValues& values) {
+      values.viscous_friction_s_m = numbers[0];
+      values.stribeck_friction = numbers[1];
+      values.stribeck_velocity_m_s = numbers[2];
+    },
+    [](std::string_view id, Numbers numbers, const ForceScales& scales) {
+      return by_name(id, numbers, parameters(scales));
+    },
+    ForceEffect::Of::friction};
+
+}  // namespace stribeck
 
 namespace presliding {
 
@@ -92,7 +137,8 @@ constexpr ForceEffect kEffect{
     [](Numbers numbers, ForceValues& values) { values.presliding_m = numbers[0]; },
     [](std::string_view id, Numbers numbers, const ForceScales& scales) {
       return by_name(id, numbers, parameters(scales));
-    }};
+    },
+    ForceEffect::Of::friction};
 
 }  // namespace presliding
 
@@ -113,7 +159,8 @@ constexpr ForceEffect kEffect{
     [](Numbers numbers, ForceValues& values) { values.load_exponent = numbers[0]; },
     [](std::string_view id, Numbers numbers, const ForceScales& scales) {
       return by_name(id, numbers, parameters(scales));
-    }};
+    },
+    ForceEffect::Of::friction};
 
 }  // namespace load
 
@@ -158,7 +205,8 @@ constexpr ForceEffect kEffect{"friction_position",
                               [](Numbers numbers, ForceValues& values) {
                                 std::ranges::copy(numbers, values.harmonics.begin());
                               },
-                              about_zero};
+                              about_zero,
+                              ForceEffect::Of::friction};
 
 }  // namespace position
 
@@ -179,12 +227,42 @@ constexpr ForceEffect kEffect{
     "backlash",
     "no friction within b of a reversal",
     "the tendon runs free at reversals, and shocks follow",
-    nullptr,
+    [](const ForceRecord& record) { return !record.pulls_alone; },
     parameters,
     [](Numbers numbers, ForceValues& values) { values.slack_m = numbers[0]; },
-    nullptr};
+    nullptr,
+    ForceEffect::Of::friction};
 
 }  // namespace slack
+
+namespace loose_tendon {
+
+Parameters parameters(const ForceScales& scales) {
+  const double stroke_m = scales.stroke_m;
+  Parameters all{
+      {"slack_m", "m", 0, 0.3 * stroke_m, {0.01 * stroke_m, 0.03 * stroke_m, 0.1 * stroke_m}, true},
+      {"slack_log_drop", "1", 0, 5, {0.1}},
+      {"slack_friction_share", "1", 0, 2, {1}}};
+  all[1].beside = true;
+  all[2].beside = true;
+  return all;
+}
+
+constexpr ForceEffect kEffect{"slack",
+                              "backlash",
+                              "exp(-d) T, friction by another share, within b of a reversal",
+                              "the tendon runs free at reversals, and shocks follow",
+                              pulls_alone,
+                              parameters,
+                              [](Numbers numbers, ForceValues& values) {
+                                values.loose_m = numbers[0];
+                                values.loose_log_drop = numbers[1];
+                                values.loose_friction = numbers[2];
+                              },
+                              nullptr,
+                              ForceEffect::Of::friction};
+
+}  // namespace loose_tendon
 
 namespace compliance {
 
@@ -205,14 +283,15 @@ constexpr ForceEffect kEffect{
     nullptr,
     parameters,
     [](Numbers numbers, ForceValues& values) { values.stiffness_N_m = numbers[0]; },
-    nullptr};
+    nullptr,
+    ForceEffect::Of::friction};
 
 }  // namespace compliance
 
 namespace lag {
 
-Parameters parameters(const ForceScales& /*scales*/) {
-  return {{"lag_s", "s", -0.1, 0.1, {0.005, -0.005}}};
+Parameters parameters(const ForceScales& scales) {
+  return {{"lag_s", "s", -0.1, 0.1, {0.005, -0.005}, false, false, kOfStep * scales.step_s}};
 }
 
 constexpr ForceEffect kEffect{
@@ -226,14 +305,21 @@ constexpr ForceEffect kEffect{
     [](std::string_view id, Numbers numbers, const ForceScales& scales) {
       return by_name(id, numbers, parameters(scales));
     },
-    true};
+    ForceEffect::Of::time};
 
 }  // namespace lag
 
 namespace delay {
 
-Parameters parameters(const ForceScales& /*scales*/) {
-  return {{"delay_s", "s", -0.1, 0.1, {0.005, -0.005, 0.02, -0.02}}};
+Parameters parameters(const ForceScales& scales) {
+  return {{"delay_s",
+           "s",
+           -0.1,
+           0.1,
+           {0.005, -0.005, 0.02, -0.02},
+           false,
+           false,
+           kOfStep * scales.step_s}};
 }
 
 constexpr ForceEffect kEffect{
@@ -245,7 +331,7 @@ constexpr ForceEffect kEffect{
     parameters,
     [](Numbers numbers, ForceValues& values) { values.delay_s = numbers[0]; },
     nullptr,
-    true};
+    ForceEffect::Of::time};
 
 }  // namespace delay
 
@@ -484,10 +570,12 @@ constexpr ForceEffect kEffect{
 
 /// In order of ForceTerm.
 constexpr std::array<ForceEffect, kForceTermCount> kEffects{
-    preload::kEffect,     velocity::kEffect,     presliding::kEffect,     load::kEffect,
-    position::kEffect,    slack::kEffect,        compliance::kEffect,     lag::kEffect,
-    delay::kEffect,       zero::kEffect,         temperature::kEffect,    wear::kEffect,
-    run_in::kEffect,      bend_angle::kEffect,   current_offset::kEffect, gear_asymmetry::kEffect,
+    preload::kEffect,     velocity::kEffect,       presliding::kEffect,
+    stribeck::kEffect,    load::kEffect,           position::kEffect,
+    slack::kEffect,       loose_tendon::kEffect,   compliance::kEffect,
+    lag::kEffect,         delay::kEffect,          zero::kEffect,
+    temperature::kEffect, wear::kEffect,           run_in::kEffect,
+    bend_angle::kEffect,  current_offset::kEffect, gear_asymmetry::kEffect,
     torque_gain::kEffect, torque_ripple::kEffect};
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "host_sim/diagnose/force/smoothing.hpp"
 #include "host_sim/statistics/distribution.hpp"
 #include "host_sim/statistics/parallel.hpp"
 
@@ -29,6 +30,10 @@ struct ForceData::Normal {
 };
 
 ForceData::ForceData(std::vector<ForceRecord> records) : records_(std::move(records)) {
+  noise_left_ = smooth_output(records_);
+  for (ForceRecord& record : records_) {
+    thin(record, kMostSamples);
+  }
   take_scales(scales_of(records_));
   for (const ForceRecord& record : records_) {
     counts_.push_back(static_cast<double>(std::ranges::count(record.used, true)));
@@ -319,6 +324,7 @@ HeldOut ForceData::held_out(std::span<const ForceFit> seen) const {
     const double count = std::max(counts_[j], 1.0);
     held.plain_N2.push_back(vector_of(left_N).squaredNorm() / count);
     held.residuals_N.push_back(left_N);
+    held.weighted_N2.push_back(covariance_.weighted_square(j, vector_of(left_N)) / count);
     held.beside_scatter_N2.push_back(
         covariance_.product(j, vector_of(left_N), vector_of(left_N))(0, 0) / count);
   }
@@ -372,7 +378,7 @@ bool ForceData::at_bound(const ForceFit& fit, std::size_t term) const {
     const double value = fit.parameters[next++];
     const double margin = 1e-3 * (parameter.maximum - parameter.minimum);
     const bool lowest = parameter.minimum != 0;
-    if (!parameter.chosen &&
+    if (!parameter.chosen && !parameter.beside &&
         (value > parameter.maximum - margin || (lowest && value < parameter.minimum + margin))) {
       return true;
     }
@@ -380,10 +386,32 @@ bool ForceData::at_bound(const ForceFit& fit, std::size_t term) const {
   return false;
 }
 
-PairedGain ForceData::gain_of(const HeldOut& before, const HeldOut& after) const {
+bool ForceData::is_physical(const ForceFit& fit, std::size_t term) const {
+  if (at_bound(fit, term)) {
+    return false;
+  }
+  const auto values = parameters_at(term, fit.terms, fit.parameters, scales_);
+  const auto parameters = parameters_of(fit.terms[term], scales_);
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    if (std::abs(values[k]) < parameters[k].resolved) {
+      return false;
+    }
+  }
+  return true;
+}
+
+PairedGain ForceData::gain_of(const HeldOut& before, const HeldOut& after, bool nested) const {
+  constexpr double kEven = 0.5;  // of the slope, where both leave as much
   const double count = static_cast<double>(records_.size());
-  PairedGain gain = paired_gain(before.beside_scatter_N2, after.beside_scatter_N2);
-  gain.mean = std::max(gain.mean, std::log(rmse_N(before.plain_N2) / rmse_N(after.plain_N2)));
+  PairedGain gain;
+  gain.mean = std::max(paired_gain(before.beside_scatter_N2, after.beside_scatter_N2).mean,
+                       std::log(rmse_N(before.plain_N2) / rmse_N(after.plain_N2)));
+  const auto taken_N2 = [&](std::span<const double> of_before, std::span<const double> of_after) {
+    return std::pow(rmse_N(of_before), 2) - std::pow(rmse_N(of_after), 2);
+  };
+  gain.beside_scatter_N2 = taken_N2(before.beside_scatter_N2, after.beside_scatter_N2);
+  gain.taken_N2 = taken_N2(before.weighted_N2, after.weighted_N2);
+  gain.plain_N2 = taken_N2(before.plain_N2, after.plain_N2);
   double along = 0;
   double size = 0;
   std::vector<Eigen::Vector2d> sessions;
@@ -397,16 +425,25 @@ PairedGain ForceData::gain_of(const HeldOut& before, const HeldOut& after) const
     size += sessions.back()(1);
   }
   if (count < 2 || size <= 0) {
-    return {gain.mean, 0};
+    return gain;
   }
   const double slope = along / size;
+  // As far as the slope goes without each session (jackknife); without the one that alone shows
+  // anything it is none.
   double square = 0;
   for (const Eigen::Vector2d& session : sessions) {
-    square += std::pow(session(0) - slope * session(1), 2);
+    constexpr double kLeast = 1e-6;
+    const double others = size - session(1);
+    const double without = others > kLeast * size ? (along - session(0)) / others : 0;
+    square += std::pow(without - slope, 2);
   }
-  constexpr double kEven = 0.5;  // of the slope, where both leave as much
-  const double error = std::sqrt(std::max(square, 1e-300) * count / (count - 1)) / size;
-  gain.z = (slope - kEven) / error;
+  const double error = std::sqrt(std::max(square, 1e-300) * (count - 1) / count);
+  // Few sessions say less of how much they scatter: as surely as Student's t.
+  const auto normal_of = [&](double t) {
+    return std::copysign(std::sqrt(count * std::log1p(t * t / (count - 1))), t);
+  };
+  gain.z = normal_of((nested ? slope : slope - kEven) / error);
+  gain.log_odds = normal_of((slope - kEven) / error) / error;
   return gain;
 }
 
@@ -421,7 +458,8 @@ PairedGain paired_gain(std::span<const double> before_N2, std::span<const double
     sum += gain;
     square += gain * gain;
   }
-  PairedGain gain{.mean = sum / std::max(count, 1.0), .z = 0};
+  PairedGain gain;
+  gain.mean = sum / std::max(count, 1.0);
   const double variance = std::max(square / count - gain.mean * gain.mean, 1e-12) / (count - 1);
   gain.z = count > 1 ? gain.mean / std::sqrt(variance) : 0;
   return gain;

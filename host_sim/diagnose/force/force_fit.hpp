@@ -19,27 +19,41 @@ struct ForceFit {
 /// Mean squared residual of each record, by fits that never saw it.
 struct HeldOut {
   std::vector<double> plain_N2;
+  std::vector<double> weighted_N2;        ///< each sample by its noise
   std::vector<double> beside_scatter_N2;  ///< without what gain and friction of the session explain
   std::vector<std::vector<double>> residuals_N;
 };
 
-/// How much less one model leaves than another, record by record: the mean of ln(rmse_b/rmse_a) and
-/// that mean over its standard error.
+/// How much less one model leaves than another on sessions that neither saw, beside the scatter.
 struct PairedGain {
-  double mean = 0;
-  double z = 0;
+  double mean = 0;               ///< of ln(rmse_b/rmse_a) over sessions
+  double z = 0;                  ///< how surely, in standard errors of a normal distribution
+  double log_odds = 0;           ///< of the other model against the one
+  double taken_N2 = 0;           ///< that the mean square by the weight of samples is less
+  double beside_scatter_N2 = 0;  ///< the same of what gain and friction of sessions leave
+
+  double plain_N2 = 0;  ///< the same with as much weight for each sample
+
+  [[nodiscard]] bool any() const { return taken_N2 > 0 || beside_scatter_N2 > 0; }
 };
+
+/// Record by record: the mean of ln(rmse_b/rmse_a), and that over its standard error.
 PairedGain paired_gain(std::span<const double> before_N2, std::span<const double> after_N2);
 
-/// All records of a campaign and what a fit needs of them.
+/// All records of a campaign and what a fit needs of them: the output force smoothed, and samples
+/// thinned.
 class ForceData {
  public:
+  static constexpr std::size_t kMostSamples = 600;  ///< of a record, or up to twice that
   explicit ForceData(std::vector<ForceRecord> records);
 
   [[nodiscard]] const std::vector<ForceRecord>& records() const { return records_; }
   [[nodiscard]] const ForceScales& scales() const { return scales_; }
   [[nodiscard]] const std::vector<Kinematics>& kinematics() const { return kinematics_; }
   [[nodiscard]] double samples() const { return samples_; }
+
+  /// The share of the variance of the output's noise that smoothing has left.
+  [[nodiscard]] double noise_left() const { return noise_left_; }
 
   /// From here on gain and friction of sessions scatter as this model leaves them to.
   /// @param with_timing whether samples may have been read sooner or later than their time
@@ -78,11 +92,11 @@ class ForceData {
   /// @param seen fold_fits() of a fit
   [[nodiscard]] HeldOut held_out(std::span<const ForceFit> seen) const;
 
-  /// How much less one model leaves than another on sessions that neither saw, beside the scatter.
-  /// What the other takes off a session is regressed on what is left there: sessions count by how
-  /// much the models differ in them, and z is how surely it takes off more than half of what it
-  /// would if it were the truth, which is where both leave as much.
-  [[nodiscard]] PairedGain gain_of(const HeldOut& before, const HeldOut& after) const;
+  /// What the other model takes off a session is regressed on what is left there: sessions count by
+  /// how much the models differ in them. Of the truth the slope is 1.
+  /// @param nested whether the other is the one and more: z is how surely the slope is above 0,
+  ///   where that takes off nothing that is there, else above 1/2, where both leave as much
+  [[nodiscard]] PairedGain gain_of(const HeldOut& before, const HeldOut& after, bool nested) const;
 
   /// Root mean square over records of such means.
   [[nodiscard]] double rmse_N(std::span<const double> means_N2) const;
@@ -93,6 +107,10 @@ class ForceData {
 
   /// Whether a parameter lies at a bound of physics, by more than its own zero.
   [[nodiscard]] bool at_bound(const ForceFit& fit, std::size_t term) const;
+
+  /// Whether its parameters are within the bounds of physics and larger than what samples that are
+  /// so far apart resolve.
+  [[nodiscard]] bool is_physical(const ForceFit& fit, std::size_t term) const;
 
   static constexpr int kFolds = 5;
 
@@ -117,6 +135,7 @@ class ForceData {
   ForceScales scales_;
   std::vector<Kinematics> kinematics_;  ///< of each record
   ForceCovariance covariance_;
+  double noise_left_ = 1;
   double gain_weight_N2_ = 0;   ///< of the square of ln gain, beside the residuals
   std::vector<double> counts_;  ///< of samples that count, by record
   double resolution_m_ = 0;     ///< standard deviation of a place between samples, of all reversals

@@ -68,6 +68,9 @@ class Slip {
       taken_up_ = std::clamp(taken_up_ + 2 * moved_m / values_.slack_m, -1.0, 1.0);
       slip_ = std::abs(taken_up_) == 1 && taken_up_ * slip_ > 0 ? slip_ : 0;
     }
+    if (values_.loose_m > 0) {
+      taken_up_ = std::clamp(taken_up_ + 2 * moved_m / values_.loose_m, -1.0, 1.0);
+    }
     if (values_.presliding_m > 0) {
       const double side = moved_m > 0 ? 1 : moved_m < 0 ? -1 : presliding_;
       presliding_ =
@@ -77,6 +80,9 @@ class Slip {
   }
 
   [[nodiscard]] double slip() const { return slip_; }
+
+  /// Whether the tendon lies loose between two ends of its dead zone.
+  [[nodiscard]] bool loose() const { return values_.loose_m > 0 && std::abs(taken_up_) < 1; }
 
  private:
   const ForceRecord& record_;
@@ -133,7 +139,8 @@ class Forward {
         by_position_(values.harmonics != decltype(values.harmonics){}) {}
 
   /// Input force before the gain, for a friction that is turned over by `slip`.
-  [[nodiscard]] double input_N(std::size_t i, double slip) const {
+  /// @param loose whether the drive holds only a part of the force
+  [[nodiscard]] double input_N(std::size_t i, double slip, bool loose) const {
     double output_N = record_.output_N[i] - values_.zero_N;
     if (values_.lag_s > 0) {
       output_N += values_.lag_s * record_.output_rate_N_s[i];
@@ -143,6 +150,10 @@ class Forward {
     const double place = by_position_ ? position_factor(i) : 1;
     double coefficient = values_.friction * place * age_factor(i);
     coefficient += values_.viscous_friction_s_m * speed_m_s;
+    if (values_.stribeck_friction != 0) {
+      coefficient +=
+          values_.stribeck_friction * std::exp(-speed_m_s / values_.stribeck_velocity_m_s);
+    }
     double warm = 1;
     if (values_.temperature_1_K != 0) {
       warm += values_.temperature_1_K * (record_.sheath_temperature_C[i] - kReference_C);
@@ -150,6 +161,9 @@ class Forward {
     double log_ratio = coefficient * warm * angle_rad(i) * slip;
     if (values_.load_exponent != 0) {
       log_ratio *= std::pow(std::max(size_N / scales_.force_N, kLeastLoad), -values_.load_exponent);
+    }
+    if (loose) {
+      log_ratio = values_.loose_friction * log_ratio - values_.loose_log_drop;
     }
     // A force the other way round is that of the other tendon, whose motion is the other way too.
     const double side = output_N < 0 ? -1 : 1;
@@ -238,6 +252,14 @@ ForceValues values_of(const ForceTerms& terms, const ForceScales& scales,
   return values;
 }
 
+std::vector<double> turned_over(const ForceRecord& record, const ForceScales& scales) {
+  std::vector<double> turned = record.velocity_m_s;
+  for (double& value : turned) {
+    value = std::tanh(value / scales.turn_over_m_s);
+  }
+  return turned;
+}
+
 /// Where a time lies between two samples.
 struct Place {
   std::size_t before = 0;
@@ -300,11 +322,12 @@ void predict_in_time(const ForceRecord& record, const Kinematics& kinematics,
     slip.go_to(i);
     if (values.stiffness_N_m > 0 && i > 0) {
       // Between slips the input follows the spring; it never leaves what friction holds.
-      const auto [low_N, high_N] = std::minmax({forward.input_N(i, -1), forward.input_N(i, 1)});
+      const auto [low_N, high_N] =
+          std::minmax({forward.input_N(i, -1, slip.loose()), forward.input_N(i, 1, slip.loose())});
       held_N += values.stiffness_N_m * (record.position_m[i] - record.position_m[i - 1]);
       held_N = std::clamp(held_N, low_N, high_N);
     } else {
-      held_N = forward.input_N(i, slip.slip());
+      held_N = forward.input_N(i, slip.slip(), slip.loose());
     }
     input_N[i] = forward.shown_N(i, held_N);
     if (values.lag_s < 0) {
@@ -321,7 +344,9 @@ ForceScales scales_of(std::span<const ForceRecord> records) {
   double square_N2 = 0;
   double input_N2 = 0;
   double cycles = 1;
+  double duration_s = 0;
   for (const ForceRecord& record : records) {
+    duration_s += record.samples() == 0 ? 0 : record.time_s.back() - record.time_s.front();
     for (std::size_t i = 0; i < record.samples(); ++i) {
       speeds.push_back(std::abs(record.velocity_m_s[i]));
       positions.push_back(record.position_m[i]);
@@ -334,7 +359,7 @@ ForceScales scales_of(std::span<const ForceRecord> records) {
   }
   constexpr double kLeast = 1e-9;
   if (speeds.empty()) {
-    return {kLeast, kLeast, 0, kLeast, 0, kLeast, cycles, {}};
+    return {kLeast, kLeast, 0, kLeast, 0, kLeast, 0, cycles, {}};
   }
   const double low_m = quantile(positions, 0.01);
   const double high_m = quantile(positions, 0.99);
@@ -345,14 +370,15 @@ ForceScales scales_of(std::span<const ForceRecord> records) {
           .force_N = std::max(std::sqrt(square_N2 / static_cast<double>(speeds.size())), kLeast),
           .input_N = std::sqrt(input_N2 / static_cast<double>(speeds.size())),
           .turn_over_m_s = kUsualTurnOver * speed_m_s,
+          .step_s = duration_s / static_cast<double>(speeds.size()),
           .cycles = cycles,
           .poses_rad = poses_of(records)};
 }
 
 Kinematics kinematics_of(const ForceRecord& record, const ForceScales& scales) {
   Kinematics kinematics;
+  kinematics.turned_over = turned_over(record, scales);
   for (std::size_t i = 0; i < record.samples(); ++i) {
-    kinematics.turned_over.push_back(std::tanh(record.velocity_m_s[i] / scales.turn_over_m_s));
     const double turn =
         2 * std::numbers::pi * (record.position_m[i] - scales.position_m) / scales.stroke_m;
     kinematics.stroke_sine.push_back(std::sin(turn));
@@ -379,9 +405,10 @@ void predict_input(const ForceRecord& record, const Kinematics& kinematics, cons
   }
   Kinematics behind = kinematics;
   for (auto* const channel : {&read.output_rate_N_s, &read.position_m, &read.velocity_m_s,
-                              &behind.turned_over, &behind.stroke_sine, &behind.stroke_cosine}) {
+                              &behind.stroke_sine, &behind.stroke_cosine}) {
     *channel = read_at(places, *channel);
   }
+  behind.turned_over = turned_over(read, scales);
   predict_in_time(read, behind, values, scales, input_N);
 }
 

@@ -31,6 +31,7 @@ struct ForceRecord {
   std::vector<bool> used;    ///< whether it counts; motion goes on where it does not
   double input_N_per_A = 0;  ///< of a motor current, which the input force is of; 0: a load cell
   bool rotor_known = false;  ///< the position is that of the rotor and not an integral
+  bool pulls_alone = false;  ///< one tendon, whose force has one sign
 
   [[nodiscard]] std::size_t samples() const { return time_s.size(); }
 };
@@ -44,6 +45,7 @@ struct ForceScales {
   double input_N = 0;     ///< of the input force, which a drive that runs free has nearly alone
   /// Of velocity: below it the direction of friction is not settled, by what it was measured with.
   double turn_over_m_s = 0;
+  double step_s = 0;              ///< mean time between samples
   double cycles = 0;              ///< the last of the tendon's life
   std::vector<double> poses_rad;  ///< mean bend angles of sessions that differ by a degree, rising
 
@@ -64,9 +66,11 @@ enum class ForceTerm : unsigned {
   preload,
   velocity,
   presliding,
+  stribeck,
   load,
   position,
   slack,
+  loose_tendon,
   compliance,
   lag,
   delay,
@@ -80,7 +84,7 @@ enum class ForceTerm : unsigned {
   torque_gain,
   torque_ripple,
 };
-inline constexpr std::size_t kForceTermCount = 18;
+inline constexpr std::size_t kForceTermCount = 20;
 using ForceTerms = std::vector<ForceTerm>;
 
 /// A parameter with bounds of physics, and what a fit tries to start with.
@@ -92,22 +96,29 @@ struct ForceParameter {
   std::vector<double> starts;
   bool stepped = false;  ///< samples lie on one side of it or the other, and it between them
   bool chosen = false;   ///< one of its starts, which no fit moves
+  double resolved = 0;   ///< less than that is none: the motion between samples is not known
+  bool beside = false;   ///< may lie at a bound: the effect is there without it
 };
 
 /// Gain and friction coefficient, and what effects add to them: the model by its physics. What no
 /// term sets has no effect.
 struct ForceValues {
-  static constexpr std::size_t kHarmonics = 2;
+  static constexpr std::size_t kHarmonics = 4;
 
   double gain = 1;
   double friction = 0;
   double preload_N = 0;
   double viscous_N_s_m = 0;
   double viscous_friction_s_m = 0;
+  double stribeck_friction = 0;
+  double stribeck_velocity_m_s = 1;
   double presliding_m = 0;
   double load_exponent = 0;
   std::array<double, 2 * kHarmonics> harmonics{};  ///< sine and cosine of each, of the stroke
   double slack_m = 0;
+  double loose_m = 0;
+  double loose_log_drop = 0;
+  double loose_friction = 1;
   double stiffness_N_m = 0;
   double lag_s = 0;    ///< of the output sensor; below 0 of the input's
   double delay_s = 0;  ///< the same, of samples that are as they were
@@ -140,8 +151,10 @@ struct ForceEffect {
   /// Its table in a model that is written; null where no model holds it.
   Extension (*written)(std::string_view id, std::span<const double> parameters,
                        const ForceScales& scales);
-  /// Of when a channel is read. Two of these together smooth its noise, which gains by itself.
-  bool in_time = false;
+  /// Of what it is a law. Those of friction are approximations, and another of them may take up a
+  /// part of what one leaves. Two of when a channel is read together smooth its noise, which gains
+  /// by itself.
+  enum class Of { sensor, friction, time } of = Of::sensor;
 };
 const ForceEffect& definition_of(ForceTerm term);
 

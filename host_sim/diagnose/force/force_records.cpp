@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "hal/files/input_error.hpp"
 #include "host_sim/diagnose/force/diagnose_forces.hpp"
@@ -97,15 +98,6 @@ std::vector<double> cycles_of(const Recording& recording) {
   return cycles;
 }
 
-template <class T>
-void thin(std::vector<T>& values, std::size_t step) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < values.size(); i += step) {
-    values[kept++] = values[i];
-  }
-  values.resize(kept);
-}
-
 /// Of signed forces nothing is wrong below zero.
 void leave_out(const Recording& recording, const std::vector<Fault>& faults, ForceRecord& record) {
   for (const Fault& fault : faults) {
@@ -154,7 +146,7 @@ void leave_out_uncounted_cycles(std::vector<ForceRecord>& records) {
 
 std::vector<ForceRecord> force_records(const std::vector<Recording>& recordings,
                                        const std::vector<Fault>& faults,
-                                       const NominalModel& nominal) {
+                                       const NominalModel& nominal, bool pulls_alone) {
   std::vector<ForceRecord> records;
   for (const Recording& recording : recordings) {
     if (constant(recording, faults, input_column(recording)) ||
@@ -164,6 +156,7 @@ std::vector<ForceRecord> force_records(const std::vector<Recording>& recordings,
     }
     ForceRecord record;
     record.session = recording.session;
+    record.pulls_alone = pulls_alone;
     record.time_s = recording[kTime];
     record.input_N = input_of(recording, nominal);
     if (input_column(recording) == kMotorCurrentColumn) {
@@ -190,14 +183,6 @@ std::vector<ForceRecord> force_records(const std::vector<Recording>& recordings,
     record.cycle = cycles_of(recording);
     record.used.assign(record.samples(), true);
     leave_out(recording, faults, record);
-    const std::size_t step = std::max<std::size_t>(1, record.samples() / kMostForceSamples);
-    for (auto* values : {&record.time_s, &record.input_N, &record.output_N, &record.output_rate_N_s,
-                         &record.velocity_m_s, &record.position_m, &record.bend_angle_rad,
-                         &record.sheath_temperature_C, &record.winding_temperature_C,
-                         &record.rotor_rad, &record.cycle}) {
-      thin(*values, step);
-    }
-    thin(record.used, step);
     if (std::ranges::count(record.used, true) > 0) {
       records.push_back(std::move(record));
     }

@@ -9,18 +9,60 @@
 namespace host_sim::diagnose {
 namespace {
 
-constexpr double kStandsIn = 0.05;  ///< of ln rmse, for another in the place of an effect
+/// For another in the place of an effect: less likely by no more than that, in logarithms of odds.
+constexpr double kOdds = 3;
+/// What it takes off less, of what is left and repeats, which decides nothing.
+constexpr double kAlike = 0.05;
+/// The same of what the effect takes off, where it is not asked on other sessions.
+constexpr double kFarOff = 0.5;
 constexpr int kNominalIterations = 15;
 constexpr int kRounds = 3;  ///< of terms that take the place of others
 
+/// Of what a model leaves and is no noise: an effect that takes off less may imitate a part of
+/// that. Friction of a tendon that pulls alone is nearly all in proportion to its force, and its
+/// effects are more like each other: it takes more, but for one without which the error is a fifth
+/// larger.
+constexpr double kMaterialShare = 0.5;
+constexpr double kMaterialShareAlone = 2;
+constexpr double kLargeGain = 0.18;  ///< of ln rmse
+
+/// Of what is left at all: without an effect that takes off that the error is 2.5 % larger.
+constexpr double kLeastShare = 0.05;
+
+/// The same for an effect that reads a channel between its samples, which halves noise that is the
+/// output's alone where both ends have as much.
+constexpr double kReadBetween = 1.0 / 3;
+
+/// Of what an effect takes off, what is left of it beside the scatter where it shifts sessions.
+constexpr double kShift = 0.05;
+
+/// Of what an effect takes off, by which its law and one that could be in its place are not told
+/// apart, nor another law of friction beside it from what it leaves.
+constexpr double kLawError = 0.02;
+
+constexpr double kPrior = 0.05;  ///< of an effect of the catalogue
+
 }  // namespace
+
+double Judged::probability(std::size_t sessions, const ForceScales& scales) const {
+  double log_odds = gain.z * gain.z / 2 + std::log(kPrior / (1 - kPrior));
+  for (const ForceParameter& parameter : parameters_of(term, scales)) {
+    log_odds -= parameter.chosen ? std::log(static_cast<double>(parameter.starts.size()))
+                                 : std::log(static_cast<double>(sessions)) / 2;
+  }
+  return gain.z > 0 && gain.any() ? 1 / (1 + std::exp(-log_odds)) : 0;
+}
 
 ForceSearch::ForceSearch(ForceData& data, double friction, std::vector<std::string> without,
                          unsigned threads)
     : data_(data),
       without_(std::move(without)),
       threads_(threads),
+      covariates_(force_covariates(data.records())),
       nominal_{data.fit({}, {1, friction}, kNominalIterations), {}} {
+  for (const ForceCovariate& covariate : covariates_) {
+    bins_.emplace_back(data.records(), covariate);
+  }
   nominal_.held = data.held_out(nominal_.fit);
   model_ = nominal_;
 }
@@ -77,6 +119,11 @@ std::vector<ForceSearch::Candidate> ForceSearch::stairs() const {
       stairs.push_back(std::move(next));
     }
   }
+  if (judged_.empty()) {
+    const auto least = std::ranges::min_element(
+        stairs, {}, [&](const Candidate& one) { return data_.rmse_N(one.held.plain_N2); });
+    stairs.erase(least + 1, stairs.end());
+  }
   return stairs;
 }
 
@@ -87,7 +134,8 @@ std::vector<ForceTerm> ForceSearch::outside(const ForceTerms& taken) const {
     const auto term = static_cast<ForceTerm>(i);
     const auto same = [&](ForceTerm one) {
       return definition_of(one).id == definition_of(term).id ||
-             (definition_of(one).in_time && definition_of(term).in_time);
+             (definition_of(one).of == ForceEffect::Of::time &&
+              definition_of(term).of == ForceEffect::Of::time);
     };
     const bool wanted = std::ranges::find(without_, definition_of(term).id) == without_.end();
     if (wanted && is_shown(term, data_.records()) && std::ranges::none_of(taken, same) &&
@@ -98,7 +146,8 @@ std::vector<ForceTerm> ForceSearch::outside(const ForceTerms& taken) const {
   return terms;
 }
 
-/// The model with one of these more, those that start best, the least squares first.
+/// The model with one of these more, those that start best and stay within physics, the least
+/// squares first.
 std::vector<ForceSearch::Candidate> ForceSearch::with_each(
     const ForceFit& from, const std::vector<ForceTerm>& terms) const {
   constexpr std::size_t kFinished = 5;
@@ -111,6 +160,9 @@ std::vector<ForceSearch::Candidate> ForceSearch::with_each(
   all.resize(std::min(all.size(), kFinished));
   statistics::parallel_for(
       all.size(), [&](std::size_t i) { all[i].fit = data_.finished(all[i].fit); }, threads_);
+  std::erase_if(all, [&](const Candidate& one) {
+    return !data_.is_physical(one.fit, one.fit.terms.size() - 1);
+  });
   std::ranges::sort(all, {}, by_squares);
   return all;
 }
@@ -130,22 +182,50 @@ void ForceSearch::hold_out(std::vector<Candidate>& all) const {
   }
 }
 
-/// Adds the term of the least error on sessions that the fit never saw, if it is worth it.
+/// Adds the term of the least error on sessions that the fit never saw, of those that are seen
+/// there.
 bool ForceSearch::grow() {
-  constexpr std::size_t kTried = 3;
+  constexpr std::size_t kTried = 4;
   std::vector<Candidate> all = with_each(model_.fit, outside(model_.fit.terms));
   all.resize(std::min(all.size(), kTried));
   hold_out(all);
+  std::erase_if(all, [&](const Candidate& one) {
+    const PairedGain gain = data_.gain_of(model_.held, one.held, true);
+    return gain.z < kSeen || !gain.any();
+  });
   const auto best = std::ranges::min_element(
       all, {}, [&](const Candidate& one) { return data_.rmse_N(one.held.beside_scatter_N2); });
-  if (best == all.end() || data_.gain_of(model_.held, best->held).z < kSeen ||
-      std::log(data_.rmse_N(model_.held.beside_scatter_N2) /
-               data_.rmse_N(best->held.beside_scatter_N2)) < kWorthTrying) {
+  if (best == all.end()) {
     return false;
   }
   model_ = std::move(*best);
   added_.push_back({model_.fit.terms.back(), model_});
   return true;
+}
+
+/// Whether a term is certain, material, within the bounds of physics and more than samples resolve.
+bool ForceSearch::stays(std::size_t place) const {
+  const Judged& one = judged_[place];
+  const auto of = [](const Judged& judged) { return definition_of(judged.term).of; };
+  const bool told_apart = std::ranges::all_of(judged_, [&](const Judged& other) {
+    return of(one) != ForceEffect::Of::friction || of(other) != ForceEffect::Of::friction ||
+           one.gain.beside_scatter_N2 >= kLawError * other.gain.beside_scatter_N2;
+  });
+  // Beside the scatter of sessions, or as it is where that takes up nearly all of it: what shifts
+  // whole sessions.
+  const HeldOut& held = model_.held;
+  const double least =
+      of(one) == ForceEffect::Of::time ? kReadBetween * data_.noise_left() : kLeastShare;
+  const bool large = !data_.records().front().pulls_alone || one.gain.mean >= kLargeGain;
+  const double share = large ? kMaterialShare : kMaterialShareAlone;
+  const auto material = [&](double taken_N2, std::span<const double> noise_N2, double left_N2) {
+    return taken_N2 >= least * std::pow(data_.rmse_N(noise_N2), 2) && taken_N2 >= share * left_N2;
+  };
+  return told_apart && data_.is_physical(model_.fit, place) && one.gain.plain_N2 > 0 &&
+         ((one.gain.beside_scatter_N2 < kShift * one.gain.taken_N2 &&
+           material(one.gain.taken_N2, held.weighted_N2, left_.repeats_N2)) ||
+          material(one.gain.beside_scatter_N2, held.beside_scatter_N2, left_.beside_scatter_N2)) &&
+         one.probability(data_.records().size(), data_.scales()) >= kNamed;
 }
 
 /// Judges each term, and takes out the one that matters least if it does not stay.
@@ -155,14 +235,16 @@ bool ForceSearch::prune() {
   statistics::parallel_for(
       all.size(), [&](std::size_t i) { all[i].fit = data_.without(model_.fit, i); }, threads_);
   hold_out(all);
+  left_ = structure_of(data_, bins_, model_.fit);
   std::optional<std::size_t> least;
   for (std::size_t i = 0; i < all.size(); ++i) {
     judged_[i] = {.term = model_.fit.terms[i],
-                  .gain = data_.gain_of(all[i].held, model_.held),
+                  .gain = data_.gain_of(all[i].held, model_.held, true),
                   .without = all[i].fit,
                   .others = {}};
-    if (!(judged_[i].stays() && !data_.at_bound(model_.fit, i)) &&
-        (!least || judged_[i].gain.mean < judged_[*least].gain.mean)) {
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (!stays(i) && (!least || judged_[i].gain.z < judged_[*least].gain.z)) {
       least = i;
     }
   }
@@ -178,15 +260,17 @@ bool ForceSearch::prune() {
 bool ForceSearch::exchange(bool allowed) {
   for (std::size_t place = 0; place < judged_.size(); ++place) {
     for (Candidate& one : in_place_of(place)) {
-      const PairedGain lost = data_.gain_of(one.held, model_.held);
-      if (allowed && lost.mean < -kWorthTrying && lost.z < -kSeen) {
+      const PairedGain lost = data_.gain_of(one.held, model_.held, false);
+      if (allowed && lost.log_odds < -kOdds) {
         added_.push_back({one.fit.terms.back(), std::nullopt});
         model_ = std::move(one);
         return true;
       }
       const bool other_effect =
           definition_of(one.fit.terms.back()).id != definition_of(judged_[place].term).id;
-      if (other_effect && (lost.mean < kStandsIn || lost.z < kSeen)) {
+      if (other_effect &&
+          (lost.log_odds < kOdds || lost.beside_scatter_N2 < kAlike * left_.beside_scatter_N2 ||
+           lost.beside_scatter_N2 < kLawError * judged_[place].gain.beside_scatter_N2)) {
         judged_[place].others.push_back(one.fit.terms.back());
       }
     }
@@ -199,8 +283,9 @@ std::vector<ForceSearch::Candidate> ForceSearch::in_place_of(std::size_t place) 
   std::vector<ForceTerm> others = outside(judged_[place].without.terms);
   std::erase(others, judged_[place].term);
   std::vector<Candidate> all = with_each(judged_[place].without, others);
+  const double taken_N2 = judged_[place].without.square_N2 - model_.fit.square_N2;
   std::erase_if(all, [&](const Candidate& one) {
-    return std::log(one.fit.square_N2 / model_.fit.square_N2) / 2 > 2 * kStandsIn;
+    return one.fit.square_N2 - model_.fit.square_N2 > kFarOff * taken_N2;
   });
   hold_out(all);
   return all;

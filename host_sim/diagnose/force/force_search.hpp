@@ -6,16 +6,13 @@
 #include <vector>
 
 #include "host_sim/diagnose/force/force_fit.hpp"
+#include "host_sim/diagnose/force/remainder.hpp"
 
 namespace host_sim::diagnose {
 
-/// What has to hold for an effect to be named, on sessions that the fit never saw.
-inline constexpr double kMaterialGain = 0.14;  ///< of ln rmse: without it the error is 15 % larger
-inline constexpr double kCertainGain = 4;      ///< standard errors, of sessions
 inline constexpr std::size_t kMostForceTerms = 5;
 
-/// What it takes for a search to go on, of ln rmse on such sessions, and in standard errors.
-inline constexpr double kWorthTrying = 0.02;
+/// What it takes for a search to go on, on sessions that the fit never saw, in standard errors.
 inline constexpr double kSeen = 3;
 
 /// A term in the model, by what the model does without it.
@@ -25,7 +22,9 @@ struct Judged {
   ForceFit without;
   std::vector<ForceTerm> others;  ///< that could stand in its place
 
-  [[nodiscard]] bool stays() const { return gain.mean >= kMaterialGain && gain.z >= kCertainGain; }
+  /// That the effect is there: Laplace, the standard errors of the gain as evidence against as many
+  /// parameters, of so many sessions, and of what is tried one by one each as likely before.
+  [[nodiscard]] double probability(std::size_t sessions, const ForceScales& scales) const;
 };
 
 /// Grows a model of the input force by effects of the catalogue as long as they gain on sessions
@@ -49,8 +48,11 @@ class ForceSearch {
   [[nodiscard]] double rmse_N() const { return data_.rmse_N(model_.held.plain_N2); }
   [[nodiscard]] const std::vector<Judged>& judged() const { return judged_; }
 
+  [[nodiscard]] const std::vector<ForceCovariate>& covariates() const { return covariates_; }
+  [[nodiscard]] const std::vector<RemainderBins>& bins() const { return bins_; }
+
   /// From the nominal model on, one term more each: those that stay in the order in which they
-  /// came, or where none stays all that came.
+  /// came, or where none stays those that came as far as that gains.
   [[nodiscard]] std::vector<Candidate> stairs() const;
 
  private:
@@ -66,15 +68,19 @@ class ForceSearch {
   void hold_out(std::vector<Candidate>& all) const;
   bool grow();
   bool prune();
+  [[nodiscard]] bool stays(std::size_t place) const;
   bool exchange(bool allowed);
   [[nodiscard]] std::vector<Candidate> in_place_of(std::size_t place) const;
 
   ForceData& data_;
   std::vector<std::string> without_;
   unsigned threads_;
+  std::vector<ForceCovariate> covariates_;
+  std::vector<RemainderBins> bins_;  ///< of each covariate
   Candidate nominal_;
   Candidate model_;
   std::vector<Judged> judged_;
+  Structure left_;  ///< by the model that they are judged in
   std::vector<Added> added_;
 };
 

@@ -80,35 +80,7 @@ std::vector<ForceCovariate> force_covariates(const std::vector<ForceRecord>& rec
 
 namespace {
 
-constexpr std::size_t kBins = 8;
-
-/// Bins of a covariate that hold as many samples each, and which one each sample lies in: an even
-/// number where the motion goes one way, the next one where it goes back.
-struct Bins {
-  std::vector<double> centres;
-  std::vector<std::vector<std::size_t>> places;  ///< by record and sample
-
-  Bins(const std::vector<ForceRecord>& records, const ForceCovariate& covariate) {
-    std::vector<double> sorted;
-    for (const auto& values : covariate.values) {
-      sorted.insert(sorted.end(), values.begin(), values.end());
-    }
-    std::ranges::sort(sorted);
-    for (std::size_t bin = 0; bin < kBins; ++bin) {
-      centres.push_back(sorted[(2 * bin + 1) * sorted.size() / (2 * kBins)]);
-    }
-    for (std::size_t j = 0; j < records.size(); ++j) {
-      std::vector<std::size_t>& of_record = places.emplace_back();
-      for (std::size_t i = 0; i < records[j].samples(); ++i) {
-        const auto below =
-            std::ranges::lower_bound(sorted, covariate.values[j][i]) - sorted.begin();
-        const std::size_t bin =
-            std::min(static_cast<std::size_t>(below) * kBins / sorted.size(), kBins - 1);
-        of_record.push_back(2 * bin + (records[j].velocity_m_s[i] < 0 ? 1 : 0));
-      }
-    }
-  }
-};
+constexpr std::size_t kBins = RemainderBins::kCount;
 
 struct Spread {
   double mean_N = 0;
@@ -126,32 +98,35 @@ Spread spread_of(const std::vector<double>& values_N) {
   return {mean_N, std::sqrt(square_N2 / (count - 1))};
 }
 
-/// Mean residual of each session in each bin; absent where a session has few samples there. Samples
-/// count where the direction of friction is settled: as the motion turns over, noise of the
-/// velocity leaves what is the same in all sessions too.
+/// Mean residual of each session in each bin, by weight; absent where a session has few samples
+/// there. Samples count where the direction of friction is settled: as the motion turns over, noise
+/// of the velocity leaves what is the same in all sessions too.
 class BinMeans {
  public:
-  BinMeans(const ForceData& data, const Bins& bins,
-           const std::vector<std::vector<double>>& residuals_N)
+  /// @param noise whose weights samples have
+  BinMeans(const ForceData& data, const RemainderBins& bins,
+           const std::vector<std::vector<double>>& residuals_N, const ForceCovariance& noise)
       : means_N_(data.records().size()) {
     const std::vector<ForceRecord>& records = data.records();
     constexpr double kTurnsOver = 2;
     const double settled_m_s = kTurnsOver * data.scales().turn_over_m_s;
     for (std::size_t j = 0; j < records.size(); ++j) {
       std::array<double, 2 * kBins> sums{};
+      std::array<double, 2 * kBins> weights{};
       std::array<std::size_t, 2 * kBins> counts{};
       for (std::size_t i = 0; i < records[j].samples(); ++i) {
         if (records[j].used[i] && std::abs(records[j].velocity_m_s[i]) > settled_m_s) {
-          sums[bins.places[j][i]] += residuals_N[j][i];
+          const double weight = noise.weight(j, i);
+          sums[bins.places[j][i]] += weight * residuals_N[j][i];
+          weights[bins.places[j][i]] += weight;
           ++counts[bins.places[j][i]];
         }
       }
       for (std::size_t bin = 0; bin < 2 * kBins; ++bin) {
-        samples_[bin] += static_cast<double>(counts[bin]);
+        weights_[bin] += weights[bin];
         constexpr std::size_t kFew = 3;
-        means_N_[j][bin] = counts[bin] < kFew
-                               ? std::nullopt
-                               : std::optional(sums[bin] / static_cast<double>(counts[bin]));
+        means_N_[j][bin] =
+            counts[bin] < kFew ? std::nullopt : std::optional(sums[bin] / weights[bin]);
       }
     }
   }
@@ -180,10 +155,11 @@ class BinMeans {
     return bins > 0 ? sum / bins : 0;
   }
 
-  /// Square of the means over sessions, less what chance puts there, in the mean over all samples.
+  /// Square of the means over sessions, less what chance puts there, in the mean over all samples
+  /// by weight.
   [[nodiscard]] double square_N2() const {
     double sum_N2 = 0;
-    double samples = 0;
+    double weights = 0;
     for (std::size_t bin = 0; bin < 2 * kBins; ++bin) {
       const std::vector<double> means_N = of_sessions(bin);
       if (means_N.size() < kFewSessions) {
@@ -191,10 +167,10 @@ class BinMeans {
       }
       const Spread spread = spread_of(means_N);
       const double chance_N2 = spread.sd_N * spread.sd_N / static_cast<double>(means_N.size());
-      sum_N2 += samples_[bin] * (spread.mean_N * spread.mean_N - chance_N2);
-      samples += samples_[bin];
+      sum_N2 += weights_[bin] * (spread.mean_N * spread.mean_N - chance_N2);
+      weights += weights_[bin];
     }
-    return samples > 0 ? std::max(sum_N2 / samples, 0.0) : 0;
+    return weights > 0 ? std::max(sum_N2 / weights, 0.0) : 0;
   }
 
   /// Of one bin, those that there are.
@@ -212,8 +188,17 @@ class BinMeans {
   static constexpr std::size_t kFewSessions = 4;
 
   std::vector<std::array<std::optional<double>, 2 * kBins>> means_N_;
-  std::array<double, 2 * kBins> samples_{};  ///< that count, of all sessions
+  std::array<double, 2 * kBins> weights_{};  ///< of samples that count, of all sessions
 };
+
+/// Mean square of what repeats, over the covariate that shows most of it.
+double most_repeated(const std::vector<BinMeans>& means) {
+  double most_N2 = 0;
+  for (const BinMeans& one : means) {
+    most_N2 = std::max(most_N2, one.square_N2());
+  }
+  return most_N2;
+}
 
 std::vector<std::vector<double>> beside_scatter_N(const ForceData& data, const ForceFit& model) {
   std::vector<std::vector<double>> residuals_N = data.residuals_N(model);
@@ -224,9 +209,61 @@ std::vector<std::vector<double>> beside_scatter_N(const ForceData& data, const F
   return residuals_N;
 }
 
+/// Samples in an eighth of the mean time between reversals, which are those of 5 % of the stroke.
+std::size_t part_of_stroke(const ForceRecord& record, double stroke_m) {
+  constexpr double kReversal = 0.05;
+  constexpr std::size_t kPart = 8;
+  std::size_t strokes = 1;
+  double turned_m = record.position_m.front();
+  double way = 0;
+  for (const double position_m : record.position_m) {
+    const double moved_m = position_m - turned_m;
+    if (way == 0 || moved_m * way > 0) {
+      turned_m = position_m;
+      way = way == 0 && std::abs(moved_m) > 0 ? moved_m : way;
+    } else if (std::abs(moved_m) > kReversal * stroke_m) {
+      turned_m = position_m;
+      way = moved_m;
+      ++strokes;
+    }
+  }
+  return std::max<std::size_t>(record.samples() / (kPart * strokes), 1);
+}
+
+/// Mean product of residuals that are so far apart, less twice what chance puts there by its
+/// scatter between sessions.
+double going_on(const ForceData& data, const std::vector<std::vector<double>>& residuals_N) {
+  constexpr double kChance = 2;
+  std::vector<double> of_sessions;
+  for (std::size_t j = 0; j < residuals_N.size(); ++j) {
+    const ForceRecord& record = data.records()[j];
+    const std::size_t later = part_of_stroke(record, data.scales().stroke_m);
+    double sum_N2 = 0;
+    double count = 0;
+    for (std::size_t i = 0; i + later < record.samples(); ++i) {
+      if (record.used[i] && record.used[i + later]) {
+        sum_N2 +=
+            std::sqrt(data.covariance().weight(j, i) * data.covariance().weight(j, i + later)) *
+            residuals_N[j][i] * residuals_N[j][i + later];
+        ++count;
+      }
+    }
+    if (count > 0) {
+      of_sessions.push_back(sum_N2 / count);
+    }
+  }
+  if (of_sessions.size() < 2) {
+    return 0;
+  }
+  const Spread spread = spread_of(of_sessions);
+  const double error_N2 = spread.sd_N / std::sqrt(static_cast<double>(of_sessions.size()));
+  return std::max(spread.mean_N - kChance * error_N2, 0.0);
+}
+
 /// What both models leave, as the test sees it.
-std::vector<RemainderPicture> pictures_of(const ForceCovariate& covariate, const Bins& bins,
-                                          const BinMeans& before, const BinMeans& after) {
+std::vector<RemainderPicture> pictures_of(const ForceCovariate& covariate,
+                                          const RemainderBins& bins, const BinMeans& before,
+                                          const BinMeans& after) {
   std::vector<RemainderPicture> pictures;
   for (const std::size_t back : {0U, 1U}) {
     RemainderPicture picture{std::string(covariate.name),
@@ -266,15 +303,52 @@ double mean_square(const ForceData& data, const std::vector<std::vector<double>>
 
 }  // namespace
 
+RemainderBins::RemainderBins(const std::vector<ForceRecord>& records,
+                             const ForceCovariate& covariate) {
+  std::vector<double> sorted;
+  for (const auto& values : covariate.values) {
+    sorted.insert(sorted.end(), values.begin(), values.end());
+  }
+  std::ranges::sort(sorted);
+  for (std::size_t bin = 0; bin < kCount; ++bin) {
+    centres.push_back(sorted[(2 * bin + 1) * sorted.size() / (2 * kCount)]);
+  }
+  for (std::size_t j = 0; j < records.size(); ++j) {
+    std::vector<std::size_t>& of_record = places.emplace_back();
+    for (std::size_t i = 0; i < records[j].samples(); ++i) {
+      const auto below = std::ranges::lower_bound(sorted, covariate.values[j][i]) - sorted.begin();
+      const std::size_t bin =
+          std::min(static_cast<std::size_t>(below) * kCount / sorted.size(), kCount - 1);
+      of_record.push_back(2 * bin + (records[j].velocity_m_s[i] < 0 ? 1 : 0));
+    }
+  }
+}
+
+Structure structure_of(const ForceData& data, const std::vector<RemainderBins>& bins,
+                       const ForceFit& model) {
+  const std::vector<std::vector<double>> beside_N = beside_scatter_N(data, model);
+  const std::vector<std::vector<double>> all_N = data.residuals_N(model);
+  std::vector<BinMeans> beside;
+  std::vector<BinMeans> all;
+  beside.reserve(bins.size());
+  all.reserve(bins.size());
+  for (const RemainderBins& of_covariate : bins) {
+    beside.emplace_back(data, of_covariate, beside_N, data.covariance());
+    all.emplace_back(data, of_covariate, all_N, data.covariance());
+  }
+  return {.repeats_N2 = most_repeated(all),
+          .beside_scatter_N2 = std::max(most_repeated(beside), going_on(data, beside_N))};
+}
+
 ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, const ForceFit& model,
-                            const std::vector<ForceCovariate>& covariates, std::uint64_t seed) {
+                            const std::vector<ForceCovariate>& covariates,
+                            const std::vector<RemainderBins>& bins, std::uint64_t seed) {
   constexpr int kDraws = 999;
   const std::vector<std::vector<double>> residuals_N = beside_scatter_N(data, model);
-  std::vector<Bins> bins;
   std::vector<BinMeans> means;
-  for (const ForceCovariate& covariate : covariates) {
-    bins.emplace_back(data.records(), covariate);
-    means.emplace_back(data, bins.back(), residuals_N);
+  means.reserve(bins.size());
+  for (const RemainderBins& of_covariate : bins) {
+    means.emplace_back(data, of_covariate, residuals_N, ForceCovariance());
   }
   std::vector<double> signs(data.records().size(), 1);
   std::size_t most = 0;
@@ -296,13 +370,9 @@ ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, cons
     as_large += std::ranges::any_of(
         means, [&](const BinMeans& one) { return one.statistic(signs) >= largest; });
   }
-  const BinMeans before(data, bins[most], beside_scatter_N(data, nominal));
-  double repeats_N2 = 0;
-  for (const BinMeans& one : means) {
-    repeats_N2 = std::max(repeats_N2, one.square_N2());
-  }
+  const BinMeans before(data, bins[most], beside_scatter_N(data, nominal), ForceCovariance());
   return {covariates[most].name, static_cast<double>(as_large) / (kDraws + 1),
-          repeats_N2 / std::max(mean_square(data, residuals_N), 1e-300),
+          most_repeated(means) / std::max(mean_square(data, residuals_N), 1e-300),
           pictures_of(covariates[most], bins[most], before, means[most])};
 }
 

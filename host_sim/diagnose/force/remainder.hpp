@@ -21,6 +21,27 @@ struct ForceCovariate {
 /// correction is made of.
 std::vector<ForceCovariate> force_covariates(const std::vector<ForceRecord>& records);
 
+/// Bins of a covariate that hold as many samples each, and which one each sample lies in: an even
+/// number where the motion goes one way, the next one where it goes back.
+struct RemainderBins {
+  static constexpr std::size_t kCount = 8;
+
+  RemainderBins(const std::vector<ForceRecord>& records, const ForceCovariate& covariate);
+
+  std::vector<double> centres;
+  std::vector<std::vector<std::size_t>> places;  ///< by record and sample
+};
+
+/// Mean squares of what a model leaves and is no noise, by the weight of samples.
+struct Structure {
+  double repeats_N2 = 0;  ///< the same in all sessions, over the covariate that shows most of it
+  /// Of what gain and friction of sessions leave, that or what goes on for an eighth of the time
+  /// between reversals, whatever it depends on.
+  double beside_scatter_N2 = 0;
+};
+Structure structure_of(const ForceData& data, const std::vector<RemainderBins>& bins,
+                       const ForceFit& model);
+
 /// What a model leaves that is the same in all sessions.
 struct ForceRemainder {
   std::string_view covariate;  ///< that it depends on most
@@ -36,6 +57,7 @@ inline constexpr double kLeastRemainder = 0.005;
 /// By signs of sessions that are turned over at random, and the largest statistic of all
 /// covariates.
 ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, const ForceFit& model,
-                            const std::vector<ForceCovariate>& covariates, std::uint64_t seed);
+                            const std::vector<ForceCovariate>& covariates,
+                            const std::vector<RemainderBins>& bins, std::uint64_t seed);
 
 }  // namespace host_sim::diagnose

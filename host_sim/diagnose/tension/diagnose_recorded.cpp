@@ -372,7 +372,8 @@ TensionDiagnosis in_newtons_after(TensionDiagnosis signatures, TensionDiagnosis 
 TensionDiagnosis diagnose_recorded(const Campaign& campaign, const RecordedSessions& recorded,
                                    const DiagnoseOptions& options) {
   const auto records = [&] {
-    return force_records(recorded.recordings, recorded.faults, campaign.nominal);
+    return force_records(recorded.recordings, recorded.faults, campaign.nominal,
+                         !campaign.two_sided);
   };
   const auto in_newtons = [&](const std::vector<ForceRecord>& all) {
     return diagnose_forces(all, campaign.nominal, constants_of(campaign.nominal), options);

@@ -123,6 +123,7 @@ class GainOf : public testing::Test {
       }
       const Eigen::Map<const Eigen::VectorXd> values(left_N.data(), noise.size());
       held.plain_N2.push_back(values.squaredNorm() / static_cast<double>(noise.size()));
+      held.weighted_N2.push_back(held.plain_N2.back());
       held.beside_scatter_N2.push_back(held.plain_N2.back());
     }
     return held;
@@ -130,21 +131,44 @@ class GainOf : public testing::Test {
 };
 
 TEST_F(GainOf, IsAsSureWhereFewSessionsShowAnEffect) {
-  EXPECT_GT(data.gain_of(left(kSessions, 1), left(kSessions, 0)).z, 20);
-  EXPECT_GT(data.gain_of(left(3, 1), left(3, 0)).z, 10);
+  // As sure as twelve sessions and three can be, in standard errors of a normal distribution: t is
+  // beyond 50, and sqrt(12 ln(1 + 50^2/11)) is 8.1.
+  EXPECT_GT(data.gain_of(left(kSessions, 1), left(kSessions, 0), true).z, 8);
+  EXPECT_GT(data.gain_of(left(3, 1), left(3, 0), true).z, 5);
+}
+
+/// What one session alone shows is as uncertain as that session.
+TEST_F(GainOf, IsNotSureWhereOneSessionAloneShowsIt) {
+  EXPECT_LT(data.gain_of(left(1, 1), left(1, 0), true).z, 2);
 }
 
 TEST_F(GainOf, TurnsRoundWithTheModels) {
-  const PairedGain gain = data.gain_of(left(kSessions, 1), left(kSessions, 0));
-  const PairedGain loss = data.gain_of(left(kSessions, 0), left(kSessions, 1));
+  const PairedGain gain = data.gain_of(left(kSessions, 1), left(kSessions, 0), false);
+  const PairedGain loss = data.gain_of(left(kSessions, 0), left(kSessions, 1), false);
   EXPECT_GT(gain.mean, 1.5);
   EXPECT_LT(loss.mean, -1.5);
-  EXPECT_LT(loss.z, -20);
+  EXPECT_LT(loss.z, -7);
+  EXPECT_GT(gain.log_odds, 100);
+  EXPECT_LT(loss.log_odds, -100);
+  // The signal has a mean square of 1/2 beside the noise.
+  EXPECT_NEAR(gain.taken_N2, 0.5, 0.02);
+  EXPECT_NEAR(loss.beside_scatter_N2, -0.5, 0.02);
+  EXPECT_NEAR(loss.plain_N2, -0.5, 0.02);
+}
+
+/// A model that has the half of what is there takes three quarters of its square off. As a nested
+/// one it is surely there, and not surely better than one that has the other half.
+TEST_F(GainOf, ANestedModelIsTestedAgainstNothingAndAnotherAgainstEvenOdds) {
+  const HeldOut half = left(kSessions, 0.5);
+  EXPECT_GT(data.gain_of(left(kSessions, 1), half, true).z, 8);
+  EXPECT_NEAR(data.gain_of(left(kSessions, 1), half, false).taken_N2, 0.375, 0.02);
+  EXPECT_NEAR(data.gain_of(half, left(kSessions, -0.5), false).z, 0, 4);
+  EXPECT_GT(data.gain_of(half, left(kSessions, -0.5), true).z, 4);
 }
 
 TEST_F(GainOf, IsNoneWhereBothLeaveAsMuch) {
-  EXPECT_EQ(data.gain_of(left(5, 1), left(5, 1)).z, 0);
-  EXPECT_LT(std::abs(data.gain_of(left(kSessions, 1), left(kSessions, -1)).z), 4);
+  EXPECT_EQ(data.gain_of(left(5, 1), left(5, 1), false).z, 0);
+  EXPECT_LT(std::abs(data.gain_of(left(kSessions, 1), left(kSessions, -1), false).z), 4);
 }
 
 TEST(ForceCovariance, WhatAGainDoesIsTakenOutOfResidualsAndAllElseStays) {
@@ -157,6 +181,21 @@ TEST(ForceCovariance, WhatAGainDoesIsTakenOutOfResidualsAndAllElseStays) {
   Eigen::VectorXd other_N = drawn(record, 5);
   EXPECT_NEAR(data.covariance().beside_scatter(3, other_N).norm(), other_N.norm(),
               0.01 * other_N.norm());
+}
+
+/// Noise of 0.5 N and as much again in proportion to the load: a sample near zero counts more.
+TEST(ForceCovariance, WeightsAreOneInTheMean) {
+  const ForceData data = learned({.relative_noise = 0.05}, 4);
+  double sum = 0;
+  double samples = 0;
+  for (std::size_t j = 0; j < data.records().size(); ++j) {
+    const ForceRecord& record = data.records()[j];
+    const Eigen::VectorXd ones = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(record.samples()));
+    sum += data.covariance().weighted_square(j, ones);
+    samples += static_cast<double>(record.samples());
+  }
+  EXPECT_NEAR(sum / samples, 1, 1e-9);
+  EXPECT_EQ(ForceCovariance().weight(0, 7), 1);
 }
 
 TEST(ForceCovariance, WithoutItResidualsAreAllThatIsLeft) {

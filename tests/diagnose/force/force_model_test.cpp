@@ -77,6 +77,36 @@ TEST(ForceModel, ViscousFrictionGrowsWithSpeed) {
               10 * std::exp(0.5 * 0.2 * pi), 1e-6);
 }
 
+/// At the Stribeck velocity what friction has more at rest has fallen to 1/e.
+TEST(ForceModel, StribeckFrictionFallsWithSpeed) {
+  const double coefficient = 0.1 + 0.2 * 0.05 + 0.3 * std::exp(-1);
+  EXPECT_NEAR(
+      predicted(record({0, 0.1}, 0.05, 10), {ForceTerm::stribeck}, {1, 0.1, 0.2, 0.3, 0.05}),
+      10 * std::exp(coefficient * pi), 1e-6);
+}
+
+/// After 50 mm one way and 1 mm back, of 10 mm that it lies loose in, the drive holds exp(-0.5) of
+/// the force with half of the friction; after 20 mm back all of both.
+TEST(ForceModel, ALooseTendonIsHeldInPart) {
+  const std::vector<double> parameters{1, 0.1, 0.01, 0.5, 0.5};
+  EXPECT_NEAR(predicted(record({0, 0.05, 0.049}, -1, 10), {ForceTerm::loose_tendon}, parameters),
+              10 * std::exp(-0.05 * pi - 0.5), 1e-9);
+  EXPECT_NEAR(predicted(record({0, 0.05, 0.03}, -1, 10), {ForceTerm::loose_tendon}, parameters),
+              10 * std::exp(-0.1 * pi), 1e-9);
+}
+
+/// One law of slack is of a tendon that pulls alone, the other of a drive that works both ways.
+TEST(ForceModel, ATendonThatPullsAloneHasLawsOfItsOwn) {
+  std::vector<ForceRecord> records{record({0, 0.1}, 1, 10)};
+  EXPECT_TRUE(is_shown(ForceTerm::slack, records));
+  EXPECT_FALSE(is_shown(ForceTerm::loose_tendon, records));
+  EXPECT_FALSE(is_shown(ForceTerm::stribeck, records));
+  records.front().pulls_alone = true;
+  EXPECT_FALSE(is_shown(ForceTerm::slack, records));
+  EXPECT_TRUE(is_shown(ForceTerm::loose_tendon, records));
+  EXPECT_TRUE(is_shown(ForceTerm::stribeck, records));
+}
+
 TEST(ForceModel, PreslidingTurnsFrictionOverWithTheTravel) {
   const ForceTerms terms{ForceTerm::preload, ForceTerm::presliding};
   // From rest a length l turns over 1 - 1/e of it, and so does the way there in steps.
@@ -128,8 +158,12 @@ TEST(ForceModel, FrictionFallsRelativeToTheLoadAlongTheSheath) {
 TEST(ForceModel, PositionMultipliesAllFrictionOfTheSheath) {
   // A quarter of the stroke from its middle the sine is 1.
   EXPECT_NEAR(predicted(record({0, 0.05}, 1, 10), {ForceTerm::preload, ForceTerm::position},
-                        {1, 0, 3, 0.2, 0, 0, 0}),
+                        {1, 0, 3, 0.2, 0, 0, 0, 0, 0, 0, 0}),
               10 + 3 * 1.2, 1e-9);
+  // The fourth harmonic is back at zero there, and its cosine at 1.
+  EXPECT_NEAR(predicted(record({0, 0.05}, 1, 10), {ForceTerm::preload, ForceTerm::position},
+                        {1, 0, 3, 0, 0, 0, 0, 0, 0, 0.5, 0.1}),
+              10 + 3 * 1.1, 1e-9);
 }
 
 TEST(ForceModel, SensorsShiftAndDelayTheOutput) {

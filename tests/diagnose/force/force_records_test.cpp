@@ -45,12 +45,12 @@ double sine_N(double time_s) {
 }
 
 ForceRecord record_of(const Recording& recording) {
-  return force_records({recording}, {}, plain_sheath()).at(0);
+  return force_records({recording}, {}, plain_sheath(), false).at(0);
 }
 
 TEST(ForceRecords, CyclesGoOnFromTheStartOfTheSession) {
   const std::vector<Recording> recordings{recorded(sine_N, 1000), recorded(sine_N, 3000)};
-  const std::vector<ForceRecord> records = force_records(recordings, {}, plain_sheath());
+  const std::vector<ForceRecord> records = force_records(recordings, {}, plain_sheath(), false);
   EXPECT_EQ(records[1].cycle.front(), 3000);
   // Six reversals in six seconds.
   EXPECT_EQ(records[1].cycle.back(), 3003);
@@ -64,7 +64,7 @@ TEST(ForceRecords, ATemperatureCountsWhereItVaries) {
   for (const double warm_C : {22.0, 60.0}) {
     recordings[0].channels[kWindingTemperature].assign(600, 20);
     recordings[1].channels[kWindingTemperature].assign(600, warm_C);
-    const std::vector<ForceRecord> records = force_records(recordings, {}, plain_sheath());
+    const std::vector<ForceRecord> records = force_records(recordings, {}, plain_sheath(), false);
     EXPECT_EQ(records[1].winding_temperature_C.empty(), warm_C == 22);
     EXPECT_TRUE(records[1].sheath_temperature_C.empty());
   }
@@ -76,6 +76,11 @@ TEST(ForceRecords, TheRotorIsKnownWithoutADriveToo) {
   recording.channels[kMotorAngle].assign(600, 1.5);
   EXPECT_EQ(record_of(recording).rotor_rad.at(7), 1.5);
   EXPECT_FALSE(record_of(recording).rotor_known);
+}
+
+TEST(ForceRecords, AreOfOneTendonWhereTheyAreSaidToBe) {
+  EXPECT_FALSE(record_of(recorded(sine_N)).pulls_alone);
+  EXPECT_TRUE(force_records({recorded(sine_N)}, {}, plain_sheath(), true).at(0).pulls_alone);
 }
 
 }  // namespace
