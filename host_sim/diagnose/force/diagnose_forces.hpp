@@ -11,8 +11,8 @@
 
 namespace host_sim::diagnose {
 
-/// The recordings as records in newtons. Samples that a fault
-/// touches do not count; left out are recordings without both forces and a velocity.
+/// The recordings as records in newtons. Samples that a fault touches do not count; left out are
+/// recordings without both forces and a velocity.
 /// @param pulls_alone whether all forces are of one tendon
 /// @throws InputError where the drive or the bend angle is missing
 std::vector<ForceRecord> force_records(const std::vector<recording::Recording>& recordings,

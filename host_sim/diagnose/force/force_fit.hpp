@@ -31,8 +31,7 @@ struct PairedGain {
   double log_odds = 0;           ///< of the other model against the one
   double taken_N2 = 0;           ///< that the mean square by the weight of samples is less
   double beside_scatter_N2 = 0;  ///< the same of what gain and friction of sessions leave
-
-  double plain_N2 = 0;  ///< the same with as much weight for each sample
+  double plain_N2 = 0;           ///< that the mean square is less, each sample alike
 
   [[nodiscard]] bool any() const { return taken_N2 > 0 || beside_scatter_N2 > 0; }
 };
@@ -45,6 +44,7 @@ PairedGain paired_gain(std::span<const double> before_N2, std::span<const double
 class ForceData {
  public:
   static constexpr std::size_t kMostSamples = 600;  ///< of a record, or up to twice that
+
   explicit ForceData(std::vector<ForceRecord> records);
 
   [[nodiscard]] const std::vector<ForceRecord>& records() const { return records_; }

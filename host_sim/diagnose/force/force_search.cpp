@@ -9,12 +9,14 @@
 namespace host_sim::diagnose {
 namespace {
 
-/// For another in the place of an effect: less likely by no more than that, in logarithms of odds.
+/// Another could be in the place of an effect that is more likely by no more than that, in
+/// logarithms of odds, or takes off no more than that beside it, of what is left and repeats.
 constexpr double kOdds = 3;
-/// What it takes off less, of what is left and repeats, which decides nothing.
 constexpr double kAlike = 0.05;
-/// The same of what the effect takes off, where it is not asked on other sessions.
+
+/// One that leaves that of what the effect takes off is not asked on other sessions.
 constexpr double kFarOff = 0.5;
+
 constexpr int kNominalIterations = 15;
 constexpr int kRounds = 3;  ///< of terms that take the place of others
 
