@@ -42,6 +42,9 @@ constexpr double kShift = 0.05;
 /// apart, nor another law of friction beside it from what it leaves.
 constexpr double kLawError = 0.02;
 
+/// The same of a lag and a delay: how a force turns between samples is known to neither.
+constexpr double kTimeError = 0.05;
+
 constexpr double kPrior = 0.05;  ///< of an effect of the catalogue
 
 }  // namespace
@@ -268,11 +271,14 @@ bool ForceSearch::exchange(bool allowed) {
         model_ = std::move(one);
         return true;
       }
+      const bool both_in_time = definition_of(one.fit.terms.back()).of == ForceEffect::Of::time &&
+                                definition_of(judged_[place].term).of == ForceEffect::Of::time;
+      const double law_error = both_in_time ? kTimeError : kLawError;
       const bool other_effect =
           definition_of(one.fit.terms.back()).id != definition_of(judged_[place].term).id;
       if (other_effect &&
           (lost.log_odds < kOdds || lost.beside_scatter_N2 < kAlike * left_.beside_scatter_N2 ||
-           lost.beside_scatter_N2 < kLawError * judged_[place].gain.beside_scatter_N2)) {
+           lost.beside_scatter_N2 < law_error * judged_[place].gain.beside_scatter_N2)) {
         judged_[place].others.push_back(one.fit.terms.back());
       }
     }
