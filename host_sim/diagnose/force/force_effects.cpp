@@ -22,6 +22,12 @@ Extension by_name(std::string_view id, Numbers parameters, const Parameters& nam
   return extension;
 }
 
+/// The same as the table of a law that has these.
+template <Parameters (*kParameters)(const ForceScales&)>
+Extension written(std::string_view id, Numbers numbers, const ForceScales& scales) {
+  return by_name(id, numbers, kParameters(scales));
+}
+
 constexpr double kOfStep = 0.04;  ///< of the time between samples, which times are resolved by
 
 bool has_current(const ForceRecord& record) {
@@ -46,9 +52,7 @@ constexpr ForceEffect kEffect{
     nullptr,
     parameters,
     [](Numbers numbers, ForceValues& values) { values.preload_N = numbers[0]; },
-    [](std::string_view id, Numbers numbers, const ForceScales& scales) {
-      return by_name(id, numbers, parameters(scales));
-    },
+    written<parameters>,
     ForceEffect::Of::friction};
 
 }  // namespace preload
@@ -72,9 +76,7 @@ constexpr ForceEffect kEffect{"friction_velocity",
                                 values.viscous_N_s_m = numbers[0];
                                 values.viscous_friction_s_m = numbers[1];
                               },
-                              [](std::string_view id, Numbers numbers, const ForceScales& scales) {
-                                return by_name(id, numbers, parameters(scales));
-                              },
+                              written<parameters>,
                               ForceEffect::Of::friction};
 
 }  // namespace velocity
@@ -109,9 +111,7 @@ constexpr ForceEffect kEffect{
       values.stribeck_friction = numbers[1];
       values.stribeck_velocity_m_s = numbers[2];
     },
-    [](std::string_view id, Numbers numbers, const ForceScales& scales) {
-      return by_name(id, numbers, parameters(scales));
-    },
+    written<parameters>,
     ForceEffect::Of::friction};
 
 }  // namespace stribeck
@@ -135,9 +135,7 @@ constexpr ForceEffect kEffect{
     nullptr,
     parameters,
     [](Numbers numbers, ForceValues& values) { values.presliding_m = numbers[0]; },
-    [](std::string_view id, Numbers numbers, const ForceScales& scales) {
-      return by_name(id, numbers, parameters(scales));
-    },
+    written<parameters>,
     ForceEffect::Of::friction};
 
 }  // namespace presliding
@@ -157,9 +155,7 @@ constexpr ForceEffect kEffect{
     nullptr,
     parameters,
     [](Numbers numbers, ForceValues& values) { values.load_exponent = numbers[0]; },
-    [](std::string_view id, Numbers numbers, const ForceScales& scales) {
-      return by_name(id, numbers, parameters(scales));
-    },
+    written<parameters>,
     ForceEffect::Of::friction};
 
 }  // namespace load
@@ -302,9 +298,7 @@ constexpr ForceEffect kEffect{
     nullptr,
     parameters,
     [](Numbers numbers, ForceValues& values) { values.lag_s = numbers[0]; },
-    [](std::string_view id, Numbers numbers, const ForceScales& scales) {
-      return by_name(id, numbers, parameters(scales));
-    },
+    written<parameters>,
     ForceEffect::Of::time};
 
 }  // namespace lag
@@ -369,9 +363,7 @@ constexpr ForceEffect kEffect{
     [](const ForceRecord& record) { return !record.sheath_temperature_C.empty(); },
     parameters,
     [](Numbers numbers, ForceValues& values) { values.temperature_1_K = numbers[0]; },
-    [](std::string_view id, Numbers numbers, const ForceScales& scales) {
-      return by_name(id, numbers, parameters(scales));
-    }};
+    written<parameters>};
 
 }  // namespace temperature
 
@@ -488,9 +480,7 @@ constexpr ForceEffect kEffect{
     has_current,
     parameters,
     [](Numbers numbers, ForceValues& values) { values.current_offset_A = numbers[0]; },
-    [](std::string_view id, Numbers numbers, const ForceScales& scales) {
-      return by_name(id, numbers, parameters(scales));
-    }};
+    written<parameters>};
 
 }  // namespace current_offset
 
@@ -508,9 +498,7 @@ constexpr ForceEffect kEffect{
     has_current,
     parameters,
     [](Numbers numbers, ForceValues& values) { values.gear_asymmetry = numbers[0]; },
-    [](std::string_view id, Numbers numbers, const ForceScales& scales) {
-      return by_name(id, numbers, parameters(scales));
-    }};
+    written<parameters>};
 
 }  // namespace gear_asymmetry
 
@@ -530,9 +518,7 @@ constexpr ForceEffect kEffect{
     },
     parameters,
     [](Numbers numbers, ForceValues& values) { values.droop_1_K = numbers[0]; },
-    [](std::string_view id, Numbers numbers, const ForceScales& scales) {
-      return by_name(id, numbers, parameters(scales));
-    }};
+    written<parameters>};
 
 }  // namespace torque_gain
 
@@ -562,9 +548,7 @@ constexpr ForceEffect kEffect{
       values.ripple_cosine_A = numbers[1];
       values.ripple_harmonic = numbers[2];
     },
-    [](std::string_view id, Numbers numbers, const ForceScales& scales) {
-      return by_name(id, numbers, parameters(scales));
-    }};
+    written<parameters>};
 
 }  // namespace torque_ripple
 
