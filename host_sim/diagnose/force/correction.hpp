@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "host_sim/diagnose/force/force_covariates.hpp"
 #include "host_sim/diagnose/force/force_fit.hpp"
-#include "host_sim/diagnose/force/remainder.hpp"
 #include "host_sim/model/model.hpp"
 
 namespace host_sim::diagnose {

@@ -88,7 +88,9 @@ class Report {
     extend(diagnosis);
     add_traces(diagnosis);
     add_causes(diagnosis);
+    findings.discrepancies = remainder_.discrepancies;
     diagnosis.remainders = remainder_.pictures;
+    diagnosis.session_refits = session_refits();
     return diagnosis;
   }
 
@@ -98,9 +100,7 @@ class Report {
   [[nodiscard]] Verdict verdict() const {
     const auto& judged = search_.judged();
     if (judged.empty() || few()) {
-      constexpr double kChance = 0.01;
-      return remainder_.p < kChance && remainder_.share >= kLeastRemainder ? Verdict::unknown
-                                                                           : Verdict::none;
+      return remainder_.stands ? Verdict::unknown : Verdict::none;
     }
     if (judged.size() == 1 && judged.front().term == ForceTerm::load && one_pose() &&
         share_left() > kMostBesideLoad) {
@@ -227,6 +227,20 @@ class Report {
         findings.effects.push_back(std::move(found));
       }
     }
+  }
+
+  /// Of the nominal model.
+  [[nodiscard]] std::vector<SessionRefit> session_refits() const {
+    const ForceFit& nominal = search_.nominal().fit;
+    const std::vector<std::vector<double>> left_N = data_.residuals_N(nominal);
+    std::vector<SessionRefit> refits;
+    refits.reserve(left_N.size());
+    for (std::size_t j = 0; j < left_N.size(); ++j) {
+      const Eigen::Vector2d beside = data_.covariance().refit(j, vector_of(left_N[j])).value;
+      refits.push_back({data_.records()[j].session, nominal.parameters[1] + beside(1),
+                        -std::log(nominal.parameters[0]) - beside(0)});
+    }
+    return refits;
   }
 
   static double density(double rmse_N) {

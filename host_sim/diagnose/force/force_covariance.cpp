@@ -47,22 +47,20 @@ double inflation_of(const Eigen::VectorXd& residuals) {
 }
 
 /// Gain and friction that one session has beside the model, how surely, and what they leave.
-struct Refit {
-  Eigen::Vector2d value;
-  Eigen::Vector2d variance;
+struct RefitOfSession : ForceCovariance::Refit {
   Eigen::VectorXd left_N;
   double inflation = 1;
 };
 
-Refit refit_of(const Eigen::MatrixX2d& directions_N, const Eigen::VectorXd& weights,
-               const Eigen::VectorXd& residuals_N) {
+RefitOfSession refit_of(const Eigen::MatrixX2d& directions_N, const Eigen::VectorXd& weights,
+                        const Eigen::VectorXd& residuals_N) {
   constexpr double kRidge = 1e-9;
   const Eigen::MatrixX2d weighted_N = weights.asDiagonal() * directions_N;
   Eigen::Matrix2d square = weighted_N.transpose() * directions_N;
   square.diagonal() *= 1 + kRidge;
   square.diagonal().array() += 1e-30;
   const Eigen::Matrix2d inverse = square.inverse();
-  Refit refit;
+  RefitOfSession refit;
   refit.value = inverse * (weighted_N.transpose() * residuals_N);
   refit.left_N = residuals_N - directions_N * refit.value;
   refit.inflation = inflation_of(refit.left_N);
@@ -125,7 +123,8 @@ std::vector<double> input_rates(const ForceRecord& record, const std::vector<dou
 }
 
 /// Of squares by weighted least squares, each by its own variance.
-NoiseVariance noise_of(std::span<const ForceRecord> records, const std::vector<Refit>& refits,
+NoiseVariance noise_of(std::span<const ForceRecord> records,
+                       const std::vector<RefitOfSession>& refits,
                        const std::vector<std::vector<double>>& rates) {
   constexpr int kRounds = 8;
   constexpr double kLeastShare = 0.01;  // of all variance: some noise has no sample
@@ -174,7 +173,7 @@ ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const For
     return;
   }
   std::vector<Eigen::MatrixX2d> directions_N;
-  std::vector<Refit> refits;
+  std::vector<RefitOfSession> refits;
   for (std::size_t j = 0; j < records.size(); ++j) {
     directions_N.push_back(directions_of(records[j], scales, parameters));
     refits.push_back(refit_of(directions_N[j], Eigen::VectorXd::Ones(directions_N[j].rows()),
@@ -208,12 +207,12 @@ ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const For
                 refits[j].inflation / samples;
   }
   Eigen::Array2d variance = Eigen::Array2d::Zero();
-  for (const Refit& refit : refits) {
+  for (const RefitOfSession& refit : refits) {
     variance +=
         (refit.value.array() - mean).square() / (sessions - 1) - refit.variance.array() / sessions;
   }
-  const Eigen::Array2d most(kMostLogGain, kMostFriction * parameters[1]);
-  variance = variance.max(0).min(most.square());
+  most_scatter_ = {kMostLogGain, kMostFriction * parameters[1]};
+  variance = variance.max(0).min(most_scatter_.square());
   log_gain_sd_ = std::sqrt(variance[0]);
   friction_sd_ = std::sqrt(variance[1]);
   const Eigen::Matrix2d root = (variance / std::max(noise_N2, 1e-30)).sqrt().matrix().asDiagonal();
@@ -240,6 +239,15 @@ double ForceCovariance::weighted_square(
     std::size_t record, const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const {
   return weights_.empty() ? residuals_N.squaredNorm()
                           : (weights_[record].array() * residuals_N.array().square()).sum();
+}
+
+ForceCovariance::Refit ForceCovariance::refit(
+    std::size_t record, const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const {
+  if (record >= along_N_.size()) {
+    return {};
+  }
+  const Eigen::VectorXd& weights = weights_[record];
+  return refit_of(weights.cwiseInverse().asDiagonal() * along_N_[record], weights, residuals_N);
 }
 
 Eigen::VectorXd ForceCovariance::beside_scatter(

@@ -38,6 +38,18 @@ class ForceCovariance {
   [[nodiscard]] Eigen::VectorXd beside_scatter(
       std::size_t record, const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const;
 
+  /// ln gain and friction coefficient that suit one record, beside those of a model.
+  struct Refit {
+    Eigen::Vector2d value = Eigen::Vector2d::Zero();
+    Eigen::Vector2d variance = Eigen::Vector2d::Zero();
+  };
+  /// @param residuals_N that the model leaves
+  [[nodiscard]] Refit refit(std::size_t record,
+                            const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const;
+
+  /// Standard deviations of ln gain and friction of which any more has a cause.
+  [[nodiscard]] const Eigen::Array2d& most_scatter() const { return most_scatter_; }
+
   /// How much a sample of a record says beside others, by its noise: 1 in the mean over all.
   [[nodiscard]] double weight(std::size_t record, std::size_t sample) const {
     return weights_.empty() ? 1 : weights_[record](static_cast<Eigen::Index>(sample));
@@ -54,6 +66,7 @@ class ForceCovariance {
   std::vector<Eigen::VectorXd> weights_;
   std::vector<Eigen::MatrixX2d> along_N_;  ///< dT_in/d ln gain and dT_in/d mu, times the weights
   std::vector<Eigen::Matrix2d> shrinks_;
+  Eigen::Array2d most_scatter_ = Eigen::Array2d::Zero();
   double log_gain_sd_ = 0;
   double friction_sd_ = 0;
 };

@@ -35,9 +35,6 @@ constexpr double kLeastShare = 0.05;
 /// output's alone where both ends have as much.
 constexpr double kReadBetween = 1.0 / 3;
 
-/// Of what an effect takes off, what is left of it beside the scatter where it shifts sessions.
-constexpr double kShift = 0.05;
-
 /// Of what an effect takes off, by which its law and one that could be in its place are not told
 /// apart, nor another law of friction beside it from what it leaves.
 constexpr double kLawError = 0.02;
@@ -46,6 +43,16 @@ constexpr double kLawError = 0.02;
 constexpr double kTimeError = 0.05;
 
 constexpr double kPrior = 0.05;  ///< of an effect of the catalogue
+
+/// Of what an effect takes off, what gain and friction that suit each session leave of it where it
+/// moves them as wholes; an effect of what sessions differ in does by what it is.
+constexpr double kShift = 0.05;
+constexpr double kShiftOfSession = 0.2;
+
+bool moves_sessions(const Judged& one) {
+  const bool of_session = definition_of(one.term).of == ForceEffect::Of::session;
+  return one.gain.beside_scatter_N2 < (of_session ? kShiftOfSession : kShift) * one.gain.taken_N2;
+}
 
 }  // namespace
 
@@ -227,7 +234,7 @@ bool ForceSearch::stays(std::size_t place) const {
     return taken_N2 >= least * std::pow(data_.rmse_N(noise_N2), 2) && taken_N2 >= share * left_N2;
   };
   return told_apart && data_.is_physical(model_.fit, place) && one.gain.plain_N2 > 0 &&
-         ((one.gain.beside_scatter_N2 < kShift * one.gain.taken_N2 &&
+         ((moves_sessions(one) &&
            material(one.gain.taken_N2, held.weighted_N2, left_.repeats_N2)) ||
           material(one.gain.beside_scatter_N2, held.beside_scatter_N2, left_.beside_scatter_N2)) &&
          one.probability(data_.records().size(), data_.scales()) >= kNamed;
@@ -260,25 +267,36 @@ bool ForceSearch::prune() {
   return true;
 }
 
+/// Whether what is lost by another term in the place of one is too little to say that it is not
+/// that: beside the scatter of sessions, or as it is where the term shifts whole sessions.
+bool ForceSearch::alike(std::size_t place, ForceTerm other, const PairedGain& lost) const {
+  const Judged& one = judged_[place];
+  const bool both_in_time = definition_of(other).of == ForceEffect::Of::time &&
+                            definition_of(one.term).of == ForceEffect::Of::time;
+  const double law_error = both_in_time ? kTimeError : kLawError;
+  if (moves_sessions(one)) {
+    return lost.taken_N2 < std::max(kAlike * left_.repeats_N2, law_error * one.gain.taken_N2);
+  }
+  return lost.beside_scatter_N2 <
+         std::max(kAlike * left_.beside_scatter_N2, law_error * one.gain.beside_scatter_N2);
+}
+
 /// Finds what could stand in the place of each term. Where that does better it takes the place,
 /// as long as that is allowed, and all are judged anew.
 bool ForceSearch::exchange(bool allowed) {
   for (std::size_t place = 0; place < judged_.size(); ++place) {
     for (Candidate& one : in_place_of(place)) {
       const PairedGain lost = data_.gain_of(one.held, model_.held, false);
+      if (lost.plain_N2 >= judged_[place].gain.plain_N2) {
+        continue;  // takes nothing off by itself
+      }
       if (allowed && lost.log_odds < -kOdds) {
         added_.push_back({one.fit.terms.back(), std::nullopt});
         model_ = std::move(one);
         return true;
       }
-      const bool both_in_time = definition_of(one.fit.terms.back()).of == ForceEffect::Of::time &&
-                                definition_of(judged_[place].term).of == ForceEffect::Of::time;
-      const double law_error = both_in_time ? kTimeError : kLawError;
-      const bool other_effect =
-          definition_of(one.fit.terms.back()).id != definition_of(judged_[place].term).id;
-      if (other_effect &&
-          (lost.log_odds < kOdds || lost.beside_scatter_N2 < kAlike * left_.beside_scatter_N2 ||
-           lost.beside_scatter_N2 < law_error * judged_[place].gain.beside_scatter_N2)) {
+      if (definition_of(one.fit.terms.back()).id != definition_of(judged_[place].term).id &&
+          (lost.log_odds < kOdds || alike(place, one.fit.terms.back(), lost))) {
         judged_[place].others.push_back(one.fit.terms.back());
       }
     }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host_sim/diagnose/force/force_fit.hpp"
-#include "host_sim/diagnose/force/remainder.hpp"
+#include "host_sim/diagnose/force/structure.hpp"
 
 namespace host_sim::diagnose {
 
@@ -49,7 +49,7 @@ class ForceSearch {
   [[nodiscard]] const std::vector<Judged>& judged() const { return judged_; }
 
   [[nodiscard]] const std::vector<ForceCovariate>& covariates() const { return covariates_; }
-  [[nodiscard]] const std::vector<RemainderBins>& bins() const { return bins_; }
+  [[nodiscard]] const std::vector<CovariateBins>& bins() const { return bins_; }
 
   /// From the nominal model on, one term more each: those that stay in the order in which they
   /// came, or where none stays those that came as far as that gains.
@@ -69,6 +69,7 @@ class ForceSearch {
   bool grow();
   bool prune();
   [[nodiscard]] bool stays(std::size_t place) const;
+  [[nodiscard]] bool alike(std::size_t place, ForceTerm other, const PairedGain& lost) const;
   bool exchange(bool allowed);
   [[nodiscard]] std::vector<Candidate> in_place_of(std::size_t place) const;
 
@@ -76,7 +77,7 @@ class ForceSearch {
   std::vector<std::string> without_;
   unsigned threads_;
   std::vector<ForceCovariate> covariates_;
-  std::vector<RemainderBins> bins_;  ///< of each covariate
+  std::vector<CovariateBins> bins_;  ///< of each covariate
   Candidate nominal_;
   Candidate model_;
   std::vector<Judged> judged_;
