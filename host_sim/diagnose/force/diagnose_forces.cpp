@@ -11,6 +11,7 @@
 
 #include "host_sim/diagnose/force/correction.hpp"
 #include "host_sim/diagnose/force/force_search.hpp"
+#include "host_sim/diagnose/force/prose.hpp"
 #include "host_sim/diagnose/force/remainder.hpp"
 #include "host_sim/diagnose/sessions.hpp"
 #include "host_sim/extension/model_file.hpp"
@@ -68,7 +69,6 @@ class Report {
 
   TensionDiagnosis diagnosis() {
     TensionDiagnosis diagnosis;
-    diagnosis.in_newtons = true;
     Findings& findings = diagnosis.findings;
     findings.verdict = verdict();
     add_candidates(findings);
@@ -91,6 +91,10 @@ class Report {
     findings.discrepancies = remainder_.discrepancies;
     diagnosis.remainders = remainder_.pictures;
     diagnosis.session_refits = session_refits();
+    diagnosis.nominal_friction = search_.nominal().fit.parameters[1];
+    diagnosis.session_gain_sd = data_.covariance().log_gain_sd();
+    diagnosis.session_friction_sd = data_.covariance().friction_sd();
+    diagnosis.log_gain_error = log_gain_error();
     return diagnosis;
   }
 
@@ -243,6 +247,24 @@ class Report {
     return refits;
   }
 
+  /// By the noise that the model leaves.
+  [[nodiscard]] double log_gain_error() const {
+    const ForceFit& model = search_.model().fit;
+    const std::vector<std::vector<double>> left_N = data_.residuals_N(model);
+    double information = 0;
+    std::vector<double> force_N;
+    for (std::size_t j = 0; j < left_N.size(); ++j) {
+      predict_input(data_.records()[j], data_.kinematics()[j], model.terms, data_.scales(),
+                    model.parameters, force_N);
+      const auto samples = static_cast<double>(std::ranges::count(data_.records()[j].used, true));
+      const double noise_N2 = data_.covariance().weighted_square(j, vector_of(left_N[j])) /
+                              samples * inflation_of(vector_of(left_N[j]));
+      information +=
+          data_.covariance().weighted_square(j, vector_of(force_N)) / std::max(noise_N2, 1e-300);
+    }
+    return 1 / std::sqrt(std::max(information, 1e-300));
+  }
+
   static double density(double rmse_N) {
     return -std::log(rmse_N) - std::log(2 * std::numbers::pi) / 2 - 0.5;
   }
@@ -384,11 +406,15 @@ class Report {
               : "";
     std::string text;
     if (ids.empty()) {
-      text =
-          findings.verdict == Verdict::none
-              ? "In newtons, no effect of the catalogue gains on sessions that the fit never saw."
-              : "No effect of the catalogue explains what the recordings hold. " + most;
-      return text + few_sessions + doubts();
+      text = findings.verdict == Verdict::none
+                 ? fmt::format(
+                       "Nothing in {} recordings disagrees with the model beyond noise and "
+                       "the scatter of sessions.",
+                       data_.records().size())
+                 : "No effect of the catalogue explains what the recordings hold. " + most +
+                       how_far(findings.steps);
+      return text + few_sessions +
+             doubts(data_.records(), search_.model().fit.parameters, nominal_);
     }
     text = fmt::format(
         "{}: with {} the error of the input force on sessions that the fit never saw is {:.3g} N "
@@ -399,52 +425,7 @@ class Report {
       text += fmt::format(" In place of {} it may be {}.", same.front(),
                           fmt::join(same.begin() + 1, same.end(), " or "));
     }
-    return text + doubts();
-  }
-
-  /// What a user may have got wrong before any physics does.
-  [[nodiscard]] std::string doubts() const {
-    constexpr double kLogGain = 0.3;
-    constexpr double kTimesNominal = 3;
-    const ForceFit& model = search_.model().fit;
-    std::string text;
-    if (std::abs(std::log(model.parameters[0])) > kLogGain) {
-      text += fmt::format(
-          " The input force is {:.3g} times what the model has: are its unit, the "
-          "radius and the torque constant right?",
-          model.parameters[0]);
-    }
-    if (nominal_.sheath &&
-        model.parameters[1] > kTimesNominal * nominal_.sheath->friction_coefficient) {
-      text +=
-          fmt::format(" Friction is {:.3g} times the nominal one: are bend angle and units right?",
-                      model.parameters[1] / nominal_.sheath->friction_coefficient);
-    }
-    double product = 0;
-    double moved_square = 0;
-    double square = 0;
-    for (const ForceRecord& record : data_.records()) {
-      for (std::size_t i = 1; i < record.samples(); ++i) {
-        const double moved_m = record.position_m[i] - record.position_m[i - 1];
-        const double expected_m = (record.velocity_m_s[i] + record.velocity_m_s[i - 1]) / 2 *
-                                  (record.time_s[i] - record.time_s[i - 1]);
-        product += moved_m * expected_m;
-        moved_square += moved_m * moved_m;
-        square += expected_m * expected_m;
-      }
-    }
-    constexpr double kOpposite = -0.5;
-    constexpr double kScale = 1.3;
-    const double scale = std::sqrt(moved_square / std::max(square, 1e-300));
-    if (product < kOpposite * std::sqrt(moved_square * square)) {
-      text += " Velocity runs against the position: one of the two has the wrong sign.";
-    } else if (product > 0 && (scale > kScale || scale < 1 / kScale)) {
-      text += fmt::format(
-          " The position moves {:.3g} times as far as the velocity says: are their "
-          "units, the radius and the ratio of the gear right?",
-          scale);
-    }
-    return text;
+    return text + doubts(data_.records(), search_.model().fit.parameters, nominal_);
   }
 
   [[nodiscard]] double damage_ratio() const {
@@ -565,20 +546,11 @@ class Report {
 
 }  // namespace
 
-std::string correction_prose(const Correction& correction) {
-  return fmt::format(
-      " What is left repeats in sessions that nothing was fitted to: a correction over {} by "
-      "direction, which is no cause, takes the error of the input force on them from {:.3g} N to "
-      "{:.3g} N.",
-      correction.covariate, correction.before_N, correction.after_N);
-}
-
 TensionDiagnosis diagnose_forces(const std::vector<ForceRecord>& records,
                                  const NominalModel& nominal, const reference::Constants& constants,
                                  const DiagnoseOptions& options) {
   ForceData data(records);
-  ForceSearch search(data, nominal.sheath ? nominal.sheath->friction_coefficient : 0.1,
-                     options.without, options.threads);
+  ForceSearch search(data, nominal.sheath ? nominal.sheath->friction_coefficient : 0.1, options);
   search.run();
   return Report(data, search, nominal, constants, options.seed).diagnosis();
 }

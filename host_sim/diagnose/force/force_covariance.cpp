@@ -33,19 +33,6 @@ Eigen::MatrixX2d directions_of(const ForceRecord& record, const ForceScales& sca
 constexpr double kMostLogGain = 0.03;
 constexpr double kMostFriction = 0.1;
 
-/// By how much fewer samples residuals count that go on from one to the next.
-double inflation_of(const Eigen::VectorXd& residuals) {
-  constexpr double kMost = 0.98;
-  const Eigen::Index count = residuals.size();
-  const double square = residuals.squaredNorm();
-  if (count < 2 || square == 0) {
-    return 1;
-  }
-  const double correlation =
-      std::clamp(residuals.head(count - 1).dot(residuals.tail(count - 1)) / square, 0.0, kMost);
-  return (1 + correlation) / (1 - correlation);
-}
-
 /// Gain and friction that one session has beside the model, how surely, and what they leave.
 struct RefitOfSession : ForceCovariance::Refit {
   Eigen::VectorXd left_N;
@@ -164,6 +151,18 @@ NoiseVariance noise_of(std::span<const ForceRecord> records,
 
 }  // namespace
 
+double inflation_of(const Eigen::VectorXd& residuals) {
+  constexpr double kMost = 0.98;
+  const Eigen::Index count = residuals.size();
+  const double square = residuals.squaredNorm();
+  if (count < 2 || square == 0) {
+    return 1;
+  }
+  const double correlation =
+      std::clamp(residuals.head(count - 1).dot(residuals.tail(count - 1)) / square, 0.0, kMost);
+  return (1 + correlation) / (1 - correlation);
+}
+
 ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const ForceScales& scales,
                                  std::span<const double> parameters,
                                  const std::vector<std::vector<double>>& residuals_N,
@@ -248,6 +247,17 @@ ForceCovariance::Refit ForceCovariance::refit(
   }
   const Eigen::VectorXd& weights = weights_[record];
   return refit_of(weights.cwiseInverse().asDiagonal() * along_N_[record], weights, residuals_N);
+}
+
+Eigen::Array2d ForceCovariance::squares(std::size_t record) const {
+  if (record >= along_N_.size()) {
+    return Eigen::Array2d::Zero();
+  }
+  return (weights_[record].cwiseInverse().asDiagonal() * along_N_[record].cwiseAbs2())
+      .colwise()
+      .sum()
+      .transpose()
+      .array();
 }
 
 Eigen::VectorXd ForceCovariance::beside_scatter(

@@ -13,6 +13,9 @@ inline Eigen::Map<const Eigen::VectorXd> vector_of(const std::vector<double>& va
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
+/// By how much fewer samples residuals count that go on from one to the next, 1 or more.
+double inflation_of(const Eigen::VectorXd& residuals);
+
 /// How residuals of the input force covary: noise of each sample that grows with the force and with
 /// how fast it changes, and within a session what gain and friction coefficient do that scatter
 /// between sessions.
@@ -46,6 +49,10 @@ class ForceCovariance {
   /// @param residuals_N that the model leaves
   [[nodiscard]] Refit refit(std::size_t record,
                             const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const;
+
+  /// Of one record, the sum of squares of what a unit of ln gain and of friction does to the input
+  /// force, by the weight of samples.
+  [[nodiscard]] Eigen::Array2d squares(std::size_t record) const;
 
   /// Standard deviations of ln gain and friction of which any more has a cause.
   [[nodiscard]] const Eigen::Array2d& most_scatter() const { return most_scatter_; }

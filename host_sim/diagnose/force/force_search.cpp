@@ -65,11 +65,9 @@ double Judged::probability(std::size_t sessions, const ForceScales& scales) cons
   return gain.z > 0 && gain.any() ? 1 / (1 + std::exp(-log_odds)) : 0;
 }
 
-ForceSearch::ForceSearch(ForceData& data, double friction, std::vector<std::string> without,
-                         unsigned threads)
+ForceSearch::ForceSearch(ForceData& data, double friction, const DiagnoseOptions& options)
     : data_(data),
-      without_(std::move(without)),
-      threads_(threads),
+      options_(options),
       covariates_(force_covariates(data.records())),
       nominal_{data.fit({}, {1, friction}, kNominalIterations), {}} {
   for (const ForceCovariate& covariate : covariates_) {
@@ -80,17 +78,28 @@ ForceSearch::ForceSearch(ForceData& data, double friction, std::vector<std::stri
 }
 
 void ForceSearch::run() {
+  constexpr double kOfGrowing = 0.3;
+  constexpr double kOfPruning = 0.1;
+  report(0);
   for (int round = 0; round < 2; ++round) {
     learn_covariance(round > 0);
     while (model_.fit.terms.size() < kMostForceTerms && grow()) {
     }
+    report(kOfGrowing * (round + 1));
   }
   for (int round = 0; round < kRounds; ++round) {
     while (prune()) {
     }
+    report(2 * kOfGrowing + kOfPruning * (round + 1));
     if (!exchange(round + 1 < kRounds)) {
       break;
     }
+  }
+}
+
+void ForceSearch::report(double share) const {
+  if (options_.progress) {
+    options_.progress(share);
   }
 }
 
@@ -125,7 +134,8 @@ std::vector<ForceSearch::Candidate> ForceSearch::stairs() const {
       all_so_far = false;
       Candidate next{
           data_.finished(
-              data_.started(stairs.back().fit, std::span(&added.term, 1), threads_).front()),
+              data_.started(stairs.back().fit, std::span(&added.term, 1), options_.threads)
+                  .front()),
           {}};
       next.held = data_.held_out(next.fit);
       stairs.push_back(std::move(next));
@@ -149,7 +159,8 @@ std::vector<ForceTerm> ForceSearch::outside(const ForceTerms& taken) const {
              (definition_of(one).of == ForceEffect::Of::time &&
               definition_of(term).of == ForceEffect::Of::time);
     };
-    const bool wanted = std::ranges::find(without_, definition_of(term).id) == without_.end();
+    const bool wanted =
+        std::ranges::find(options_.without, definition_of(term).id) == options_.without.end();
     if (wanted && is_shown(term, data_.records()) && std::ranges::none_of(taken, same) &&
         !parameters_of(term, data_.scales()).empty()) {
       terms.push_back(term);
@@ -165,13 +176,14 @@ std::vector<ForceSearch::Candidate> ForceSearch::with_each(
   constexpr std::size_t kFinished = 5;
   const auto by_squares = [](const Candidate& one) { return one.fit.square_N2; };
   std::vector<Candidate> all;
-  for (ForceFit& fit : data_.started(from, terms, threads_)) {
+  for (ForceFit& fit : data_.started(from, terms, options_.threads)) {
     all.push_back({std::move(fit), {}});
   }
   std::ranges::sort(all, {}, by_squares);
   all.resize(std::min(all.size(), kFinished));
   statistics::parallel_for(
-      all.size(), [&](std::size_t i) { all[i].fit = data_.finished(all[i].fit); }, threads_);
+      all.size(), [&](std::size_t i) { all[i].fit = data_.finished(all[i].fit); },
+      options_.threads);
   std::erase_if(all, [&](const Candidate& one) {
     return !data_.is_physical(one.fit, one.fit.terms.size() - 1);
   });
@@ -188,7 +200,7 @@ void ForceSearch::hold_out(std::vector<Candidate>& all) const {
         seen[i / folds][i % folds] =
             data_.fold_fit(all[i / folds].fit, static_cast<int>(i % folds));
       },
-      threads_);
+      options_.threads);
   for (std::size_t i = 0; i < all.size(); ++i) {
     all[i].held = data_.held_out(seen[i]);
   }
@@ -210,9 +222,24 @@ bool ForceSearch::grow() {
   if (best == all.end()) {
     return false;
   }
-  model_ = std::move(*best);
+  model_ = std::move(*first_law_as_good(all, best));
   added_.push_back({model_.fit.terms.back(), model_});
   return true;
+}
+
+/// Of laws of one effect the first one in the catalogue, unless another is seen to be better.
+std::vector<ForceSearch::Candidate>::iterator ForceSearch::first_law_as_good(
+    std::vector<Candidate>& all, std::vector<Candidate>::iterator best) const {
+  auto first = best;
+  for (auto one = all.begin(); one != all.end(); ++one) {
+    const ForceTerm term = one->fit.terms.back();
+    if (term < first->fit.terms.back() &&
+        definition_of(term).id == definition_of(best->fit.terms.back()).id &&
+        data_.gain_of(one->held, best->held, false).z < kSeen) {
+      first = one;
+    }
+  }
+  return first;
 }
 
 /// Whether a term is certain, material, within the bounds of physics and more than samples resolve.
@@ -245,7 +272,8 @@ bool ForceSearch::prune() {
   judged_.assign(model_.fit.terms.size(), {});
   std::vector<Candidate> all(model_.fit.terms.size());
   statistics::parallel_for(
-      all.size(), [&](std::size_t i) { all[i].fit = data_.without(model_.fit, i); }, threads_);
+      all.size(), [&](std::size_t i) { all[i].fit = data_.without(model_.fit, i); },
+      options_.threads);
   hold_out(all);
   left_ = structure_of(data_, bins_, model_.fit);
   std::optional<std::size_t> least;
@@ -290,13 +318,14 @@ bool ForceSearch::exchange(bool allowed) {
       if (lost.plain_N2 >= judged_[place].gain.plain_N2) {
         continue;  // takes nothing off by itself
       }
-      if (allowed && lost.log_odds < -kOdds) {
+      const bool other_law =
+          definition_of(one.fit.terms.back()).id == definition_of(judged_[place].term).id;
+      if (allowed && lost.log_odds < -kOdds && (!other_law || lost.z < -kSeen)) {
         added_.push_back({one.fit.terms.back(), std::nullopt});
         model_ = std::move(one);
         return true;
       }
-      if (definition_of(one.fit.terms.back()).id != definition_of(judged_[place].term).id &&
-          (lost.log_odds < kOdds || alike(place, one.fit.terms.back(), lost))) {
+      if (!other_law && (lost.log_odds < kOdds || alike(place, one.fit.terms.back(), lost))) {
         judged_[place].others.push_back(one.fit.terms.back());
       }
     }

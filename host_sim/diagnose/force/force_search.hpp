@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/diagnose/diagnosis.hpp"
 #include "host_sim/diagnose/force/force_fit.hpp"
 #include "host_sim/diagnose/force/structure.hpp"
 
@@ -37,8 +38,7 @@ class ForceSearch {
   };
 
   /// @param friction coefficient that the nominal model starts with
-  /// @param without ids of effects that are left out
-  ForceSearch(ForceData& data, double friction, std::vector<std::string> without, unsigned threads);
+  ForceSearch(ForceData& data, double friction, const DiagnoseOptions& options);
 
   void run();
 
@@ -61,12 +61,15 @@ class ForceSearch {
     std::optional<Candidate> grown;  ///< from the one added before; none: it took a place
   };
 
+  void report(double share) const;
   void learn_covariance(bool with_timing);
   [[nodiscard]] std::vector<ForceTerm> outside(const ForceTerms& taken) const;
   [[nodiscard]] std::vector<Candidate> with_each(const ForceFit& from,
                                                  const std::vector<ForceTerm>& terms) const;
   void hold_out(std::vector<Candidate>& all) const;
   bool grow();
+  [[nodiscard]] std::vector<Candidate>::iterator first_law_as_good(
+      std::vector<Candidate>& all, std::vector<Candidate>::iterator best) const;
   bool prune();
   [[nodiscard]] bool stays(std::size_t place) const;
   [[nodiscard]] bool alike(std::size_t place, ForceTerm other, const PairedGain& lost) const;
@@ -74,8 +77,7 @@ class ForceSearch {
   [[nodiscard]] std::vector<Candidate> in_place_of(std::size_t place) const;
 
   ForceData& data_;
-  std::vector<std::string> without_;
-  unsigned threads_;
+  const DiagnoseOptions& options_;
   std::vector<ForceCovariate> covariates_;
   std::vector<CovariateBins> bins_;  ///< of each covariate
   Candidate nominal_;

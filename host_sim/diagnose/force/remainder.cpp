@@ -2,8 +2,8 @@
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -65,48 +65,6 @@ class SessionTrend {
   Eigen::MatrixX2d values_;
   Eigen::MatrixXd parabola_ = Eigen::MatrixXd(values_.rows(), 0);
 };
-
-std::vector<ForceCovariance::Refit> refits_of(const ForceData& data, const ForceFit& model) {
-  const std::vector<std::vector<double>> residuals_N = data.residuals_N(model);
-  std::vector<ForceCovariance::Refit> all;
-  all.reserve(residuals_N.size());
-  for (std::size_t j = 0; j < residuals_N.size(); ++j) {
-    all.push_back(data.covariance().refit(j, vector_of(residuals_N[j])));
-  }
-  return all;
-}
-
-/// Whether gain or friction of sessions scatters by more than it may without a cause: the larger
-/// sum of squares in terms of that, and the chance of it.
-struct ScatterTest {
-  double statistic = 0;
-  double p = 1;
-};
-
-ScatterTest scatter_test(const ForceData& data, const ForceFit& model) {
-  const std::vector<ForceCovariance::Refit> refits = refits_of(data, model);
-  const auto sessions = static_cast<double>(refits.size());
-  const Eigen::Array2d most = data.covariance().most_scatter();
-  if (sessions < 2 || !(most > 0).all()) {
-    return {};
-  }
-  ScatterTest test;
-  for (Eigen::Index k = 0; k < 2; ++k) {
-    double weights = 0;
-    double sum = 0;
-    double square = 0;
-    for (const ForceCovariance::Refit& refit : refits) {
-      const double weight = 1 / (most[k] * most[k] + refit.variance(k));
-      weights += weight;
-      sum += weight * refit.value(k);
-      square += weight * refit.value(k) * refit.value(k);
-    }
-    test.statistic = std::max(test.statistic, square - sum * sum / weights);
-  }
-  const boost::math::chi_squared chance(sessions - 1);
-  test.p = std::min(1.0, 2 * boost::math::cdf(boost::math::complement(chance, test.statistic)));
-  return test;
-}
 
 /// What one model leaves against each covariate.
 class CovariateTest {
@@ -239,6 +197,24 @@ std::vector<RemainderPicture> pictures_of(const ForceCovariate& covariate,
   return pictures;
 }
 
+/// Places of the covariate that shows most, and of those that the nominal model leaves most against
+/// or the model does, as far as chance does not.
+std::vector<std::size_t> pictured(const std::vector<double>& before_p,
+                                  const std::vector<double>& after_p, std::size_t most) {
+  constexpr std::size_t kMost = 3;
+  std::vector<std::size_t> others;
+  const auto p = [&](std::size_t i) { return std::min(before_p[i], after_p[i]); };
+  for (std::size_t i = 0; i < before_p.size(); ++i) {
+    if (i != most && p(i) < kRare) {
+      others.push_back(i);
+    }
+  }
+  std::ranges::stable_sort(others, {}, p);
+  others.insert(others.begin(), most);
+  others.resize(std::min(others.size(), kMost));
+  return others;
+}
+
 double mean_square(const ForceData& data, const std::vector<std::vector<double>>& residuals_N) {
   double square_N2 = 0;
   for (const std::vector<double>& of_record : residuals_N) {
@@ -274,13 +250,19 @@ ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, cons
     }
   }
   remainder.share = repeated_N2 / std::max(mean_square(data, after.residuals_N()), 1e-300);
-  const ScatterTest scatter = scatter_test(data, model);
+  const SessionScatter scatter = session_scatter_of(data, model);
+  if (scatter.p < remainder.p) {
+    remainder.covariate = kSession;
+    remainder.p = scatter.p;
+  }
   remainder.discrepancies.push_back(
-      {"session", scatter.statistic, scatter_test(data, nominal).p, scatter.p});
+      {std::string(kSession), scatter.statistic, session_scatter_of(data, nominal).p, scatter.p});
   remainder.stands = (repeats_p < kRare && remainder.share >= kLeastRemainder) ||
                      std::min(moves_p, scatter.p) < kRare;
-  remainder.pictures =
-      pictures_of(covariates[most], bins[most], before.means(most), after.means(most));
+  for (const std::size_t i : pictured(before.p(), after.p(), most)) {
+    std::ranges::move(pictures_of(covariates[i], bins[i], before.means(i), after.means(i)),
+                      std::back_inserter(remainder.pictures));
+  }
   return remainder;
 }
 

@@ -10,6 +10,9 @@
 
 namespace host_sim::diagnose {
 
+/// The name of what sessions differ in that no covariate holds.
+inline constexpr std::string_view kSession = "session";
+
 /// What a model leaves that is the same in all sessions, or goes with what they differ in.
 struct ForceRemainder {
   std::string_view covariate;  ///< that it depends on most
@@ -18,7 +21,7 @@ struct ForceRemainder {
                      ///< repeats
   bool stands = false;  ///< chance does not show it, and noise does not leave as much
   std::vector<Discrepancy> discrepancies;  ///< of each covariate
-  std::vector<RemainderPicture> pictures;  ///< against that covariate, before and after
+  std::vector<RemainderPicture> pictures;  ///< against that covariate first, before and after
 };
 
 /// What repeats is compared with signs of sessions that are turned over at random; gain and

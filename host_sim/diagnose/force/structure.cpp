@@ -1,6 +1,7 @@
 #include "host_sim/diagnose/force/structure.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <numeric>
 
@@ -168,6 +169,50 @@ std::vector<std::vector<double>> beside_scatter_N(const ForceData& data, const F
   return residuals_N;
 }
 
+std::vector<ForceCovariance::Refit> refits_of(const ForceData& data, const ForceFit& model) {
+  const std::vector<std::vector<double>> residuals_N = data.residuals_N(model);
+  std::vector<ForceCovariance::Refit> all;
+  all.reserve(residuals_N.size());
+  for (std::size_t j = 0; j < residuals_N.size(); ++j) {
+    all.push_back(data.covariance().refit(j, vector_of(residuals_N[j])));
+  }
+  return all;
+}
+
+SessionScatter session_scatter_of(const ForceData& data, const ForceFit& model) {
+  const std::vector<ForceCovariance::Refit> refits = refits_of(data, model);
+  const auto sessions = static_cast<double>(refits.size());
+  const Eigen::Array2d most = data.covariance().most_scatter();
+  if (sessions < 2 || !(most > 0).all()) {
+    return {};
+  }
+  const boost::math::chi_squared chance(sessions - 1);
+  SessionScatter scatter;
+  for (Eigen::Index k = 0; k < 2; ++k) {
+    double weights = 0;
+    double sum = 0;
+    double square = 0;
+    double squares_N2 = 0;
+    for (std::size_t j = 0; j < refits.size(); ++j) {
+      const double weight = 1 / (most[k] * most[k] + refits[j].variance(k));
+      weights += weight;
+      sum += weight * refits[j].value(k);
+      square += weight * refits[j].value(k) * refits[j].value(k);
+      squares_N2 += data.covariance().squares(j)[k];
+    }
+    const double statistic = square - sum * sum / weights;
+    const double p =
+        std::min(1.0, 2 * boost::math::cdf(boost::math::complement(chance, statistic)));
+    scatter.statistic = std::max(scatter.statistic, statistic);
+    scatter.p = std::min(scatter.p, p);
+    if (p < SessionScatter::kRare) {
+      scatter.beyond_N2 +=
+          (statistic / (sessions - 1) - 1) * most[k] * most[k] * squares_N2 / data.samples();
+    }
+  }
+  return scatter;
+}
+
 Structure structure_of(const ForceData& data, const std::vector<CovariateBins>& bins,
                        const ForceFit& model) {
   const std::vector<std::vector<double>> beside_N = beside_scatter_N(data, model);
@@ -183,8 +228,10 @@ Structure structure_of(const ForceData& data, const std::vector<CovariateBins>& 
     beside.emplace_back(data, of_covariate, beside_N, data.covariance());
     all.emplace_back(data, of_covariate, all_N, data.covariance());
   }
-  return {.repeats_N2 = most_repeated(all),
-          .beside_scatter_N2 = std::max(most_repeated(beside), going_on(data, beside_N))};
+  const double beyond_N2 = session_scatter_of(data, model).beyond_N2;
+  return {
+      .repeats_N2 = most_repeated(all) + beyond_N2,
+      .beside_scatter_N2 = std::max(most_repeated(beside), going_on(data, beside_N)) + beyond_N2};
 }
 
 }  // namespace host_sim::diagnose

@@ -49,7 +49,21 @@ Spread spread_of(const std::vector<double>& values_N);
 /// What gain and friction that suit each session leave, by record and sample.
 std::vector<std::vector<double>> beside_scatter_N(const ForceData& data, const ForceFit& model);
 
-/// Mean squares of what a model leaves and is no noise, by the weight of samples.
+/// Gain and friction that suit each session beside a model.
+std::vector<ForceCovariance::Refit> refits_of(const ForceData& data, const ForceFit& model);
+
+/// Whether gain or friction of sessions scatters by more than it may without a cause.
+struct SessionScatter {
+  static constexpr double kRare = 0.01;
+
+  double statistic = 0;  ///< the larger sum of squares, in terms of what it may be
+  double p = 1;          ///< the chance of that
+  double beyond_N2 = 0;  ///< mean square of what is more than it may be, where that is rare
+};
+SessionScatter session_scatter_of(const ForceData& data, const ForceFit& model);
+
+/// Mean squares of what a model leaves and is no noise, by the weight of samples. What sessions
+/// scatter by more than they may is a part of both.
 struct Structure {
   double repeats_N2 = 0;  ///< the same in all sessions, over the covariate that shows most of it
   /// Of what gain and friction of sessions leave, that or what goes on for an eighth of the time

@@ -10,14 +10,13 @@ namespace {
 namespace current_offset {
 
 constexpr Parameter kParameters[] = {
-    {.name = "offset_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1, .expected = 1},
+    {.name = "offset_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
     {.name = "current_offset_A",
      .unit = "A",
      .minimum = -0.5,
      .maximum = 0.5,
      .typical = 0.05,
-     .scaled_by_share = true,
-     .model_error = 0.005},
+     .scaled_by_share = true},
 };
 
 constexpr Separation kSeparations[] = {
@@ -36,7 +35,7 @@ Columns columns(const recording::Covariates& covariates, const Baseline& baselin
   const double offset_A = shape[0];
   return {column_of(covariates, [&](std::size_t i) {
     const double mid_A = covariates.current_A[i] * to_mid_tension(covariates, baseline, i);
-    return log_of_difference(offset_A / mid_A, input_noise_share(covariates, i));
+    return log_of_difference(offset_A / mid_A);
   })};
 }
 
@@ -73,14 +72,13 @@ TensionDefinition definition() {
 namespace filter_lag {
 
 constexpr Parameter kParameters[] = {
-    {.name = "lag_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1, .expected = 1},
+    {.name = "lag_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
     {.name = "lag_s",
      .unit = "s",
      .minimum = -0.05,
      .maximum = 0.05,
      .typical = 0.005,
-     .scaled_by_share = true,
-     .model_error = 0.02},
+     .scaled_by_share = true},
 };
 
 constexpr Separation kSeparations[] = {
@@ -153,7 +151,6 @@ TensionDefinition definition() {
           .parameters = kParameters,
           .separations = kSeparations,
           .needs = kNeeds,
-          .at_reversals = true,
           .shapes = {{-0.04},
                      {-0.02},
                      {-0.01},
@@ -199,7 +196,6 @@ TensionDefinition definition() {
           .separations = kSeparations,
           .needs = kNeeds,
           .acts_on_current = true,
-          .shifts_sessions = true,
           .columns = columns};
 }
 
@@ -210,7 +206,7 @@ namespace torque_gain {
 constexpr double kLeastGain = 0.05;
 
 constexpr Parameter kParameters[] = {
-    {.name = "droop_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1, .expected = 1},
+    {.name = "droop_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
     {.name = "droop_1_K",
      .unit = "1/K",
      .minimum = 0,
@@ -248,7 +244,6 @@ TensionDefinition definition() {
           .separations = kSeparations,
           .needs = kNeeds,
           .acts_on_current = true,
-          .shifts_sessions = true,
           .shapes = {{1.5e-4}, {3e-4}, {6e-4}, {1.2e-3}, {2.5e-3}, {5e-3}},
           .columns = columns};
 }
@@ -293,7 +288,6 @@ TensionDefinition definition() {
       .needs = kNeeds,
       .acts_on_current = true,
       .shapes = {{1}, {2}, {3}, {4}, {5}, {6}, {7}, {8}, {10}, {12}, {14}, {16}, {18}, {21}, {24}},
-      .whole_shapes = true,
       .columns = columns};
 }
 

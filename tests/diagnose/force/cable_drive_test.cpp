@@ -6,11 +6,12 @@
 #include <filesystem>
 
 #include "host_sim/campaign/campaign.hpp"
-#include "host_sim/diagnose/tension/diagnose_recorded.hpp"
+#include "host_sim/diagnose/diagnosis.hpp"
+#include "host_sim/diagnose/sessions.hpp"
 #include "host_sim/recording/import.hpp"
 #include "tests/recording/support.hpp"
 
-namespace host_sim::diagnose::testing {
+namespace host_sim::diagnose {
 
 using hal::files::open_source;
 
@@ -62,7 +63,7 @@ TEST(DiagnoseCableDrive, TakesOffTheErrorOfCapstanStepByStep) {
                             folder / "drive");
   const Campaign campaign = read_campaign(folder / "drive");
   const RecordedSessions recorded = recorded_sessions(campaign);
-  const Findings findings = diagnose_recorded(campaign, recorded, {}).findings;
+  const Findings findings = diagnose_tension(campaign, {}).findings;
   EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
   std::vector<std::string> written;
   for (const Extension& extension : findings.extensions) {
@@ -93,10 +94,13 @@ TEST(DiagnoseCableDrive, TakesOffTheErrorOfCapstanStepByStep) {
   EXPECT_LT(findings.steps.back().output_rmse_N, 0.5 * capstan.output_rmse_N);
   ASSERT_TRUE(findings.remainder);
   EXPECT_NEAR(kPulley_mm * findings.remainder->input_rmse_N, left_mNm, 1);
-  for (const Discrepancy& discrepancy : findings.discrepancies) {
-    EXPECT_LT(discrepancy.p, 0.01) << discrepancy.covariate;
+  for (const char* const covariate : {"travel", "position", "output tension"}) {
+    const auto found =
+        std::ranges::find(findings.discrepancies, covariate, &Discrepancy::covariate);
+    ASSERT_NE(found, findings.discrepancies.end()) << covariate;
+    EXPECT_LT(found->p, 0.01) << covariate;
   }
 }
 
 }  // namespace
-}  // namespace host_sim::diagnose::testing
+}  // namespace host_sim::diagnose
