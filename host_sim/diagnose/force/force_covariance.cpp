@@ -34,7 +34,8 @@ constexpr double kMostLogGain = 0.03;
 constexpr double kMostFriction = 0.1;
 
 /// Gain and friction that one session has beside the model, how surely, and what they leave.
-struct RefitOfSession : ForceCovariance::Refit {
+struct RefitOfSession {
+  ForceCovariance::Refit of;
   Eigen::VectorXd left_N;
   double inflation = 1;
 };
@@ -48,11 +49,11 @@ RefitOfSession refit_of(const Eigen::MatrixX2d& directions_N, const Eigen::Vecto
   square.diagonal().array() += 1e-30;
   const Eigen::Matrix2d inverse = square.inverse();
   RefitOfSession refit;
-  refit.value = inverse * (weighted_N.transpose() * residuals_N);
-  refit.left_N = residuals_N - directions_N * refit.value;
+  refit.of.value = inverse * (weighted_N.transpose() * residuals_N);
+  refit.left_N = residuals_N - directions_N * refit.of.value;
   refit.inflation = inflation_of(refit.left_N);
   const double noise_N2 = (weights.array() * refit.left_N.array().square()).mean();
-  refit.variance = inverse.diagonal() * noise_N2 * refit.inflation;
+  refit.of.variance = inverse.diagonal() * noise_N2 * refit.inflation;
   return refit;
 }
 
@@ -201,14 +202,14 @@ ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const For
   for (std::size_t j = 0; j < records.size(); ++j) {
     weights_[j] *= samples / sum;
     refits[j] = refit_of(directions_N[j], weights_[j], vector_of(residuals_N[j]));
-    mean += refits[j].value.array() / sessions;
+    mean += refits[j].of.value.array() / sessions;
     noise_N2 += (weights_[j].array() * refits[j].left_N.array().square()).sum() *
                 refits[j].inflation / samples;
   }
   Eigen::Array2d variance = Eigen::Array2d::Zero();
   for (const RefitOfSession& refit : refits) {
-    variance +=
-        (refit.value.array() - mean).square() / (sessions - 1) - refit.variance.array() / sessions;
+    variance += (refit.of.value.array() - mean).square() / (sessions - 1) -
+                refit.of.variance.array() / sessions;
   }
   most_scatter_ = {kMostLogGain, kMostFriction * parameters[1]};
   variance = variance.max(0).min(most_scatter_.square());
@@ -246,7 +247,7 @@ ForceCovariance::Refit ForceCovariance::refit(
     return {};
   }
   const Eigen::VectorXd& weights = weights_[record];
-  return refit_of(weights.cwiseInverse().asDiagonal() * along_N_[record], weights, residuals_N);
+  return refit_of(weights.cwiseInverse().asDiagonal() * along_N_[record], weights, residuals_N).of;
 }
 
 Eigen::Array2d ForceCovariance::squares(std::size_t record) const {

@@ -32,10 +32,10 @@ std::string correction_prose(const Correction& correction) {
 
 std::string doubts(std::span<const ForceRecord> records, std::span<const double> parameters,
                    const NominalModel& nominal) {
-  constexpr double kLogGain = 0.3;
+  constexpr double kDoubtfulLogGain = 0.3;
   constexpr double kTimesNominal = 3;
   std::string text;
-  if (std::abs(std::log(parameters[0])) > kLogGain) {
+  if (std::abs(std::log(parameters[0])) > kDoubtfulLogGain) {
     text += fmt::format(
         " The input force is {:.3g} times what the model has: are its unit, the "
         "radius and the torque constant right?",
