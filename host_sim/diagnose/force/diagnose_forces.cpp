@@ -50,7 +50,7 @@ double output_rmse_N(const ForceData& data, const ForceFit& model,
 /// A model as it is judged and as it is written.
 struct Extended {
   ForceFit fit;
-  std::vector<double> held_N2;
+  std::vector<std::vector<double>> held_N;  ///< residuals on sessions that the fit never saw
   std::optional<ForceCorrection> correction;
 };
 
@@ -75,7 +75,8 @@ class Report {
     add_effects(findings);
     findings.steps = steps();
     if (!search_.judged().empty() && !few()) {
-      findings.gain = gain_of({search_.model().fit, search_.model().held.plain_N2, std::nullopt});
+      findings.gain =
+          gain_of({search_.model().fit, search_.model().held.residuals_N, std::nullopt});
     }
     findings.remainder =
         Remainder{.share = share_left(),
@@ -84,7 +85,9 @@ class Report {
                   .covariate = std::string(remainder_.covariate),
                   .p = remainder_.p};
     findings.prose = sentences(findings);
-    withdraw_unless_improved(findings);
+    if (withdraw_unless_improved(findings)) {
+      findings.prose += no_gain_prose(findings);
+    }
     extend(diagnosis);
     add_traces(diagnosis);
     add_causes(diagnosis);
@@ -296,14 +299,47 @@ class Report {
     return steps;
   }
 
+  [[nodiscard]] double rmse_N(const std::vector<std::vector<double>>& residuals_N) const {
+    return data_.rmse_N(data_.mean_squares_N2(residuals_N));
+  }
+
   [[nodiscard]] HeldOutGain gain_of(const Extended& extended) const {
     const double before = search_.nominal_rmse_N();
-    const double after = data_.rmse_N(extended.held_N2);
-    return {.held_out_by = "session",
-            .metrics = {{"rmse_N", output_rmse_of({search_.nominal().fit, {}, std::nullopt}),
-                         output_rmse_of(extended)},
-                        {"input_rmse_N", before, after},
-                        {"log_predictive_density", density(before), density(after)}}};
+    const double after = rmse_N(extended.held_N);
+    HeldOutGain gain{.held_out_by = "session",
+                     .metrics = {{"rmse_N", output_rmse_of({search_.nominal().fit, {}, {}}),
+                                  output_rmse_of(extended)},
+                                 {"input_rmse_N", before, after},
+                                 {"log_predictive_density", density(before), density(after)}}};
+    const std::optional<double> damage_before =
+        damage_error_percent(search_.nominal().held.residuals_N);
+    const std::optional<double> damage_after = damage_error_percent(extended.held_N);
+    if (damage_before && damage_after) {
+      gain.metrics.push_back({"damage_error_percent", *damage_before, *damage_after});
+    }
+    return gain;
+  }
+
+  /// Magnitude of the error of the damage of a session, mean of those that do any; none of forces
+  /// that two tendons share.
+  [[nodiscard]] std::optional<double> damage_error_percent(
+      const std::vector<std::vector<double>>& residuals_N) const {
+    constexpr double kPercent = 100;
+    double sum = 0;
+    double sessions = 0;
+    for (std::size_t j = 0; j < residuals_N.size(); ++j) {
+      const ForceRecord& record = data_.records()[j];
+      std::vector<double> predicted_N = record.input_N;
+      for (std::size_t i = 0; i < predicted_N.size(); ++i) {
+        predicted_N[i] -= residuals_N[j][i];
+      }
+      const double measured = record.pulls_alone ? damage_of(record.input_N, constants_) : 0;
+      if (measured > 0) {
+        sum += std::abs(damage_of(predicted_N, constants_) / measured - 1);
+        sessions += 1;
+      }
+    }
+    return sessions > 0 ? std::optional(kPercent * sum / sessions) : std::nullopt;
   }
 
   /// What the causes leave, and without any the nominal model, gets a correction. A written model
@@ -312,7 +348,7 @@ class Report {
     Findings& findings = diagnosis.findings;
     const bool named = findings.verdict == Verdict::named;
     const ForceSearch::Candidate& by = named ? search_.model() : search_.nominal();
-    extended_ = {by.fit, by.held.plain_N2, std::nullopt};
+    extended_ = {by.fit, by.held.residuals_N, std::nullopt};
     if (findings.verdict != Verdict::none && !few()) {
       extended_ = corrected(std::move(extended_));
     }
@@ -325,7 +361,7 @@ class Report {
       }
     }
     if (written.fit.terms != extended_.fit.terms) {
-      written.held_N2 = data_.held_out(written.fit).plain_N2;
+      written.held_N = data_.held_out(written.fit).residuals_N;
       written = corrected(std::move(written));
     }
     for (std::size_t i = 0; i < written.fit.terms.size(); ++i) {
@@ -342,7 +378,7 @@ class Report {
           Correction{.covariate = std::string(covariates_[extended_.correction->covariate].name),
                      .knots = extended_.correction->table.knots.size(),
                      .before_N = data_.rmse_N(by.held.plain_N2),
-                     .after_N = data_.rmse_N(extended_.held_N2)};
+                     .after_N = rmse_N(extended_.held_N)};
       findings.prose += correction_prose(*findings.correction);
     }
     if (!findings.extensions.empty()) {
@@ -353,9 +389,9 @@ class Report {
   /// Its correction with it, where that gains on sessions that nothing was fitted to.
   [[nodiscard]] Extended corrected(Extended extended) const {
     extended.correction =
-        correction_of(data_, extended.fit, extended.held_N2, covariates_, rotor_known());
+        correction_of(data_, extended.fit, extended.held_N, covariates_, rotor_known());
     if (extended.correction) {
-      extended.held_N2 = extended.correction->held_N2;
+      extended.held_N = extended.correction->held_N;
     }
     return extended;
   }

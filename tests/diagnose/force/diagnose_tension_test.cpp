@@ -172,6 +172,10 @@ TEST_F(DiagnoseTension, NamesWhatIsHiddenAndMeasuresWhatMendingItGains) {
   ASSERT_FALSE(findings.gain.metrics.empty());
   EXPECT_EQ(findings.gain.metrics[0].name, "rmse_N");
   EXPECT_LT(findings.gain.metrics[0].after, 0.8 * findings.gain.metrics[0].before);
+  const auto damage =
+      std::ranges::find(findings.gain.metrics, "damage_error_percent", &Metric::name);
+  ASSERT_NE(damage, findings.gain.metrics.end());
+  EXPECT_LT(damage->after, 0.8 * damage->before);
   EXPECT_NE(diagnosis.damage_ratio, 1);
   EXPECT_THAT(diagnosis.traces, ::testing::Not(IsEmpty()));
   EXPECT_THAT(diagnosis.remainders, ::testing::Not(IsEmpty()));
