@@ -268,8 +268,14 @@ class Report {
     return 1 / std::sqrt(std::max(information, 1e-300));
   }
 
-  static double density(double rmse_N) {
-    return -std::log(rmse_N) - std::log(2 * std::numbers::pi) / 2 - 0.5;
+  /// ln, of a sample beside the gain and friction that scatter between sessions.
+  /// @param held_N residuals on sessions that the fit never saw
+  [[nodiscard]] double density(const std::vector<std::vector<double>>& held_N) const {
+    double square_N2 = 0;
+    for (std::size_t j = 0; j < held_N.size(); ++j) {
+      square_N2 += data_.covariance().product(j, vector_of(held_N[j]), vector_of(held_N[j]))(0, 0);
+    }
+    return -std::log(2 * std::numbers::pi * square_N2 / data_.samples()) / 2 - 0.5;
   }
 
   [[nodiscard]] std::vector<Step> steps() const {
@@ -279,7 +285,7 @@ class Report {
       Step step{.effect = {},
                 .output_rmse_N = output_rmse_of({stairs_[i].fit, {}, std::nullopt}),
                 .input_rmse_N = rmse_N,
-                .log_predictive_density = density(rmse_N),
+                .log_predictive_density = density(stairs_[i].held.residuals_N),
                 .sessions = static_cast<int>(data_.records().size())};
       if (i > 0) {
         const std::vector<double>& before_N2 = stairs_[i - 1].held.beside_scatter_N2;
@@ -306,11 +312,13 @@ class Report {
   [[nodiscard]] HeldOutGain gain_of(const Extended& extended) const {
     const double before = search_.nominal_rmse_N();
     const double after = rmse_N(extended.held_N);
-    HeldOutGain gain{.held_out_by = "session",
-                     .metrics = {{"rmse_N", output_rmse_of({search_.nominal().fit, {}, {}}),
-                                  output_rmse_of(extended)},
-                                 {"input_rmse_N", before, after},
-                                 {"log_predictive_density", density(before), density(after)}}};
+    HeldOutGain gain{
+        .held_out_by = "session",
+        .metrics = {
+            {"rmse_N", output_rmse_of({search_.nominal().fit, {}, {}}), output_rmse_of(extended)},
+            {"input_rmse_N", before, after},
+            {"log_predictive_density", density(search_.nominal().held.residuals_N),
+             density(extended.held_N)}}};
     const std::optional<double> damage_before =
         damage_error_percent(search_.nominal().held.residuals_N);
     const std::optional<double> damage_after = damage_error_percent(extended.held_N);

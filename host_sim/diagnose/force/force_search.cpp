@@ -42,6 +42,10 @@ constexpr double kLawError = 0.02;
 /// The same of a lag and a delay: how a force turns between samples is known to neither.
 constexpr double kTimeError = 0.05;
 
+/// Of the squared error of sessions, plain as they are, which scatter: an effect may look worse by
+/// that much, 2 % of the error.
+constexpr double kNotWorse = 0.04;
+
 constexpr double kPrior = 0.05;  ///< of an effect of the catalogue
 
 /// Of what an effect takes off, what gain and friction that suit each session leave of it where it
@@ -242,6 +246,10 @@ std::vector<ForceSearch::Candidate>::iterator ForceSearch::first_law_as_good(
   return first;
 }
 
+double ForceSearch::not_worse_N2() const {
+  return kNotWorse * rmse_N() * rmse_N();
+}
+
 /// Whether a term is certain, material, within the bounds of physics and more than samples resolve.
 bool ForceSearch::stays(std::size_t place) const {
   const Judged& one = judged_[place];
@@ -260,7 +268,8 @@ bool ForceSearch::stays(std::size_t place) const {
   const auto material = [&](double taken_N2, std::span<const double> noise_N2, double left_N2) {
     return taken_N2 >= least * std::pow(data_.rmse_N(noise_N2), 2) && taken_N2 >= share * left_N2;
   };
-  return told_apart && data_.is_physical(model_.fit, place) && one.gain.plain_N2 > 0 &&
+  return told_apart && data_.is_physical(model_.fit, place) &&
+         one.gain.plain_N2 > -not_worse_N2() &&
          ((moves_sessions(one) &&
            material(one.gain.taken_N2, held.weighted_N2, left_.repeats_N2)) ||
           material(one.gain.beside_scatter_N2, held.beside_scatter_N2, left_.beside_scatter_N2)) &&
@@ -315,8 +324,8 @@ bool ForceSearch::exchange(bool allowed) {
   for (std::size_t place = 0; place < judged_.size(); ++place) {
     for (Candidate& one : in_place_of(place)) {
       const PairedGain lost = data_.gain_of(one.held, model_.held, false);
-      if (lost.plain_N2 >= judged_[place].gain.plain_N2) {
-        continue;  // takes nothing off by itself
+      if (judged_[place].gain.plain_N2 - lost.plain_N2 < -not_worse_N2()) {
+        continue;  // worse than none
       }
       const bool other_law =
           definition_of(one.fit.terms.back()).id == definition_of(judged_[place].term).id;

@@ -71,6 +71,7 @@ class ForceSearch {
   [[nodiscard]] std::vector<Candidate>::iterator first_law_as_good(
       std::vector<Candidate>& all, std::vector<Candidate>::iterator best) const;
   bool prune();
+  [[nodiscard]] double not_worse_N2() const;
   [[nodiscard]] bool stays(std::size_t place) const;
   [[nodiscard]] bool alike(std::size_t place, ForceTerm other, const PairedGain& lost) const;
   bool exchange(bool allowed);
