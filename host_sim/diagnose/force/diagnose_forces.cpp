@@ -84,7 +84,8 @@ class Report {
                   .output_rmse_N = output_rmse_of({search_.model().fit, {}, std::nullopt}),
                   .covariate = std::string(remainder_.covariate),
                   .p = remainder_.p};
-    findings.prose = sentences(findings);
+    findings.prose = verdict_prose(findings, data_.records().size(), search_.nominal_rmse_N()) +
+                     doubts(data_.records(), search_.model().fit.parameters, nominal_);
     if (withdraw_unless_improved(findings)) {
       findings.prose += no_gain_prose(findings);
     }
@@ -435,41 +436,6 @@ class Report {
     diagnosis.friction_coefficient =
         written_friction(friction, diagnosis.findings.extensions, data_.scales());
     diagnosis.log_gain = -std::log(gain);
-  }
-
-  [[nodiscard]] std::string sentences(const Findings& findings) const {
-    std::vector<std::string_view> ids;
-    for (const FoundEffect& effect : findings.effects) {
-      ids.emplace_back(effect.id);
-    }
-    const std::string most = fmt::format("What is left shows most against {} (p = {:.3f}).",
-                                         remainder_.covariate, remainder_.p);
-    const std::string few_sessions =
-        few() ? fmt::format(" {} of 4 sessions that it takes to name anything.",
-                            data_.records().size())
-              : "";
-    std::string text;
-    if (ids.empty()) {
-      text = findings.verdict == Verdict::none
-                 ? fmt::format(
-                       "Nothing in {} recordings disagrees with the model beyond noise and "
-                       "the scatter of sessions.",
-                       data_.records().size())
-                 : "No effect of the catalogue explains what the recordings hold. " + most +
-                       how_far(findings.steps);
-      return text + few_sessions +
-             doubts(data_.records(), search_.model().fit.parameters, nominal_);
-    }
-    text = fmt::format(
-        "{}: with {} the error of the input force on sessions that the fit never saw is {:.3g} N "
-        "in place of {:.3g} N. {}",
-        fmt::join(ids, " and "), ids.size() > 1 ? "them" : "it", search_.rmse_N(),
-        search_.nominal_rmse_N(), most);
-    for (const auto& same : findings.equivalent_sets) {
-      text += fmt::format(" In place of {} it may be {}.", same.front(),
-                          fmt::join(same.begin() + 1, same.end(), " or "));
-    }
-    return text + doubts(data_.records(), search_.model().fit.parameters, nominal_);
   }
 
   [[nodiscard]] double damage_ratio() const {

@@ -4,8 +4,13 @@
 
 #include <cmath>
 
-namespace host_sim::diagnose {
+#include "host_sim/diagnose/sessions.hpp"
 
+namespace host_sim::diagnose {
+namespace {
+
+/// What effects take off that do not explain all, behind other sentences; empty where none takes
+/// any off.
 std::string how_far(const std::vector<Step>& steps) {
   if (steps.size() < 2) {
     return "";
@@ -20,6 +25,60 @@ std::string how_far(const std::vector<Step>& steps) {
       "N of input tension; with {} that is {:.3g} N and {:.3g} N.",
       steps.front().output_rmse_N, steps.front().input_rmse_N, effects, steps.back().output_rmse_N,
       steps.back().input_rmse_N);
+}
+
+/// "wear of the sheath (friction_wear, 99.6 %) and ..."
+std::string listed(const std::vector<FoundEffect>& effects) {
+  constexpr double kPercent = 100;
+  std::string text;
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    text += i == 0 ? "" : i + 1 == effects.size() ? " and " : ", ";
+    text += fmt::format("{} ({}, {:.1f} %)", effects[i].term, effects[i].id,
+                        kPercent * effects[i].probability);
+  }
+  return text;
+}
+
+std::string what_is_left(const Remainder& remainder) {
+  constexpr double kLeastP = 0.001;
+  return fmt::format("What is left shows most against {} ({}).", remainder.covariate,
+                     remainder.p < kLeastP ? fmt::format("p below {}", kLeastP)
+                                           : fmt::format("p {:.2g}", remainder.p));
+}
+
+}  // namespace
+
+std::string verdict_prose(const Findings& findings, std::size_t sessions, double nominal_rmse_N) {
+  const Remainder& left = findings.remainder.value();
+  const std::string few = sessions < kLeastSessions
+                              ? fmt::format(" {} of {} sessions that it takes to name anything.",
+                                            sessions, kLeastSessions)
+                              : "";
+  if (findings.verdict == Verdict::none) {
+    return fmt::format(
+               "Nothing in {} recordings disagrees with the model beyond noise and the scatter of "
+               "sessions.",
+               sessions) +
+           few;
+  }
+  if (findings.effects.empty()) {
+    return "The recordings contain structure that no effect of the catalogue explains. " +
+           what_is_left(left) + how_far(findings.steps) + few;
+  }
+  const bool many = findings.effects.size() > 1;
+  std::string text = fmt::format(
+      "The recordings disagree with the model, and {} {}. With {} the error of the input tension "
+      "on sessions that the fit never saw is {:.3g} N in place of {:.3g} N. {}",
+      findings.verdict != Verdict::named ? "what may be the cause is"
+      : many                             ? "the causes are"
+                                         : "the cause is",
+      listed(findings.effects), many ? "them" : "it", left.input_rmse_N, nominal_rmse_N,
+      what_is_left(left));
+  for (const auto& same : findings.equivalent_sets) {
+    text += fmt::format(" In place of {} it may be {}.", same.front(),
+                        fmt::join(same.begin() + 1, same.end(), " or "));
+  }
+  return text;
 }
 
 std::string correction_prose(const Correction& correction) {
