@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <utility>
 
 #include "host_sim/recording/signal.hpp"
@@ -72,6 +73,18 @@ void add_of_sessions(std::vector<ForceCovariate>& all, const std::vector<ForceRe
   }
 }
 
+std::vector<double> smoothed_over_strokes(const ForceRecord& record,
+                                          const std::vector<double>& values) {
+  constexpr double kToEachSide = 0.25;
+  double strokes = 1;
+  for (std::size_t i = 1; i < record.samples(); ++i) {
+    strokes += record.velocity_m_s[i] * record.velocity_m_s[i - 1] < 0 ? 1 : 0;
+  }
+  const double stroke_s = (record.time_s.back() - record.time_s.front()) / strokes;
+  const recording::Stretch whole{0, record.samples()};
+  return recording::smoothed(record.time_s, values, std::span(&whole, 1), kToEachSide * stroke_s);
+}
+
 }  // namespace
 
 double mean_of(const std::vector<double>& values) {
@@ -79,13 +92,13 @@ double mean_of(const std::vector<double>& values) {
 }
 
 std::vector<ForceCovariate> force_covariates(const std::vector<ForceRecord>& records) {
-  std::vector<ForceCovariate> all{{"output tension", "N", {}},
-                                  {"position", "m", {}},
-                                  {"speed", "m/s", {}},
-                                  {"travel", "m", {}},
-                                  {"rate of tension", "N/s", {}},
-                                  {"acceleration", "m/s2", {}},
-                                  {"time", "s", {}}};
+  std::vector<ForceCovariate> all{{"output tension", "N", {}, false, true},
+                                  {"position", "m", {}, false, false},
+                                  {"speed", "m/s", {}, false, false},
+                                  {"travel", "m", {}, false, false},
+                                  {"rate of tension", "N/s", {}, false, false},
+                                  {"acceleration", "m/s2", {}, false, false},
+                                  {"time", "s", {}, false, false}};
   for (const ForceRecord& record : records) {
     all[0].values.push_back(sizes_of(record.output_N));
     all[1].values.push_back(record.position_m);
@@ -97,12 +110,12 @@ std::vector<ForceCovariate> force_covariates(const std::vector<ForceRecord>& rec
   }
   constexpr double kSamePose_rad = 0.02;
   constexpr double kSame_K = 3;
-  add_of_sessions(all, records, {"cycle", "1", {}, true}, &ForceRecord::cycle, 1);
-  add_of_sessions(all, records, {"bend angle", "rad", {}, true}, &ForceRecord::bend_angle_rad,
-                  kSamePose_rad);
-  add_of_sessions(all, records, {"sheath temperature", "C", {}, true},
+  add_of_sessions(all, records, {"cycle", "1", {}, true, false}, &ForceRecord::cycle, 1);
+  add_of_sessions(all, records, {"bend angle", "rad", {}, true, false},
+                  &ForceRecord::bend_angle_rad, kSamePose_rad);
+  add_of_sessions(all, records, {"sheath temperature", "C", {}, true, false},
                   &ForceRecord::sheath_temperature_C, kSame_K);
-  add_of_sessions(all, records, {"winding temperature", "C", {}, true},
+  add_of_sessions(all, records, {"winding temperature", "C", {}, true, false},
                   &ForceRecord::winding_temperature_C, kSame_K);
   return all;
 }
@@ -110,8 +123,15 @@ std::vector<ForceCovariate> force_covariates(const std::vector<ForceRecord>& rec
 CovariateBins::CovariateBins(const std::vector<ForceRecord>& records,
                              const ForceCovariate& covariate)
     : of_sessions(covariate.of_sessions) {
+  std::vector<std::vector<double>> smooth;
+  if (covariate.noisy) {
+    for (std::size_t j = 0; j < records.size(); ++j) {
+      smooth.push_back(smoothed_over_strokes(records[j], covariate.values[j]));
+    }
+  }
+  const std::vector<std::vector<double>>& all = covariate.noisy ? smooth : covariate.values;
   std::vector<double> sorted;
-  for (const auto& values : covariate.values) {
+  for (const auto& values : all) {
     sorted.insert(sorted.end(), values.begin(), values.end());
   }
   std::ranges::sort(sorted);
@@ -121,7 +141,7 @@ CovariateBins::CovariateBins(const std::vector<ForceRecord>& records,
   for (std::size_t j = 0; j < records.size(); ++j) {
     std::vector<std::size_t>& of_record = places.emplace_back();
     for (std::size_t i = 0; i < records[j].samples(); ++i) {
-      const auto below = std::ranges::lower_bound(sorted, covariate.values[j][i]) - sorted.begin();
+      const auto below = std::ranges::lower_bound(sorted, all[j][i]) - sorted.begin();
       const std::size_t bin =
           std::min(static_cast<std::size_t>(below) * kCount / sorted.size(), kCount - 1);
       of_record.push_back(2 * bin + (records[j].velocity_m_s[i] < 0 ? 1 : 0));

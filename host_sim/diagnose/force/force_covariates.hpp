@@ -14,6 +14,7 @@ struct ForceCovariate {
   std::string_view unit;
   std::vector<std::vector<double>> values;  ///< by record and sample
   bool of_sessions = false;                 ///< each session has one of its own
+  bool noisy = false;                       ///< with noise that residuals of a model have too
 };
 
 /// Size of the output force, position, speed and travel since the motion turned, in the order of
@@ -26,7 +27,9 @@ std::vector<ForceCovariate> force_covariates(const std::vector<ForceRecord>& rec
 double mean_of(const std::vector<double>& values);
 
 /// Bins of a covariate that hold as many samples each, and which one each sample lies in: an even
-/// number where the motion goes one way, the next one where it goes back.
+/// number where the motion goes one way, the next one where it goes back. What is noisy is smoothed
+/// over half the mean time between reversals: else samples lie in a bin by what their residuals
+/// are.
 struct CovariateBins {
   static constexpr std::size_t kCount = 8;
 

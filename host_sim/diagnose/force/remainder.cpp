@@ -18,7 +18,8 @@ constexpr std::size_t kBins = CovariateBins::kCount;
 /// Of what is left, from where on it shows as structure: noise of the output force and of the
 /// velocity alone leave up to 0.4 % that is the same in all sessions.
 constexpr double kLeastRemainder = 0.005;
-constexpr double kRare = 0.01;
+/// Of what repeats, of what goes with sessions and of how they scatter, each: 1 % together.
+constexpr double kRare = 0.01 / 3;
 
 /// Gain and friction that suit each session beside a model, against a covariate of sessions.
 class SessionTrend {

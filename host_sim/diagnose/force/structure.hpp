@@ -54,7 +54,7 @@ std::vector<ForceCovariance::Refit> refits_of(const ForceData& data, const Force
 
 /// Whether gain or friction of sessions scatters by more than it may without a cause.
 struct SessionScatter {
-  static constexpr double kRare = 0.01;
+  static constexpr double kRare = 0.01 / 3;
 
   double statistic = 0;  ///< the larger sum of squares, in terms of what it may be
   double p = 1;          ///< the chance of that
