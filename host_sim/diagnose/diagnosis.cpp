@@ -59,16 +59,12 @@ std::vector<std::string> credible_set_of(const std::vector<Candidate>& candidate
 }
 
 bool improves(const HeldOutGain& gain) {
-  constexpr double kNotWorse = 1.02;
-  auto error = std::ranges::find(gain.metrics, "input_rmse_N", &Metric::name);
-  if (error == gain.metrics.end()) {
-    error = std::ranges::find(gain.metrics, "rmse_N", &Metric::name);
+  const auto error = std::ranges::find(gain.metrics, "rmse_N", &Metric::name);
+  if (error != gain.metrics.end()) {
+    return error->after < error->before;
   }
   const auto density = std::ranges::find(gain.metrics, "log_predictive_density", &Metric::name);
-  const bool has_error = error != gain.metrics.end();
-  const bool denser = density != gain.metrics.end() && density->after > density->before;
-  return (has_error && error->after < error->before) ||
-         (denser && (!has_error || error->after <= kNotWorse * error->before));
+  return density != gain.metrics.end() && density->after > density->before;
 }
 
 bool withdraw_unless_improved(Findings& findings) {

@@ -56,8 +56,8 @@ struct Invisible {
   std::string why;  ///< and what would show it
 };
 
-/// What a model leaves against one covariate: does it hold more than noise and the scatter of
-/// sessions?
+/// The residual against one covariate, of the maximum over directions: does it hold more than noise
+/// and the scatter of sessions?
 struct Discrepancy {
   std::string covariate;
   double statistic = 0;
@@ -76,10 +76,8 @@ struct HeldOutGain {
   std::vector<Metric> metrics;
 };
 
-/// Whether the error on such data becomes less, of the input tension where that is known, which a
-/// tendon breaks by, or its density larger without an error that is more
-/// than 2 % larger: sessions scatter, which the density takes into account. What does not gain is
-/// no extension, however probable it is.
+/// Whether the error on such data becomes less; its density larger where there is no error. What
+/// does not gain is no extension, however probable it is.
 [[nodiscard]] bool improves(const HeldOutGain& gain);
 
 /// One effect of the catalogue more in the model, beside those of the steps before it.
@@ -120,7 +118,8 @@ struct Findings {
   std::vector<Invisible> invisible;
   std::string next_experiment;  ///< empty where none is needed
   HeldOutGain gain;
-  /// The nominal model, then effect by effect as they were found; of lives none.
+  /// How far signatures of ln T go where that is not all the way: the nominal model, then effect by
+  /// effect, each the one of most evidence. Else empty.
   std::vector<Step> steps;
   std::optional<Remainder> remainder;  ///< of recordings
   std::optional<Correction>
@@ -152,7 +151,15 @@ struct CausePicture {
   TracePicture trace;
 };
 
-/// What models leave of the input force in bins of a covariate, that of Remainder first, for one
+/// Mean residual ln T_out - ln T_in + mu phi s in bins of one covariate, for one direction. The
+/// envelope holds 95 % of what the nominal model gives by noise and scatter of sessions alone.
+struct ResidualPicture {
+  std::string covariate, unit;
+  int direction = 1;  ///< 1 while pulling, -1 while letting go
+  std::vector<double> centre, before, after, envelope_low, envelope_high;
+};
+
+/// What models leave of the input force in bins of the covariate that Remainder names, for one
 /// direction: the mean over sessions of their mean residuals, and their standard deviation.
 struct RemainderPicture {
   std::string covariate, unit;
@@ -182,18 +189,17 @@ struct LifePicture {
 
 struct TensionDiagnosis {
   Findings findings;
+  bool in_newtons = false;  ///< by the forward model, not by signatures of ln T
   std::vector<TracePicture> traces;
   std::vector<CausePicture> causes;  ///< of those of Findings::steps that lessen the error
+  std::vector<ResidualPicture> residuals;
   std::vector<RemainderPicture> remainders;
   std::vector<SessionRefit> session_refits;
   /// Damage of a recording as the nominal model books it over that of the extended one, geometric
   /// mean of the recordings; 1 where nothing was extended.
   double damage_ratio = 1;
-  double friction_coefficient = 0;                      ///< refitted, for the written model
-  double log_gain = 0;                                  ///< refitted, of T_out over T_in
-  double nominal_friction = 0;                          ///< refitted without any effect
-  double session_gain_sd = 0, session_friction_sd = 0;  ///< how far sessions scatter
-  double log_gain_error = 0;  ///< standard error of log_gain by the noise of samples alone
+  double friction_coefficient = 0;  ///< refitted, for the written model
+  double log_gain = 0;              ///< refitted, of T_out over T_in
 };
 
 struct LifeDiagnosis {

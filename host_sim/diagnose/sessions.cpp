@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "host_sim/recording/channel_noise.hpp"
 #include "host_sim/reference/reference.hpp"
 
 namespace host_sim::diagnose {
@@ -29,6 +30,7 @@ RecordedSessions recorded_sessions(const Campaign& campaign) {
   for (const recording::Recording& recording : recorded.recordings) {
     auto covariates = recording::covariates_of(recording, recorded.faults, campaign.nominal);
     if (covariates.samples() > 0) {
+      recording::add_noise(covariates);
       recorded.sessions.push_back({recording.session, std::move(covariates)});
     }
   }

@@ -25,11 +25,15 @@ struct Parameter {
   std::string_view unit;
   double minimum = 0;  ///< bounds of physics
   double maximum = 0;
-  double typical = 0;  ///< magnitude of a usual effect
+  double typical = 0;   ///< magnitude of a usual effect; the prior's scale
+  double expected = 0;  ///< the prior's mean: a share of what is all or nothing is near 1
   /// Of a parameter of shape: the linear one before it only says how far this one is off, to first
   /// order, so that their product is what is known.
   bool scaled_by_share = false;
   bool off_line = false;  ///< no controller evaluates it; an extension may leave it out as zero
+  /// Standard deviation of what a signature's own approximations put an estimate off by, as a share
+  /// of it: as seen in simulated campaigns whose truth is known.
+  double model_error = 0.01;
 };
 
 /// How one effect is distinguished from another.
@@ -65,11 +69,22 @@ class TensionEffect {
   /// parameters()[0], with a value of its own for each pose.
   [[nodiscard]] virtual bool per_pose() const { return false; }
 
+  /// Whether it acts by what a reversal leaves for a while. Two such effects at once do not add up:
+  /// one works on what the other has left.
+  [[nodiscard]] virtual bool at_reversals() const { return false; }
+
+  /// Whether all that it does to a session is to shift its gain and its friction: it shows between
+  /// sessions, and not in the shape of a stroke.
+  [[nodiscard]] virtual bool shifts_sessions() const { return false; }
+
   /// Empty where `covariates` hold what it needs, else what is missing, in words.
   [[nodiscard]] virtual std::string missing(const recording::Covariates& covariates) const = 0;
 
   /// Values of Signature::shape to try, a grid over the bounds; one empty one where all is linear.
   [[nodiscard]] virtual std::vector<std::vector<double>> shapes() const = 0;
+
+  /// Whether what lies between two neighbours of shapes() is a shape too; harmonics are whole.
+  [[nodiscard]] virtual bool shapes_between() const { return true; }
 
   /// What r changes by for each unit of each linear parameter. `shape` is one of shapes().
   [[nodiscard]] virtual Signature signature(const recording::Covariates& covariates,

@@ -27,6 +27,10 @@ struct Covariates {
   std::vector<double> sheath_temperature_C;
   std::vector<double> winding_temperature_C;
 
+  /// Variances of the noise of ln T_in and ln T_out; empty where it is not known.
+  std::vector<double> input_noise;
+  std::vector<double> output_noise;
+
   /// mu of this recording by itself, see settled_friction(); 0 where it does not show.
   double settled_friction = 0;
 

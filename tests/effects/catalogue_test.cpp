@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -130,6 +131,47 @@ TEST(Catalogue, SaysAllThatIsKnownOfACountingEffect) {
     expect_told(*effect);
     expect_sound(effect->parameter());
     expect_unit_in_name(effect->parameter());
+  }
+}
+
+/// One session at one pose, one temperature and so few cycles that they are one.
+recording::Covariates one_session() {
+  recording::Covariates c = trace();
+  for (auto* const same :
+       {&c.cycle, &c.bend_angle_rad, &c.sheath_temperature_C, &c.winding_temperature_C}) {
+    std::ranges::fill(*same, same->front());
+  }
+  return c;
+}
+
+/// Whether all that the columns hold is a gain and a friction: one value while pulling, another
+/// while letting go.
+bool is_gain_and_friction(const std::vector<std::vector<double>>& columns,
+                          const std::vector<double>& direction) {
+  for (const std::vector<double>& column : columns) {
+    std::map<double, double> values;
+    for (std::size_t i = 0; i < column.size(); ++i) {
+      const double value = values.emplace(direction[i], column[i]).first->second;
+      if (std::abs(column[i] - value) > 1e-12) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+TEST(Catalogue, SaysWhichEffectsShiftSessionsOnly) {
+  const recording::Covariates session = one_session();
+  Baseline baseline = kBaseline;
+  baseline.poses_rad = {session.bend_angle_rad.front()};
+  for (const auto& effect : tension_effects()) {
+    bool in_every_shape = true;
+    for (const std::vector<double>& shape : effect->shapes()) {
+      in_every_shape =
+          in_every_shape &&
+          is_gain_and_friction(columns(effect->id(), session, shape, baseline), session.direction);
+    }
+    EXPECT_EQ(effect->shifts_sessions(), in_every_shape) << effect->id();
   }
 }
 

@@ -26,20 +26,47 @@ inline double angle_and_direction(const recording::Covariates& covariates, std::
   return covariates.bend_angle_rad[i] * covariates.direction[i];
 }
 
-/// What to multiply a measured input by, tension or current, where a signature divides by it: the
-/// root of T_in as the output gives it over T_in as measured, which takes it to the middle of both.
-/// 1 where the baseline holds exactly.
+/// The share of the input end in the noise of r; a half where that is not known.
+inline double input_noise_share(const recording::Covariates& covariates, std::size_t i) {
+  constexpr double kLeastOfEnd = 0.02;
+  if (covariates.input_noise.empty()) {
+    return 0.5;
+  }
+  const double both = covariates.input_noise[i] + covariates.output_noise[i];
+  return both > 0 ? std::clamp(covariates.input_noise[i] / both, kLeastOfEnd, 1 - kLeastOfEnd)
+                  : 0.5;
+}
+
+/// What to multiply a measured input by, tension or current, where a signature divides by it:
+/// exp(w r), T_in as the output gives it over T_in as measured by the share w of the input end in
+/// their noise. The noise of both ends is part of r; a signature made of a tension whose noise goes
+/// with that of r would find an effect where there is none. Between both ends, by each one's own
+/// noise, lies the one tension whose noise does not. 1 where the baseline holds exactly.
 inline double to_mid_tension(const recording::Covariates& covariates, const Baseline& baseline,
                              std::size_t i) {
-  const double gripped =
-      std::exp(baseline.friction_coefficient * angle_and_direction(covariates, i));
-  return std::sqrt(covariates.output_tension_N[i] * gripped / covariates.tension_in_N()[i]);
+  const double gripped = std::exp(baseline.friction_coefficient * covariates.bend_angle_rad[i] *
+                                  covariates.direction[i]);
+  return std::pow(covariates.output_tension_N[i] * gripped / covariates.tension_in_N()[i],
+                  input_noise_share(covariates, i));
 }
 
 /// r where T_in less what the output gives of it is q times the tension between both, so that
-/// exp(-r/2) - exp(r/2) = q.
-inline double log_of_difference(double q) {
-  return -2 * std::asinh(q / 2);
+/// exp(-w r) - exp((1 - w) r) = q. For w = 1/2 that is -2 asinh(q/2), which Newton's steps start
+/// at.
+inline double log_of_difference(double q, double share) {
+  constexpr int kSteps = 4;
+  constexpr double kMost = 6;
+  double r = -2 * std::asinh(q / 2);
+  if (share == 0.5) {
+    return r;
+  }
+  for (int step = 0; step < kSteps; ++step) {
+    const double input = std::exp(-share * r);
+    const double output = std::exp((1 - share) * r);
+    r = std::clamp(r + (input - output - q) / (share * input + (1 - share) * output), -kMost,
+                   kMost);
+  }
+  return r;
 }
 
 /// Whether the tendon turns between the sample before and this one.

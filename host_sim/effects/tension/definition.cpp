@@ -38,6 +38,8 @@ class DefinedTensionEffect final : public TensionEffect {
   std::span<const Parameter> parameters() const override { return definition_.parameters; }
   std::span<const Separation> separations() const override { return definition_.separations; }
   bool per_pose() const override { return definition_.per_pose; }
+  bool at_reversals() const override { return definition_.at_reversals; }
+  bool shifts_sessions() const override { return definition_.shifts_sessions; }
 
   std::string missing(const recording::Covariates& covariates) const override {
     if (definition_.acts_on_current && !covariates.input_tension_N.empty()) {
@@ -57,6 +59,7 @@ class DefinedTensionEffect final : public TensionEffect {
   }
 
   std::vector<std::vector<double>> shapes() const override { return definition_.shapes; }
+  bool shapes_between() const override { return !definition_.whole_shapes; }
 
   Signature signature(const recording::Covariates& covariates, const Baseline& baseline,
                       std::span<const double> shape) const override {

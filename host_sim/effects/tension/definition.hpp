@@ -50,7 +50,10 @@ struct TensionDefinition {
   std::span<const Need> needs = {};
   bool acts_on_current = false;  ///< changes T_in only where it comes from the current
   bool per_pose = false;
+  bool at_reversals = false;
+  bool shifts_sessions = false;
   std::vector<std::vector<double>> shapes = {{}};
+  bool whole_shapes = false;  ///< nothing lies between them
   Columns (*columns)(const recording::Covariates& covariates, const Baseline& baseline,
                      std::span<const double> shape) = nullptr;
 };

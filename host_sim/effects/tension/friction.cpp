@@ -12,15 +12,17 @@ namespace {
 namespace friction_load {
 
 constexpr double kReference_N = 50;
+constexpr int kRounds = 3;
 
 constexpr Parameter kParameters[] = {
-    {.name = "load_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
+    {.name = "load_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1, .expected = 1},
     {.name = "load_exponent",
      .unit = "1",
      .minimum = -1,
      .maximum = 1,
      .typical = 0.2,
-     .scaled_by_share = true},
+     .scaled_by_share = true,
+     .model_error = 0.005},
 };
 
 constexpr Separation kSeparations[] = {
@@ -31,16 +33,21 @@ constexpr Separation kSeparations[] = {
 /// Along the sheath d ln T = -mu (T/T_0)^-k s d phi, so that T_in^k - T_out^k = k mu phi s T_0^k.
 /// Over the geometric mean M of both ends that is
 /// (2/k) sinh(k ln(T_in/T_out)/2) = mu phi s (T_0/M)^k, and r = mu phi s - ln(T_in/T_out). With P,
-/// the input in the middle of both ends, ln M = ln P - mu phi s/2.
+/// the input between both ends by their noise, ln M = ln P - mu phi s/2 + (1/2 - w) r.
 Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
                 std::span<const double> shape) {
   const double exponent = shape[0];
   return {column_of(covariates, [&](std::size_t i) {
     const double grip = baseline.friction_coefficient * angle_and_direction(covariates, i);
     const double mid_N = covariates.tension_in_N()[i] * to_mid_tension(covariates, baseline, i);
-    const double mean_N = mid_N * std::exp(-grip / 2);
-    const double there = grip * std::pow(kReference_N / mean_N, exponent);
-    return grip - 2 / exponent * std::asinh(exponent * there / 2);
+    const double off_middle = 0.5 - input_noise_share(covariates, i);
+    double r = 0;
+    for (int round = 0; round < kRounds; ++round) {
+      const double mean_N = mid_N * std::exp(-grip / 2 + off_middle * r);
+      const double there = grip * std::pow(kReference_N / mean_N, exponent);
+      r = grip - 2 / exponent * std::asinh(exponent * there / 2);
+    }
+    return r;
   })};
 }
 
@@ -179,7 +186,7 @@ TensionDefinition definition() {
 namespace friction_preload {
 
 constexpr Parameter kParameters[] = {
-    {.name = "preload_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
+    {.name = "preload_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1, .expected = 1},
     {.name = "preload_N",
      .unit = "N",
      .minimum = 0,
@@ -201,7 +208,8 @@ Columns columns(const recording::Covariates& covariates, const Baseline& baselin
   const double preload_N = shape[0];
   return {column_of(covariates, [&](std::size_t i) {
     const double mid_N = covariates.tension_in_N()[i] * to_mid_tension(covariates, baseline, i);
-    return log_of_difference(preload_N * covariates.direction[i] / mid_N);
+    return log_of_difference(preload_N * covariates.direction[i] / mid_N,
+                             input_noise_share(covariates, i));
   })};
 }
 
@@ -227,7 +235,8 @@ constexpr Parameter kParameters[] = {
      .unit = "1/K",
      .minimum = -0.05,
      .maximum = 0.05,
-     .typical = 0.005},
+     .typical = 0.005,
+     .model_error = 0.015},
 };
 
 constexpr Separation kSeparations[] = {
@@ -256,6 +265,7 @@ TensionDefinition definition() {
           .parameters = kParameters,
           .separations = kSeparations,
           .needs = kNeeds,
+          .shifts_sessions = true,
           .columns = columns};
 }
 
@@ -265,7 +275,12 @@ namespace friction_velocity {
 
 constexpr Parameter kParameters[] = {
     {.name = "stribeck_friction", .unit = "1", .minimum = -0.5, .maximum = 0.5, .typical = 0.05},
-    {.name = "viscous_friction_s_m", .unit = "s/m", .minimum = -10, .maximum = 10, .typical = 0.5},
+    {.name = "viscous_friction_s_m",
+     .unit = "s/m",
+     .minimum = -10,
+     .maximum = 10,
+     .typical = 0.5,
+     .model_error = 0.02},
     {.name = "stribeck_velocity_m_s",
      .unit = "m/s",
      .minimum = 0.002,
@@ -355,6 +370,7 @@ TensionDefinition definition() {
           .parameters = kParameters,
           .separations = kSeparations,
           .needs = kNeeds,
+          .shifts_sessions = true,
           .shapes = {{0.25, 0},
                      {0.5, 0},
                      {0.75, 0},

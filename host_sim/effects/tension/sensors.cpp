@@ -10,13 +10,14 @@ namespace {
 namespace current_offset {
 
 constexpr Parameter kParameters[] = {
-    {.name = "offset_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
+    {.name = "offset_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1, .expected = 1},
     {.name = "current_offset_A",
      .unit = "A",
      .minimum = -0.5,
      .maximum = 0.5,
      .typical = 0.05,
-     .scaled_by_share = true},
+     .scaled_by_share = true,
+     .model_error = 0.005},
 };
 
 constexpr Separation kSeparations[] = {
@@ -35,7 +36,7 @@ Columns columns(const recording::Covariates& covariates, const Baseline& baselin
   const double offset_A = shape[0];
   return {column_of(covariates, [&](std::size_t i) {
     const double mid_A = covariates.current_A[i] * to_mid_tension(covariates, baseline, i);
-    return log_of_difference(offset_A / mid_A);
+    return log_of_difference(offset_A / mid_A, input_noise_share(covariates, i));
   })};
 }
 
@@ -72,13 +73,14 @@ TensionDefinition definition() {
 namespace filter_lag {
 
 constexpr Parameter kParameters[] = {
-    {.name = "lag_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
+    {.name = "lag_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1, .expected = 1},
     {.name = "lag_s",
      .unit = "s",
      .minimum = -0.05,
      .maximum = 0.05,
      .typical = 0.005,
-     .scaled_by_share = true},
+     .scaled_by_share = true,
+     .model_error = 0.02},
 };
 
 constexpr Separation kSeparations[] = {
@@ -151,6 +153,7 @@ TensionDefinition definition() {
           .parameters = kParameters,
           .separations = kSeparations,
           .needs = kNeeds,
+          .at_reversals = true,
           .shapes = {{-0.04},
                      {-0.02},
                      {-0.01},
@@ -196,6 +199,7 @@ TensionDefinition definition() {
           .separations = kSeparations,
           .needs = kNeeds,
           .acts_on_current = true,
+          .shifts_sessions = true,
           .columns = columns};
 }
 
@@ -206,7 +210,7 @@ namespace torque_gain {
 constexpr double kLeastGain = 0.05;
 
 constexpr Parameter kParameters[] = {
-    {.name = "droop_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
+    {.name = "droop_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1, .expected = 1},
     {.name = "droop_1_K",
      .unit = "1/K",
      .minimum = 0,
@@ -244,6 +248,7 @@ TensionDefinition definition() {
           .separations = kSeparations,
           .needs = kNeeds,
           .acts_on_current = true,
+          .shifts_sessions = true,
           .shapes = {{1.5e-4}, {3e-4}, {6e-4}, {1.2e-3}, {2.5e-3}, {5e-3}},
           .columns = columns};
 }
@@ -288,6 +293,7 @@ TensionDefinition definition() {
       .needs = kNeeds,
       .acts_on_current = true,
       .shapes = {{1}, {2}, {3}, {4}, {5}, {6}, {7}, {8}, {10}, {12}, {14}, {16}, {18}, {21}, {24}},
+      .whole_shapes = true,
       .columns = columns};
 }
 

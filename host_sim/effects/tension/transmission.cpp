@@ -52,6 +52,7 @@ TensionDefinition definition() {
       .parameters = kParameters,
       .separations = kSeparations,
       .per_pose = true,
+      .shifts_sessions = true,
       .columns = columns};
 }
 
@@ -60,8 +61,18 @@ TensionDefinition definition() {
 namespace compliance {
 
 constexpr Parameter kParameters[] = {
-    {.name = "compliance_share", .unit = "1", .minimum = 0, .maximum = 1, .typical = 1},
-    {.name = "stiffness_N_m", .unit = "N/m", .minimum = 1e3, .maximum = 1e6, .typical = 1e4},
+    {.name = "compliance_share",
+     .unit = "1",
+     .minimum = 0,
+     .maximum = 1,
+     .typical = 1,
+     .expected = 1},
+    {.name = "stiffness_N_m",
+     .unit = "N/m",
+     .minimum = 1e3,
+     .maximum = 1e6,
+     .typical = 1e4,
+     .model_error = 0.006},
 };
 
 constexpr Separation kSeparations[] = {
@@ -131,6 +142,7 @@ TensionDefinition definition() {
           .parameters = kParameters,
           .separations = kSeparations,
           .needs = kNeeds,
+          .at_reversals = true,
           .shapes = {{1e3}, {2e3}, {5e3}, {1e4}, {2e4}, {5e4}, {1e5}, {2e5}, {5e5}},
           .columns = columns};
 }
@@ -140,12 +152,18 @@ TensionDefinition definition() {
 namespace presliding {
 
 constexpr Parameter kParameters[] = {
-    {.name = "presliding_share", .unit = "1", .minimum = 0, .maximum = 1, .typical = 1},
+    {.name = "presliding_share",
+     .unit = "1",
+     .minimum = 0,
+     .maximum = 1,
+     .typical = 1,
+     .expected = 1},
     {.name = "presliding_length_m",
      .unit = "m",
      .minimum = 5e-5,
      .maximum = 1e-2,
-     .typical = 3.5e-4},
+     .typical = 3.5e-4,
+     .model_error = 0.005},
 };
 
 constexpr Separation kSeparations[] = {
@@ -183,6 +201,7 @@ TensionDefinition definition() {
           .parameters = kParameters,
           .separations = kSeparations,
           .needs = kNeeds,
+          .at_reversals = true,
           .shapes = {{5e-5}, {1e-4}, {2e-4}, {3.5e-4}, {6e-4}, {1e-3}, {2e-3}, {4e-3}, {8e-3}},
           .columns = columns};
 }
@@ -192,9 +211,19 @@ TensionDefinition definition() {
 namespace slack {
 
 constexpr Parameter kParameters[] = {
-    {.name = "slack_log_drop", .unit = "1", .minimum = -3, .maximum = 3, .typical = 0.3},
+    {.name = "slack_log_drop",
+     .unit = "1",
+     .minimum = -3,
+     .maximum = 3,
+     .typical = 0.3,
+     .model_error = 0.002},
     {.name = "slack_friction_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
-    {.name = "slack_m", .unit = "m", .minimum = 1e-4, .maximum = 2e-3, .typical = 4e-4},
+    {.name = "slack_m",
+     .unit = "m",
+     .minimum = 1e-4,
+     .maximum = 2e-3,
+     .typical = 4e-4,
+     .model_error = 0.008},
 };
 
 constexpr Separation kSeparations[] = {
@@ -235,6 +264,7 @@ TensionDefinition definition() {
       .parameters = kParameters,
       .separations = kSeparations,
       .needs = kNeeds,
+      .at_reversals = true,
       .shapes = {{1e-4}, {2e-4}, {4e-4}, {7e-4}, {1.2e-3}, {2e-3}},
       .columns = columns};
 }

@@ -3,53 +3,43 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string>
+#include <cmath>
+#include <map>
+#include <numeric>
 #include <utility>
-#include <vector>
 
 #include "host_sim/diagnose/output/prose.hpp"
 
 namespace host_sim::diagnose_page {
 namespace {
 
-using diagnose::RemainderPicture;
+using diagnose::ResidualPicture;
+using diagnose::TensionDiagnosis;
 
-/// Means with what their sessions scatter, `aside` of where they stand so that two are beside each
-/// other.
-void add_scatter(Chart& chart, const std::string& name, std::string_view colour,
-                 std::string_view shape, double aside, const std::vector<double>& centre,
-                 const std::vector<double>& mean_N, const std::vector<double>& sd_N) {
-  if (mean_N.size() != centre.size() || sd_N.size() != centre.size()) {
-    return;
-  }
-  Layer bars;
-  bars.kind = Layer::Kind::bars;
-  bars.name = name + ", \u00b1 1 standard deviation of sessions";
-  bars.colour = colour;
-  bars.width_px = 1.5;
-  Layer points;
-  points.kind = Layer::Kind::points;
-  points.name = name;
-  points.colour = colour;
-  points.shape = shape;
-  for (std::size_t i = 0; i < centre.size(); ++i) {
-    bars.x.push_back(centre[i] + aside);
-    bars.y.push_back(mean_N[i] - sd_N[i]);
-    bars.high.push_back(mean_N[i] + sd_N[i]);
-    points.x.push_back(centre[i] + aside);
-    points.y.push_back(mean_N[i]);
-  }
-  chart.layers.insert(chart.layers.end(), {bars, points});
+/// There and back: the outline of the envelope.
+Layer envelope(const ResidualPicture& residual) {
+  Layer layer;
+  layer.kind = Layer::Kind::area;
+  layer.name = "95 % of what noise and scatter of sessions alone give";
+  layer.colour = "muted";
+  layer.x = residual.centre;
+  layer.y = residual.envelope_low;
+  layer.x.insert(layer.x.end(), residual.centre.rbegin(), residual.centre.rend());
+  layer.y.insert(layer.y.end(), residual.envelope_high.rbegin(), residual.envelope_high.rend());
+  return layer;
 }
 
-Layer zero_line(double low, double high) {
-  Layer layer;
-  layer.colour = "muted";
-  layer.dashed = true;
-  layer.width_px = 1;
-  layer.x = {low, high};
-  layer.y = {0, 0};
-  return layer;
+void add_means(Chart& chart, const std::string& name, std::string_view colour,
+               std::string_view shape, const std::vector<double>& x, const std::vector<double>& y) {
+  Layer line;
+  line.colour = colour;
+  line.x = x;
+  line.y = y;
+  Layer points = line;
+  points.kind = Layer::Kind::points;
+  points.name = name;
+  points.shape = shape;
+  chart.layers.insert(chart.layers.end(), {line, points});
 }
 
 /// A unit as people write it.
@@ -60,56 +50,61 @@ std::string unit_text(const std::string& unit) {
   return unit == "C" ? "\u00b0C" : unit;
 }
 
-}  // namespace
-
-Chart remainder_chart(const diagnose::TensionDiagnosis& tension, std::size_t index) {
-  constexpr double kAside = 0.006;  // of the range
-  const RemainderPicture& remainder = tension.remainders.at(index);
-  const std::string covariate = diagnose::covariate_prose(remainder.covariate);
-  Chart chart;
-  chart.id = fmt::format("remainder-{}", index);
-  chart.name = fmt::format("What remains over {}, {}", covariate,
-                           remainder.direction > 0 ? "while pulling" : "while letting go");
-  const std::string unit = unit_text(remainder.unit);
-  chart.x = {
-      unit.empty() ? covariate : covariate + ", " + unit, Axis::Kind::linear, unit, {}, false};
-  chart.y = {"Residual of the input tension, N", Axis::Kind::linear, "N", {}, false};
-  if (remainder.centre.empty()) {
-    return chart;
+/// How far the means of the nominal model leave the middle of their envelope, in half widths.
+double excess_of(const ResidualPicture& residual) {
+  double excess = 0;
+  const std::size_t bins = std::min(
+      {residual.before.size(), residual.envelope_low.size(), residual.envelope_high.size()});
+  for (std::size_t i = 0; i < bins; ++i) {
+    const double half = (residual.envelope_high[i] - residual.envelope_low[i]) / 2;
+    const double middle = (residual.envelope_high[i] + residual.envelope_low[i]) / 2;
+    if (half > 0) {
+      excess = std::max(excess, std::abs(residual.before[i] - middle) / half);
+    }
   }
-  const auto [low, high] = std::ranges::minmax(remainder.centre);
-  const double aside = kAside * (high - low);
-  chart.layers.push_back(zero_line(low, high));
-  add_scatter(chart, "Nominal model", kBeforeColour, "circle", -aside, remainder.centre,
-              remainder.before_N, remainder.before_sd_N);
-  if (remainder.after_N != remainder.before_N) {
-    add_scatter(
-        chart,
-        tension.findings.extensions.empty() ? "As far as the catalogue goes" : "Extended model",
-        kAfterColour, "square", aside, remainder.centre, remainder.after_N, remainder.after_sd_N);
-  }
-  return chart;
+  return excess;
 }
 
-Chart session_chart(const diagnose::TensionDiagnosis& tension, SessionParameter parameter) {
-  const bool friction = parameter == SessionParameter::friction;
-  Chart chart;
-  chart.id = friction ? "session-friction" : "session-gain";
-  chart.name = friction ? "Friction coefficient of each session alone"
-                        : "Logarithm of the gain of each session alone";
-  chart.x = {"Session", Axis::Kind::category, "", {}, false};
-  chart.y = {friction ? "Friction coefficient" : "ln gain", Axis::Kind::linear, "", {}, false};
-  Layer points;
-  points.kind = Layer::Kind::points;
-  points.name = "One session alone";
-  points.colour = kBeforeColour;
-  for (const diagnose::SessionRefit& refit : tension.session_refits) {
-    points.x.push_back(static_cast<double>(points.x.size()));
-    points.y.push_back(friction ? refit.friction_coefficient : refit.log_gain);
-    chart.x.categories.push_back(refit.session);
+}  // namespace
+
+std::vector<std::size_t> residual_order(const TensionDiagnosis& tension) {
+  std::map<std::string, double> excess;
+  for (const ResidualPicture& residual : tension.residuals) {
+    double& most = excess[residual.covariate];
+    most = std::max(most, excess_of(residual));
   }
-  if (!points.x.empty()) {
-    chart.layers.push_back(points);
+  const auto key = [&](std::size_t i) {
+    const std::string& covariate = tension.residuals[i].covariate;
+    return std::pair(-excess.at(covariate), covariate);
+  };
+  std::vector<std::size_t> order(tension.residuals.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&key](std::size_t one, std::size_t other) { return key(one) < key(other); });
+  return order;
+}
+
+Chart residual_chart(const TensionDiagnosis& tension, std::size_t residual_index) {
+  const ResidualPicture& residual = tension.residuals.at(residual_index);
+  const std::string covariate = diagnose::covariate_prose(residual.covariate);
+  const std::string unit = unit_text(residual.unit);
+  Chart chart;
+  chart.id = fmt::format("residual-{}", residual_index);
+  chart.name = fmt::format("Residual over {}, {}", covariate,
+                           residual.direction > 0 ? "while pulling" : "while letting go");
+  chart.x = {
+      unit.empty() ? covariate : covariate + ", " + unit, Axis::Kind::linear, unit, {}, false};
+  chart.y = {"Mean residual of ln(T_out / T_in)", Axis::Kind::linear, "", {}, false};
+  if (residual.centre.empty()) {
+    return chart;
+  }
+  if (residual.envelope_low.size() == residual.centre.size() &&
+      residual.envelope_high.size() == residual.centre.size()) {
+    chart.layers.push_back(envelope(residual));
+  }
+  add_means(chart, "Nominal model", kBeforeColour, "circle", residual.centre, residual.before);
+  if (!tension.findings.extensions.empty()) {
+    add_means(chart, "Extended model", kAfterColour, "square", residual.centre, residual.after);
   }
   return chart;
 }
@@ -123,6 +118,9 @@ std::vector<Chart> charts(const diagnose::Diagnosis& diagnosis) {
     }
     for (std::size_t i = 0; i < diagnosis.tension->causes.size(); ++i) {
       all.push_back(cause_chart(*diagnosis.tension, i));
+    }
+    for (const std::size_t i : residual_order(*diagnosis.tension)) {
+      all.push_back(residual_chart(*diagnosis.tension, i));
     }
     for (std::size_t i = 0; i < diagnosis.tension->remainders.size(); ++i) {
       all.push_back(remainder_chart(*diagnosis.tension, i));

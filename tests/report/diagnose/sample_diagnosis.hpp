@@ -15,8 +15,8 @@ struct DiagnosisSample {
   diagnose::Diagnosis diagnosis;
 };
 
-/// Wear of the sheath is named with 0.987: six sessions, remainders over two covariates, one of
-/// them mended; a warning, two invisible effects and one pair that cannot be distinguished.
+/// Wear of the sheath is named with 0.987: six sessions, residuals over two covariates, one of them
+/// mended; a warning, two invisible effects and one pair that cannot be distinguished.
 [[nodiscard]] diagnose::Diagnosis wear_named();
 
 /// Nothing is wrong: six sessions, no extension.

@@ -172,33 +172,18 @@ TEST_F(DiagnoseTension, NamesWhatIsHiddenAndMeasuresWhatMendingItGains) {
   ASSERT_FALSE(findings.gain.metrics.empty());
   EXPECT_EQ(findings.gain.metrics[0].name, "rmse_N");
   EXPECT_LT(findings.gain.metrics[0].after, 0.8 * findings.gain.metrics[0].before);
-  const auto damage =
-      std::ranges::find(findings.gain.metrics, "damage_error_percent", &Metric::name);
-  ASSERT_NE(damage, findings.gain.metrics.end());
-  EXPECT_LT(damage->after, 0.8 * damage->before);
   EXPECT_NE(diagnosis.damage_ratio, 1);
   EXPECT_THAT(diagnosis.traces, ::testing::Not(IsEmpty()));
-  EXPECT_THAT(diagnosis.remainders, ::testing::Not(IsEmpty()));
-  EXPECT_EQ(diagnosis.session_refits.size(), 8U);
+  EXPECT_THAT(diagnosis.residuals, ::testing::Not(IsEmpty()));
   EXPECT_THAT(findings.prose, HasSubstr("friction_preload"));
 }
 
-/// Friction that differs between sessions of 20 C and 45 C by 25 %, and hardly within one: gain and
-/// friction that suit each session take up nearly all of it.
-TEST_F(DiagnoseTension, NamesWhatMovesSessionsAsWholes) {
-  const std::string warm = "[effects.friction_temperature]\nslope_1_K = 0.01\n";
-  const Findings findings = diagnose_tension(make({.sessions = 16, .hidden = warm}), {}).findings;
-  ASSERT_EQ(findings.verdict, Verdict::named) << findings.prose;
-  ASSERT_EQ(findings.effects.size(), 1U);
-  EXPECT_EQ(findings.effects[0].id, "friction_temperature");
-  EXPECT_NEAR(findings.effects[0].parameters[0].value, 0.01, 0.001);
-}
-
 TEST_F(DiagnoseTension, CallsUnknownWhatTheCatalogueDoesNotHave) {
-  const TensionDiagnosis diagnosis = diagnose_tension(make({.sessions = 16, .hidden = kCreep}), {});
+  const TensionDiagnosis diagnosis = diagnose_tension(make({.hidden = kCreep}), {});
   EXPECT_EQ(diagnosis.findings.verdict, Verdict::unknown) << diagnosis.findings.prose;
   EXPECT_THAT(diagnosis.findings.extensions, IsEmpty());
   EXPECT_FALSE(diagnosis.findings.next_experiment.empty());
+  // Also where a model in newtons was asked.
   EXPECT_FALSE(diagnosis.findings.steps.empty());
   EXPECT_THAT(diagnosis.findings.discrepancies, ::testing::Not(IsEmpty()));
   EXPECT_THAT(diagnosis.findings.invisible, ::testing::Not(IsEmpty()));
