@@ -111,6 +111,18 @@ void leave_out(const Recording& recording, const std::vector<Fault>& faults, For
   }
 }
 
+/// At rest, to rounding, friction has no direction.
+void leave_out_rest(ForceRecord& record) {
+  constexpr double kRounding = 1e-9;
+  double most_m_s = 0;
+  for (const double velocity_m_s : record.velocity_m_s) {
+    most_m_s = std::max(most_m_s, std::abs(velocity_m_s));
+  }
+  for (std::size_t i = 0; i < record.samples(); ++i) {
+    record.used[i] = record.used[i] && std::abs(record.velocity_m_s[i]) > kRounding * most_m_s;
+  }
+}
+
 /// What hardly varies shows nothing.
 void leave_out_even(std::vector<ForceRecord>& records,
                     std::vector<double> ForceRecord::*temperature_C) {
@@ -183,6 +195,7 @@ std::vector<ForceRecord> force_records(const std::vector<Recording>& recordings,
     record.cycle = cycles_of(recording);
     record.used.assign(record.samples(), true);
     leave_out(recording, faults, record);
+    leave_out_rest(record);
     if (std::ranges::count(record.used, true) > 0) {
       records.push_back(std::move(record));
     }

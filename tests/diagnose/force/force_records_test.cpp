@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -46,6 +47,15 @@ double sine_N(double time_s) {
 
 ForceRecord record_of(const Recording& recording) {
   return force_records({recording}, {}, plain_sheath(), false).at(0);
+}
+
+/// Motion turns over at 0.5 s and every second after it; 0.5 s is a sample.
+TEST(ForceRecords, SamplesAtRestDoNotCount) {
+  Recording recording = recorded(sine_N);
+  EXPECT_FALSE(record_of(recording).used[50]);
+  EXPECT_EQ(std::ranges::count(record_of(recording).used, false), 6);
+  recording.channels[kTendonVelocity][50] = 1e-6;
+  EXPECT_TRUE(record_of(recording).used[50]);
 }
 
 TEST(ForceRecords, CyclesGoOnFromTheStartOfTheSession) {
