@@ -129,13 +129,9 @@ class Report {
     return left * left;
   }
 
-  [[nodiscard]] double probability_of(const Judged& one) const {
-    return one.probability(data_.records().size(), data_.scales());
-  }
-
   /// By itself: nothing could be in its place.
   [[nodiscard]] bool stands(const Judged& one) const {
-    return one.others.empty() && probability_of(one) >= kNamed;
+    return one.others.empty() && probability_of(one.term, one.gain, data_) >= kNamed;
   }
 
   void add_candidates(Findings& findings) const {
@@ -146,7 +142,7 @@ class Report {
       if (findings.verdict == Verdict::named && !stands(one)) {
         continue;
       }
-      all *= probability_of(one) / static_cast<double>(1 + one.others.size());
+      all *= probability_of(one.term, one.gain, data_) / static_cast<double>(1 + one.others.size());
       const std::size_t before = sets.size();
       for (const ForceTerm other : one.others) {
         sets.push_back(sets.front());
@@ -215,7 +211,7 @@ class Report {
     const std::vector<double> half = data_.half_widths(search_.model().fit);
     for (const Judged& one : search_.judged()) {
       FoundEffect found = effect_of(one.term, search_.model().fit, half);
-      found.probability = probability_of(one);
+      found.probability = probability_of(one.term, one.gain, data_);
       if (!one.others.empty()) {
         std::vector<std::string> same{found.id};
         for (const ForceTerm other : one.others) {
@@ -247,10 +243,8 @@ class Report {
         step.effect = effect_of(stairs_[i].fit.terms.back(), stairs_[i].fit,
                                 data_.half_widths(stairs_[i].fit));
         step.effect.probability =
-            probability_of({.term = stairs_[i].fit.terms.back(),
-                            .gain = data_.gain_of(stairs_[i - 1].held, stairs_[i].held, true),
-                            .without = {},
-                            .others = {}});
+            probability_of(stairs_[i].fit.terms.back(),
+                           data_.gain_of(stairs_[i - 1].held, stairs_[i].held, true), data_);
         for (std::size_t j = 0; j < before_N2.size(); ++j) {
           step.sessions_better += stairs_[i].held.beside_scatter_N2[j] < before_N2[j] ? 1 : 0;
         }

@@ -28,6 +28,19 @@ Extension written(std::string_view id, Numbers numbers, const ForceScales& scale
   return by_name(id, numbers, kParameters(scales));
 }
 
+/// kappa of laws of the speed.
+ForceParameter viscous_friction(const ForceScales& scales) {
+  const double speed_m_s = scales.speed_m_s;
+  return {"viscous_friction_s_m", "s/m", -1 / speed_m_s, 1 / speed_m_s, {0.01 / speed_m_s}};
+}
+
+/// b of laws of slack.
+ForceParameter slack_length(const ForceScales& scales) {
+  const double stroke_m = scales.stroke_m;
+  return {"slack_m", "m", 0, 0.3 * stroke_m, {0.01 * stroke_m, 0.03 * stroke_m, 0.1 * stroke_m},
+          true};
+}
+
 constexpr double kOfStep = 0.04;  ///< of the time between samples, which times are resolved by
 
 bool has_current(const ForceRecord& record) {
@@ -63,7 +76,7 @@ Parameters parameters(const ForceScales& scales) {
   const double force_N = scales.larger_N();
   const double speed_m_s = scales.speed_m_s;
   return {{"viscous_N_s_m", "N s/m", 0, 10 * force_N / speed_m_s, {0.05 * force_N / speed_m_s}},
-          {"viscous_friction_s_m", "s/m", -1 / speed_m_s, 1 / speed_m_s, {0.01 / speed_m_s}}};
+          viscous_friction(scales)};
 }
 
 constexpr ForceEffect kEffect{"friction_velocity",
@@ -94,7 +107,7 @@ Parameters parameters(const ForceScales& scales) {
     return {};
   }
   return {
-      {"viscous_friction_s_m", "s/m", -1 / speed_m_s, 1 / speed_m_s, {0.01 / speed_m_s}},
+      viscous_friction(scales),
       {"stribeck_friction", "1", -0.5, 0.5, {0.02}},
       {"stribeck_velocity_m_s", "m/s", least_m_s, kMost_m_s, {0.1 * speed_m_s, 0.3 * speed_m_s}}};
 }
@@ -209,13 +222,7 @@ constexpr ForceEffect kEffect{"friction_position",
 namespace slack {
 
 Parameters parameters(const ForceScales& scales) {
-  const double stroke_m = scales.stroke_m;
-  return {{"slack_m",
-           "m",
-           0,
-           0.3 * stroke_m,
-           {0.01 * stroke_m, 0.03 * stroke_m, 0.1 * stroke_m},
-           true}};
+  return {slack_length(scales)};
 }
 
 constexpr ForceEffect kEffect{
@@ -234,11 +241,9 @@ constexpr ForceEffect kEffect{
 namespace loose_tendon {
 
 Parameters parameters(const ForceScales& scales) {
-  const double stroke_m = scales.stroke_m;
-  Parameters all{
-      {"slack_m", "m", 0, 0.3 * stroke_m, {0.01 * stroke_m, 0.03 * stroke_m, 0.1 * stroke_m}, true},
-      {"slack_log_drop", "1", 0, 5, {0.1}},
-      {"slack_friction_share", "1", 0, 2, {1}}};
+  Parameters all{slack_length(scales),
+                 {"slack_log_drop", "1", 0, 5, {0.1}},
+                 {"slack_friction_share", "1", 0, 2, {1}}};
   all[1].beside = true;
   all[2].beside = true;
   return all;

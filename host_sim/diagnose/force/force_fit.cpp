@@ -369,31 +369,17 @@ std::vector<double> ForceData::half_widths(const ForceFit& fit) const {
   return half;
 }
 
-bool ForceData::at_bound(const ForceFit& fit, std::size_t term) const {
-  std::size_t next = 2;
-  for (std::size_t i = 0; i < term; ++i) {
-    next += parameters_of(fit.terms[i], scales_).size();
-  }
-  for (const ForceParameter& parameter : parameters_of(fit.terms[term], scales_)) {
-    const double value = fit.parameters[next++];
-    const double margin = 1e-3 * (parameter.maximum - parameter.minimum);
-    const bool lowest = parameter.minimum != 0;
-    if (!parameter.chosen && !parameter.beside &&
-        (value > parameter.maximum - margin || (lowest && value < parameter.minimum + margin))) {
-      return true;
-    }
-  }
-  return false;
-}
-
 bool ForceData::is_physical(const ForceFit& fit, std::size_t term) const {
-  if (at_bound(fit, term)) {
-    return false;
-  }
   const auto values = parameters_at(term, fit.terms, fit.parameters, scales_);
   const auto parameters = parameters_of(fit.terms[term], scales_);
   for (std::size_t k = 0; k < values.size(); ++k) {
-    if (std::abs(values[k]) < parameters[k].resolved) {
+    const ForceParameter& parameter = parameters[k];
+    const double margin = 1e-3 * (parameter.maximum - parameter.minimum);
+    const bool lowest = parameter.minimum != 0;
+    const bool at_bound = values[k] > parameter.maximum - margin ||
+                          (lowest && values[k] < parameter.minimum + margin);
+    if ((at_bound && !parameter.chosen && !parameter.beside) ||
+        std::abs(values[k]) < parameter.resolved) {
       return false;
     }
   }

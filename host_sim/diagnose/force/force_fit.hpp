@@ -105,11 +105,8 @@ class ForceData {
   /// parameter lies between samples of how far they are apart at all reversals.
   [[nodiscard]] std::vector<double> half_widths(const ForceFit& fit) const;
 
-  /// Whether a parameter lies at a bound of physics, by more than its own zero.
-  [[nodiscard]] bool at_bound(const ForceFit& fit, std::size_t term) const;
-
-  /// Whether its parameters are within the bounds of physics and larger than what samples that are
-  /// so far apart resolve.
+  /// Whether the parameters of a term are within the bounds of physics, of which zero is none where
+  /// it is the least, and larger than what samples that are so far apart resolve.
   [[nodiscard]] bool is_physical(const ForceFit& fit, std::size_t term) const;
 
   static constexpr int kFolds = 5;

@@ -47,13 +47,17 @@ constexpr double kTimeError = 0.05;
 
 constexpr double kPrior = 0.05;  ///< of an effect of the catalogue
 
+bool both_of(ForceEffect::Of kind, ForceTerm one, ForceTerm other) {
+  return definition_of(one).of == kind && definition_of(other).of == kind;
+}
+
 }  // namespace
 
-double Judged::probability(std::size_t sessions, const ForceScales& scales) const {
+double probability_of(ForceTerm term, const PairedGain& gain, const ForceData& data) {
   double log_odds = gain.z * gain.z / 2 + std::log(kPrior / (1 - kPrior));
-  for (const ForceParameter& parameter : parameters_of(term, scales)) {
+  for (const ForceParameter& parameter : parameters_of(term, data.scales())) {
     log_odds -= parameter.chosen ? std::log(static_cast<double>(parameter.starts.size()))
-                                 : std::log(static_cast<double>(sessions)) / 2;
+                                 : std::log(static_cast<double>(data.records().size())) / 2;
   }
   return gain.z > 0 && gain.any() ? 1 / (1 + std::exp(-log_odds)) : 0;
 }
@@ -139,8 +143,7 @@ std::vector<ForceTerm> ForceSearch::outside(const ForceTerms& taken) const {
     const auto term = static_cast<ForceTerm>(i);
     const auto same = [&](ForceTerm one) {
       return definition_of(one).id == definition_of(term).id ||
-             (definition_of(one).of == ForceEffect::Of::time &&
-              definition_of(term).of == ForceEffect::Of::time);
+             both_of(ForceEffect::Of::time, one, term);
     };
     const bool wanted = std::ranges::find(without_, definition_of(term).id) == without_.end();
     if (wanted && is_shown(term, data_.records()) && std::ranges::none_of(taken, same) &&
@@ -211,16 +214,16 @@ bool ForceSearch::grow() {
 /// Whether a term is certain, material, within the bounds of physics and more than samples resolve.
 bool ForceSearch::stays(std::size_t place) const {
   const Judged& one = judged_[place];
-  const auto of = [](const Judged& judged) { return definition_of(judged.term).of; };
   const bool told_apart = std::ranges::all_of(judged_, [&](const Judged& other) {
-    return of(one) != ForceEffect::Of::friction || of(other) != ForceEffect::Of::friction ||
+    return !both_of(ForceEffect::Of::friction, one.term, other.term) ||
            one.gain.beside_scatter_N2 >= kLawError * other.gain.beside_scatter_N2;
   });
   // Beside the scatter of sessions, or as it is where that takes up nearly all of it: what shifts
   // whole sessions.
   const HeldOut& held = model_.held;
-  const double least =
-      of(one) == ForceEffect::Of::time ? kReadBetween * data_.noise_left() : kLeastShare;
+  const double least = definition_of(one.term).of == ForceEffect::Of::time
+                           ? kReadBetween * data_.noise_left()
+                           : kLeastShare;
   const bool large = !data_.records().front().pulls_alone || one.gain.mean >= kLargeGain;
   const double share = large ? kMaterialShare : kMaterialShareAlone;
   const auto material = [&](double taken_N2, std::span<const double> noise_N2, double left_N2) {
@@ -230,7 +233,7 @@ bool ForceSearch::stays(std::size_t place) const {
          ((one.gain.beside_scatter_N2 < kShift * one.gain.taken_N2 &&
            material(one.gain.taken_N2, held.weighted_N2, left_.repeats_N2)) ||
           material(one.gain.beside_scatter_N2, held.beside_scatter_N2, left_.beside_scatter_N2)) &&
-         one.probability(data_.records().size(), data_.scales()) >= kNamed;
+         probability_of(one.term, one.gain, data_) >= kNamed;
 }
 
 /// Judges each term, and takes out the one that matters least if it does not stay.
@@ -265,21 +268,19 @@ bool ForceSearch::prune() {
 bool ForceSearch::exchange(bool allowed) {
   for (std::size_t place = 0; place < judged_.size(); ++place) {
     for (Candidate& one : in_place_of(place)) {
+      const ForceTerm term = judged_[place].term;
+      const ForceTerm other = one.fit.terms.back();
       const PairedGain lost = data_.gain_of(one.held, model_.held, false);
       if (allowed && lost.log_odds < -kOdds) {
-        added_.push_back({one.fit.terms.back(), std::nullopt});
+        added_.push_back({other, std::nullopt});
         model_ = std::move(one);
         return true;
       }
-      const bool both_in_time = definition_of(one.fit.terms.back()).of == ForceEffect::Of::time &&
-                                definition_of(judged_[place].term).of == ForceEffect::Of::time;
-      const double law_error = both_in_time ? kTimeError : kLawError;
-      const bool other_effect =
-          definition_of(one.fit.terms.back()).id != definition_of(judged_[place].term).id;
-      if (other_effect &&
+      const double law_error = both_of(ForceEffect::Of::time, term, other) ? kTimeError : kLawError;
+      if (definition_of(other).id != definition_of(term).id &&
           (lost.log_odds < kOdds || lost.beside_scatter_N2 < kAlike * left_.beside_scatter_N2 ||
            lost.beside_scatter_N2 < law_error * judged_[place].gain.beside_scatter_N2)) {
-        judged_[place].others.push_back(one.fit.terms.back());
+        judged_[place].others.push_back(other);
       }
     }
   }

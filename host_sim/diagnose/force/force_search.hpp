@@ -21,11 +21,11 @@ struct Judged {
   PairedGain gain;
   ForceFit without;
   std::vector<ForceTerm> others;  ///< that could stand in its place
-
-  /// That the effect is there: Laplace, the standard errors of the gain as evidence against as many
-  /// parameters, of so many sessions, and of what is tried one by one each as likely before.
-  [[nodiscard]] double probability(std::size_t sessions, const ForceScales& scales) const;
 };
+
+/// That the effect of a term is there: Laplace, the standard errors of the gain as evidence against
+/// as many parameters, of so many sessions, and of what is tried one by one each as likely before.
+double probability_of(ForceTerm term, const PairedGain& gain, const ForceData& data);
 
 /// Grows a model of the input force by effects of the catalogue as long as they gain on sessions
 /// that the fit never saw, and takes those out again without which it does as well.

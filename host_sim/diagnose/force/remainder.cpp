@@ -200,8 +200,8 @@ double most_repeated(const std::vector<BinMeans>& means) {
   return most_N2;
 }
 
-std::vector<std::vector<double>> beside_scatter_N(const ForceData& data, const ForceFit& model) {
-  std::vector<std::vector<double>> residuals_N = data.residuals_N(model);
+std::vector<std::vector<double>> beside_scatter_N(const ForceData& data,
+                                                  std::vector<std::vector<double>> residuals_N) {
   for (std::size_t j = 0; j < residuals_N.size(); ++j) {
     const Eigen::VectorXd left_N = data.covariance().beside_scatter(j, vector_of(residuals_N[j]));
     residuals_N[j].assign(left_N.begin(), left_N.end());
@@ -326,8 +326,8 @@ RemainderBins::RemainderBins(const std::vector<ForceRecord>& records,
 
 Structure structure_of(const ForceData& data, const std::vector<RemainderBins>& bins,
                        const ForceFit& model) {
-  const std::vector<std::vector<double>> beside_N = beside_scatter_N(data, model);
   const std::vector<std::vector<double>> all_N = data.residuals_N(model);
+  const std::vector<std::vector<double>> beside_N = beside_scatter_N(data, all_N);
   std::vector<BinMeans> beside;
   std::vector<BinMeans> all;
   beside.reserve(bins.size());
@@ -344,7 +344,8 @@ ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, cons
                             const std::vector<ForceCovariate>& covariates,
                             const std::vector<RemainderBins>& bins, std::uint64_t seed) {
   constexpr int kDraws = 999;
-  const std::vector<std::vector<double>> residuals_N = beside_scatter_N(data, model);
+  const std::vector<std::vector<double>> residuals_N =
+      beside_scatter_N(data, data.residuals_N(model));
   std::vector<BinMeans> means;
   means.reserve(bins.size());
   for (const RemainderBins& of_covariate : bins) {
@@ -370,7 +371,8 @@ ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, cons
     as_large += std::ranges::any_of(
         means, [&](const BinMeans& one) { return one.statistic(signs) >= largest; });
   }
-  const BinMeans before(data, bins[most], beside_scatter_N(data, nominal), ForceCovariance());
+  const BinMeans before(data, bins[most], beside_scatter_N(data, data.residuals_N(nominal)),
+                        ForceCovariance());
   return {covariates[most].name, static_cast<double>(as_large) / (kDraws + 1),
           most_repeated(means) / std::max(mean_square(data, residuals_N), 1e-300),
           pictures_of(covariates[most], bins[most], before, means[most])};
