@@ -15,7 +15,7 @@ namespace {
 
 using protocol::schema::kFrames;
 
-/// What is too old is looked for so often while frames come.
+/// Nodes that have fallen silent are looked for so often while frames come.
 constexpr std::int64_t kLookAgain_ns = 50'000'000;
 
 /// A frame of the plan.
@@ -74,17 +74,20 @@ struct Fleet::Impl {
     }
   }
 
-  void look_at_ages() {
+  void look_for_silence() {
     looked_ns = view.now_ns;
+    if (view.source_lost) {
+      return;
+    }
     for (auto& [node, watch] : watches) {
-      watch.tick(view.now_ns, !view.source_lost, heard_from_ns);
+      watch.look_for_silence(view.now_ns, heard_from_ns);
     }
   }
 
   void advance(std::int64_t now_ns) {
     view.now_ns = std::max(view.now_ns, now_ns);
     if (!looked_ns || view.now_ns - *looked_ns >= kLookAgain_ns) {
-      look_at_ages();
+      look_for_silence();
     }
   }
 
@@ -125,7 +128,10 @@ void Fleet::see(const SeenFrame& seen) {
 
 void Fleet::tick(std::int64_t now_ns) {
   impl_->view.now_ns = std::max(impl_->view.now_ns, now_ns);
-  impl_->look_at_ages();
+  impl_->look_for_silence();
+  for (auto& [node, watch] : impl_->watches) {
+    watch.mark_stale(impl_->view.now_ns);
+  }
   impl_->show_load();
 }
 

@@ -16,8 +16,9 @@ class Fleet {
   explicit Fleet(double bit_rate_bit_s = 1e6);
   ~Fleet();
 
+  /// Takes a frame; nodes that are silent by its time vanish.
   void see(const SeenFrame& seen);
-  /// Time passes without a frame: what is too old turns stale, nodes vanish.
+  /// It is as late as this: nodes vanish, and what is too old turns stale. Before a view is shown.
   void tick(std::int64_t now_ns);
   void source_is(FrameSource::State state, const std::string& description);
 

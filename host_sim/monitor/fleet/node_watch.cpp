@@ -57,16 +57,6 @@ class StaleMarker {
   bool vanished_;
 };
 
-void mark_stale(NodeView& view, std::int64_t now_ns) {
-  const StaleMarker marker(now_ns, view.vanished);
-  marker.mark(view.heartbeat, limit_ns(protocol::schema::kHeartbeatFrame));
-  marker.mark(view.status, limit_ns(protocol::schema::kLifeStatusFrame));
-  each_page(view, [&](const char*, auto& page) { marker.mark(page, kPage_ns); });
-  if (view.emergency) {
-    view.emergency->stale = view.vanished;
-  }
-}
-
 std::uint8_t key_of(const detail::TendonDamage& page) {
   return page.tendon;
 }
@@ -345,13 +335,22 @@ void NodeWatch::note(EventKind kind, std::int64_t time_ns, std::string text) {
       {.kind = kind, .time_ns = time_ns, .text = std::move(text), .state = view_.life_state()});
 }
 
-void NodeWatch::tick(std::int64_t now_ns, bool while_listening, std::int64_t heard_from_ns) {
+void NodeWatch::look_for_silence(std::int64_t now_ns, std::int64_t heard_from_ns) {
   const std::int64_t silent_from_ns = std::max(view_.last_seen_ns, heard_from_ns);
-  if (while_listening && !view_.vanished && now_ns - silent_from_ns > kVanished_ns) {
+  if (!view_.vanished && now_ns - silent_from_ns > kVanished_ns) {
     view_.vanished = true;
     note(EventKind::vanished, silent_from_ns + kVanished_ns, "not heard for three heartbeats");
   }
-  mark_stale(view_, now_ns);
+}
+
+void NodeWatch::mark_stale(std::int64_t now_ns) {
+  const StaleMarker marker(now_ns, view_.vanished);
+  marker.mark(view_.heartbeat, limit_ns(protocol::schema::kHeartbeatFrame));
+  marker.mark(view_.status, limit_ns(protocol::schema::kLifeStatusFrame));
+  each_page(view_, [&](const char*, auto& page) { marker.mark(page, kPage_ns); });
+  if (view_.emergency) {
+    view_.emergency->stale = view_.vanished;
+  }
 }
 
 }  // namespace host_sim::monitor

@@ -20,9 +20,11 @@ class NodeWatch {
 
   /// A frame of the kind with this number in schema::kFrames. @pre it is of this node
   void take(std::size_t kind, const hal::CanFrame& frame, std::int64_t time_ns);
-  /// Marks what is too old. A node vanishes only `while_listening`: silence of a bus that cannot be
-  /// heard shows nothing of the node. `heard_from_ns`: since when the bus can be heard.
-  void tick(std::int64_t now_ns, bool while_listening, std::int64_t heard_from_ns);
+  /// Whether it has vanished, for a bus that is heard: silence of one that is not shows nothing of
+  /// the node. `heard_from_ns`: since when the bus can be heard.
+  void look_for_silence(std::int64_t now_ns, std::int64_t heard_from_ns);
+  /// Marks what is too old.
+  void mark_stale(std::int64_t now_ns);
 
   [[nodiscard]] bool known() const { return known_; }
 
