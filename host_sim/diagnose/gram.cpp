@@ -118,9 +118,12 @@ double mean_bend_angle(const recording::Covariates& covariates) {
 /// Where another Gram has each column of a layout.
 class KnownColumns {
  public:
-  KnownColumns(const GramLayout& layout, const Grams& known) {
+  KnownColumns(const GramLayout& layout, const effects::Baseline& baseline, const Grams& known) {
+    const bool same_baseline = known.baseline == baseline;
     for (std::size_t column = 0; column < layout.size(); ++column) {
-      const Index place = place_in(known.layout, layout, layout.columns[column]);
+      const GramColumn& what = layout.columns[column];
+      const Index place =
+          same_baseline || !is_of_baseline(what.kind) ? place_in(known.layout, layout, what) : kNone;
       auto& own = place == kNone ? new_ : known_;
       own.push_back(static_cast<Index>(column));
       if (place != kNone) {
@@ -143,6 +146,10 @@ class KnownColumns {
  private:
   static constexpr Index kNone = -1;
 
+  static bool is_of_baseline(ColumnKind kind) {
+    return kind == ColumnKind::signature || kind == ColumnKind::residual;
+  }
+
   static Index place_in(const GramLayout& known, const GramLayout& layout,
                         const GramColumn& column) {
     switch (column.kind) {
@@ -153,7 +160,7 @@ class KnownColumns {
       case ColumnKind::residual:
         return static_cast<Index>(known.residual());
       case ColumnKind::probe:
-        return kNone;
+        return place_of(known, layout.probes[column.effect].probe, column.column);
       case ColumnKind::signature:
         break;
     }
@@ -166,6 +173,11 @@ class KnownColumns {
       }
     }
     return kNone;
+  }
+
+  static Index place_of(const GramLayout& known, const Probe& probe, std::size_t column) {
+    const auto block = std::ranges::find(known.probes, probe, &GramLayout::ProbeBlock::probe);
+    return block == known.probes.end() ? kNone : static_cast<Index>(block->first + column);
   }
 
   std::vector<Index> known_;   ///< columns that the other has
@@ -357,8 +369,8 @@ Grams gram_of(std::span<const Session> sessions, const GramOptions& options, con
   grams.layout = layout_of(sessions, grams.baseline, options.wanted, options.probes);
   grams.sessions.resize(sessions.size());
   std::optional<KnownColumns> in_known;
-  if (known != nullptr && known->baseline == grams.baseline) {
-    in_known.emplace(grams.layout, *known);
+  if (known != nullptr) {
+    in_known.emplace(grams.layout, grams.baseline, *known);
   }
   statistics::parallel_for(
       sessions.size(),

@@ -177,8 +177,8 @@ void weigh(Eigen::MatrixXd& columns, const std::vector<double>& weights);
 
 /// Layout and Gram matrices of all sessions, in one pass over the samples of each: never a matrix
 /// of all sessions. The same for any number of threads.
-/// @param known of the same sessions, weights and autocorrelation: where it is for the same
-/// baseline, products of columns that it has are taken from it
+/// @param known of the same sessions, weights and autocorrelation: products of columns that it has
+/// are taken from it, signatures and residuals only where it is for the same baseline
 Grams gram_of(std::span<const Session> sessions, const GramOptions& options,
               const Grams* known = nullptr);
 

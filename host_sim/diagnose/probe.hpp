@@ -32,6 +32,7 @@ struct Probe {
   [[nodiscard]] std::size_t columns() const { return 2 * bins(); }
   /// Of each sample. @pre the covariate was recorded
   [[nodiscard]] std::vector<std::size_t> column_of(const recording::Covariates& covariates) const;
+  friend bool operator==(const Probe&, const Probe&) = default;
 };
 
 /// "sheath temperature"

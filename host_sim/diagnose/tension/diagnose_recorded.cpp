@@ -77,11 +77,10 @@ class Diagnoser {
     }
     const Ranking ranking = rank(evidence_, grams);
     report(0.5);
-    probes_ = probes_of(evidence_.sessions);
-    const ResidualTest before = test_residual(evidence_, probes_, {}, options_.seed);
+    ResidualTests tests(probes_of(evidence_.sessions), options_.seed);
+    const ResidualTest before = tests.of(evidence_, {});
     const Hypothesis& best = ranking.best();
-    const ResidualTest after =
-        best.parts.empty() ? before : test_residual(evidence_, probes_, best.parts, options_.seed);
+    const ResidualTest after = best.parts.empty() ? before : tests.of(evidence_, best.parts);
     weighed_ = weigh(ranking, best, after);
     leave_out_imitations(ranking);
     report(0.6);
@@ -93,7 +92,7 @@ class Diagnoser {
     findings.verdict = verdict(model);
     const Audit audited = audit(grams, audit_noise(grams));
     model = refined(evidence_, std::move(model));
-    add_discrepancies(before, model, findings);
+    add_discrepancies(before, model.empty() ? before : tests.of(evidence_, model), findings);
     add_audit(audited, findings);
     dispersion_ = dispersion_of(after);
     add_effects(model, findings);
@@ -116,7 +115,7 @@ class Diagnoser {
     }
     diagnosis.traces = trace_pictures(evidence_, model);
     diagnosis.session_refits = session_refits(evidence_);
-    diagnosis.residuals = residual_pictures(evidence_, probes_, model);
+    diagnosis.residuals = residual_pictures(evidence_, tests.probes(), model);
     report(1);
     return diagnosis;
   }
@@ -214,10 +213,8 @@ class Diagnoser {
     return fit_model(grams, {}, evidence_.sample_sd).noise;
   }
 
-  void add_discrepancies(const ResidualTest& before, std::span<const Component> model,
-                         Findings& findings) {
-    const ResidualTest after =
-        model.empty() ? before : test_residual(evidence_, probes_, model, options_.seed);
+  static void add_discrepancies(const ResidualTest& before, const ResidualTest& after,
+                                Findings& findings) {
     for (std::size_t i = 0; i < before.probes.size(); ++i) {
       findings.discrepancies.push_back({std::string(name_of(before.probes[i].of)),
                                         before.probes[i].statistic, before.probes[i].p,
@@ -308,7 +305,6 @@ class Diagnoser {
   std::vector<Wanted> wanted_;
   SampleNoise noise_;
   Evidence evidence_;
-  std::vector<Probe> probes_;
   Weighed weighed_;
   double dispersion_ = 1;
 };

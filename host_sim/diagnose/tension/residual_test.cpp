@@ -176,13 +176,17 @@ ResidualTest test_residual(const Grams& grams, double sample_sd, std::uint64_t s
   return test;
 }
 
-ResidualTest test_residual(const Evidence& evidence, const std::vector<Probe>& probes,
-                           std::span<const Component> model, std::uint64_t seed) {
+ResidualTest ResidualTests::of(const Evidence& evidence, std::span<const Component> model) {
   GramOptions options = evidence.options;
   options.wanted = wanted_of(model);
-  options.probes = probes;
-  return test_residual(gram_of(evidence.sessions, options), evidence.sample_sd, seed,
-                       evidence.options.threads);
+  options.probes = probes_;
+  Grams grams = gram_of(evidence.sessions, options, before_ ? &*before_ : nullptr);
+  const ResidualTest test =
+      test_residual(grams, evidence.sample_sd, seed_, evidence.options.threads);
+  if (!before_) {
+    before_ = std::move(grams);
+  }
+  return test;
 }
 
 }  // namespace host_sim::diagnose

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "host_sim/diagnose/tension/hypothesis.hpp"
@@ -34,8 +37,21 @@ struct ResidualTest {
 ResidualTest test_residual(const Grams& grams, double sample_sd, std::uint64_t seed,
                            unsigned threads);
 
-/// The same of a model.
-ResidualTest test_residual(const Evidence& evidence, const std::vector<Probe>& probes,
-                           std::span<const Component> model, std::uint64_t seed);
+/// The same of one model after another, against probes whose products are summed once.
+class ResidualTests {
+ public:
+  ResidualTests(std::vector<Probe> probes, std::uint64_t seed)
+      : probes_(std::move(probes)), seed_(seed) {}
+
+  /// @param evidence always of the same sessions, weights and autocorrelation
+  ResidualTest of(const Evidence& evidence, std::span<const Component> model);
+
+  [[nodiscard]] const std::vector<Probe>& probes() const { return probes_; }
+
+ private:
+  std::vector<Probe> probes_;
+  std::uint64_t seed_;
+  std::optional<Grams> before_;  ///< of the first model
+};
 
 }  // namespace host_sim::diagnose

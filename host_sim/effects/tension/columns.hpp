@@ -37,17 +37,22 @@ inline double input_noise_share(const recording::Covariates& covariates, std::si
                   : 0.5;
 }
 
-/// What to multiply a measured input by, tension or current, where a signature divides by it:
-/// exp(w r), T_in as the output gives it over T_in as measured by the share w of the input end in
+/// ln of what to multiply a measured input by, tension or current, where a signature divides by it:
+/// w r, T_in as the output gives it over T_in as measured by the share w of the input end in
 /// their noise. The noise of both ends is part of r; a signature made of a tension whose noise goes
 /// with that of r would find an effect where there is none. Between both ends, by each one's own
-/// noise, lies the one tension whose noise does not. 1 where the baseline holds exactly.
+/// noise, lies the one tension whose noise does not. 0 where the baseline holds exactly.
+inline double log_to_mid_tension(const recording::Covariates& covariates, const Baseline& baseline,
+                                 std::size_t i) {
+  const double grip =
+      baseline.friction_coefficient * covariates.bend_angle_rad[i] * covariates.direction[i];
+  return input_noise_share(covariates, i) *
+         (std::log(covariates.output_tension_N[i] / covariates.tension_in_N()[i]) + grip);
+}
+
 inline double to_mid_tension(const recording::Covariates& covariates, const Baseline& baseline,
                              std::size_t i) {
-  const double gripped = std::exp(baseline.friction_coefficient * covariates.bend_angle_rad[i] *
-                                  covariates.direction[i]);
-  return std::pow(covariates.output_tension_N[i] * gripped / covariates.tension_in_N()[i],
-                  input_noise_share(covariates, i));
+  return std::exp(log_to_mid_tension(covariates, baseline, i));
 }
 
 /// r where T_in less what the output gives of it is q times the tension between both, so that
@@ -56,6 +61,7 @@ inline double to_mid_tension(const recording::Covariates& covariates, const Base
 inline double log_of_difference(double q, double share) {
   constexpr int kSteps = 4;
   constexpr double kMost = 6;
+  constexpr double kSettled = 1e-9;  // the next step is below the precision of a double
   double r = -2 * std::asinh(q / 2);
   if (share == 0.5) {
     return r;
@@ -63,8 +69,11 @@ inline double log_of_difference(double q, double share) {
   for (int step = 0; step < kSteps; ++step) {
     const double input = std::exp(-share * r);
     const double output = std::exp((1 - share) * r);
-    r = std::clamp(r + (input - output - q) / (share * input + (1 - share) * output), -kMost,
-                   kMost);
+    const double change = (input - output - q) / (share * input + (1 - share) * output);
+    r = std::clamp(r + change, -kMost, kMost);
+    if (std::abs(change) < kSettled) {
+      break;
+    }
   }
   return r;
 }

@@ -37,14 +37,16 @@ constexpr Separation kSeparations[] = {
 Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
                 std::span<const double> shape) {
   const double exponent = shape[0];
+  const double log_reference = std::log(kReference_N);
   return {column_of(covariates, [&](std::size_t i) {
     const double grip = baseline.friction_coefficient * angle_and_direction(covariates, i);
-    const double mid_N = covariates.tension_in_N()[i] * to_mid_tension(covariates, baseline, i);
+    const double log_mid =
+        std::log(covariates.tension_in_N()[i]) + log_to_mid_tension(covariates, baseline, i);
     const double off_middle = 0.5 - input_noise_share(covariates, i);
     double r = 0;
     for (int round = 0; round < kRounds; ++round) {
-      const double mean_N = mid_N * std::exp(-grip / 2 + off_middle * r);
-      const double there = grip * std::pow(kReference_N / mean_N, exponent);
+      const double log_mean = log_mid - grip / 2 + off_middle * r;
+      const double there = grip * std::exp(exponent * (log_reference - log_mean));
       r = grip - 2 / exponent * std::asinh(exponent * there / 2);
     }
     return r;
@@ -354,9 +356,14 @@ double growth(double cycle, std::span<const double> shape) {
 /// Small signal: T_out = T_in exp(-mu (1 + a g) phi s) gives r = -mu phi s g a.
 Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
                 std::span<const double> shape) {
+  double cycle = -1;
+  double grown = 0;
   return {column_of(covariates, [&](std::size_t i) {
-    return -baseline.friction_coefficient * angle_and_direction(covariates, i) *
-           growth(covariates.cycle[i], shape);
+    if (covariates.cycle[i] != cycle) {  // few cycles, of many samples each
+      cycle = covariates.cycle[i];
+      grown = growth(cycle, shape);
+    }
+    return -baseline.friction_coefficient * angle_and_direction(covariates, i) * grown;
   })};
 }
 

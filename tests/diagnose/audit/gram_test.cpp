@@ -197,6 +197,20 @@ TEST(Gram, TakesProductsThatAreKnownFromAnotherLayout) {
   }
 }
 
+TEST(Gram, TakesProductsOfProbesThatAreKnownForAnyBaseline) {
+  const auto sessions = few_sessions();
+  GramOptions options{.wanted = {}, .probes = probes_of(sessions), .baseline = testing::baseline()};
+  const Grams known = gram_of(sessions, options);
+  options.wanted = {whole_catalogue().front()};
+  options.probes.erase(options.probes.begin());
+  options.probes.back().edges.front() *= 1.01;
+  options.baseline.friction_coefficient *= 1.1;
+  const Grams grams = gram_of(sessions, options, &known);
+  for (std::size_t i = 0; i < sessions.size(); ++i) {
+    expect_products(grams.sessions[i].gram, columns_of(sessions[i], grams.layout, grams.baseline));
+  }
+}
+
 TEST(Gram, RefusesWeightsOfAnotherLength) {
   const std::vector<Session> sessions = few_sessions();
   const std::vector<std::vector<double>> one(1);

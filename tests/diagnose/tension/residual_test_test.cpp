@@ -152,7 +152,7 @@ TEST(ResidualTest, WithoutProbesSaysNothing) {
   evidence.sessions = sessions;
   evidence.options.wanted.clear();
   evidence.sample_sd = kSample_sd;
-  const ResidualTest test = test_residual(evidence, {}, {}, 1);
+  const ResidualTest test = ResidualTests({}, 1).of(evidence, {});
   EXPECT_TRUE(test.probes.empty());
   EXPECT_EQ(test.p, 1);
 }
