@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "host_sim/life_law/life_design.hpp"
 #include "host_sim/life_law/life_fit.hpp"
@@ -119,6 +120,11 @@ class ProfileLikelihood {
   [[nodiscard]] double standard_error() const { return standard_error_; }
   /// The log likelihood's loss against its maximum, 0 or more.
   [[nodiscard]] double loss(double value) const;
+  /// The value on one side of the best one, -1 or 1, at which the root of twice the loss is
+  /// `wanted`, where Newton's steps from a parabola find it: value, coefficients and multiplier at
+  /// once (Venzon and Moolgavkar, A method for computing profile-likelihood-based confidence
+  /// intervals, 1988).
+  [[nodiscard]] std::optional<double> end_at_once(double wanted, double side) const;
 
  private:
   [[nodiscard]] Eigen::Vector3d complete(const Eigen::Vector2d& free, double value) const;
@@ -197,8 +203,49 @@ double ProfileLikelihood::loss(double value) const {
   return std::max(0.0, best_log_likelihood_ - maximum.expansion.value);
 }
 
+std::optional<double> ProfileLikelihood::end_at_once(double wanted, double side) const {
+  constexpr int kMostSteps = 12;
+  constexpr double kSettled = 1e-7;  // standard errors; the next step is below a double's precision
+  constexpr double kLongest = 2;     // the same
+  double value = best_value_ + side * wanted * standard_error_;
+  Eigen::Vector3d coefficients = best_ + (value - best_value_) * ridge_;
+  double multiplier = side * wanted / standard_error_;
+  Expansion full;
+  for (int step = 0; step < kMostSteps; ++step) {
+    expand_log_likelihood(design_, coefficients, full);
+    const double missing = best_log_likelihood_ - wanted * wanted / 2 - full.value;
+    if (!std::isfinite(missing)) {
+      return std::nullopt;
+    }
+    const Eigen::Vector3d by_quantity = quantity_.gradient(coefficients);
+    Eigen::Matrix4d system = Eigen::Matrix4d::Zero();
+    system.topLeftCorner<3, 3>() = full.hessian;
+    system(kLnShape, kLnShape) += multiplier * quantity_.part(coefficients[kLnShape]).second;
+    system.topRightCorner<3, 1>() = by_quantity;
+    system.bottomLeftCorner<1, 3>() = full.gradient.transpose();
+    Eigen::Vector4d wrong;
+    wrong << -full.gradient - multiplier * by_quantity, missing;
+    const Eigen::Vector4d change = system.fullPivLu().solve(wrong);
+    coefficients += change.head<3>();
+    multiplier += change[3];
+    const double before = value;
+    value = quantity_.value(coefficients);
+    const double moved = std::abs(value - before) / standard_error_;
+    if (!(moved < kLongest) || side * (value - best_value_) <= 0 || side * multiplier <= 0) {
+      return std::nullopt;
+    }
+    if (moved < kSettled && std::abs(missing) < kSettled) {
+      return value;
+    }
+  }
+  return std::nullopt;
+}
+
 /// The value on one side of the best one at which the root of twice the loss is `wanted`.
 double end_of(const ProfileLikelihood& profile, double wanted, double side) {
+  if (const auto end = profile.end_at_once(wanted, side)) {
+    return *end;
+  }
   constexpr double kFurthest = 1e4;  // in standard errors
   constexpr int kBits = 40;
   constexpr double kGrowth = 1.5;
