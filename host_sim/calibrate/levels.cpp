@@ -146,17 +146,15 @@ std::vector<statistics::Sample> samples_of(std::span<const LevelResult> levels,
   return samples;
 }
 
-std::vector<OddLevel> odd_levels(std::span<const statistics::Sample> samples,
-                                 std::span<const std::size_t> chosen,
-                                 const CalibrateOptions& options) {
+std::vector<OddLevel> odd_levels(std::span<const statistics::Test> one_against_rest,
+                                 std::span<const std::size_t> chosen) {
   std::vector<OddLevel> odd;
   for (std::size_t i = 0; i < chosen.size(); ++i) {
-    OddLevel level;
-    level.level = chosen[i];
-    level.test = statistics::test_one_against_rest(
-        samples, i, bootstrap(options, Purpose::odd_level, chosen[i]));
-    level.p_corrected = std::min(1.0, level.test.p_simulated * static_cast<double>(chosen.size()));
-    odd.push_back(level);
+    const statistics::Test& test = one_against_rest[i];
+    const double looked_at = static_cast<double>(chosen.size());
+    odd.push_back({.level = chosen[i],
+                   .test = test,
+                   .p_corrected = std::min(1.0, test.p_simulated * looked_at)});
   }
   return odd;
 }
@@ -180,10 +178,11 @@ std::optional<CommonShape> common_shape(std::span<LevelResult> levels,
   }
   CommonShape result;
   std::vector<statistics::Sample> samples = samples_of(levels, chosen);
-  result.homogeneity =
-      statistics::test_common_shape(samples, bootstrap(options, Purpose::common_shape));
+  statistics::ShapeTests tests =
+      statistics::test_shapes(samples, bootstrap(options, Purpose::common_shape));
+  result.homogeneity = tests.common;
   if (chosen.size() >= kFewestToCompare) {
-    result.odd_levels = odd_levels(samples, chosen, options);
+    result.odd_levels = odd_levels(tests.one_against_rest, chosen);
   }
   std::vector<OddLevel> odd = result.odd_levels;
   while (!options.keep_all_levels && result.homogeneity.p_simulated < kSignificance &&
@@ -200,9 +199,10 @@ std::optional<CommonShape> common_shape(std::span<LevelResult> levels,
     }
     chosen = comparable(levels);
     samples = samples_of(levels, chosen);
-    result.homogeneity = statistics::test_common_shape(
-        samples, bootstrap(options, Purpose::common_shape, chosen.size()));
-    odd = odd_levels(samples, chosen, options);
+    tests =
+        statistics::test_shapes(samples, bootstrap(options, Purpose::common_shape, chosen.size()));
+    result.homogeneity = tests.common;
+    odd = odd_levels(tests.one_against_rest, chosen);
   }
   const statistics::CommonShapeFit fit = statistics::fit_common_shape(samples);
   result.value = fit.shape;

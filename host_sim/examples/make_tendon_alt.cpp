@@ -166,7 +166,8 @@ Sample odd_level(std::vector<Sample> samples) {
   samples.emplace_back();
   for (const Sample& sample : choices_for(kPrinted.back(), kOddChoices)) {
     samples.back() = sample;
-    const auto test = host_sim::statistics::test_one_against_rest(samples, odd, {.replicates = 0});
+    const auto test =
+        host_sim::statistics::test_shapes(samples, {.replicates = 0}).one_against_rest[odd];
     if (near(test.statistic, kOddRatio, kOddRatioHalf)) {
       return sample;
     }

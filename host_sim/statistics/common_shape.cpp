@@ -5,8 +5,11 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <cstdint>
+#include <iterator>
 #include <limits>
+#include <numeric>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "host_sim/statistics/bootstrap.hpp"
@@ -108,7 +111,7 @@ class SameShapeSamples {
   /// Logarithms of the samples as measured.
   [[nodiscard]] std::span<const CentredSample> measured() const { return measured_; }
   /// Logarithms of samples as drawn, in `memory`.
-  std::span<const CentredSample> draw(Random& random, Memory& memory) const;
+  std::span<CentredSample> draw(Random& random, Memory& memory) const;
 
  private:
   std::vector<CentredSample> measured_;
@@ -128,7 +131,7 @@ SameShapeSamples::SameShapeSamples(std::span<const Sample> samples, const Common
   }
 }
 
-std::span<const CentredSample> SameShapeSamples::draw(Random& random, Memory& memory) const {
+std::span<CentredSample> SameShapeSamples::draw(Random& random, Memory& memory) const {
   memory.logs.resize(plans_.size());
   for (std::size_t i = 0; i < plans_.size(); ++i) {
     plans_[i].draw(truths_[i], random, memory.lives);
@@ -148,44 +151,85 @@ double best_log_likelihood(std::span<const CentredSample> samples) {
   return shape == 0 ? kUnknown : shape_log_likelihood(samples, shape);
 }
 
-/// Eq. (18) for a shape in each group against one in all; `group_sizes` splits the samples in
-/// order.
-double likelihood_ratio(std::span<const CentredSample> samples,
-                        std::span<const std::size_t> group_sizes) {
-  double separate = 0;
-  std::size_t begin = 0;
-  for (const std::size_t size : group_sizes) {
-    separate += best_log_likelihood(samples.subspan(begin, size));
-    begin += size;
+/// Eq. (18) against one shape for all of some samples. NaN where a part of them has no best shape.
+class ShapeRatios {
+ public:
+  /// @param samples are moved about, and in their places again after each call
+  explicit ShapeRatios(std::span<CentredSample> samples)
+      : samples_(samples), all_(best_log_likelihood(samples)) {
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      each_.push_back(best_log_likelihood(samples.subspan(i, 1)));
+    }
   }
-  const double ratio = 2 * (separate - best_log_likelihood(samples));
-  return ratio < 0 ? 0 : ratio;
+
+  /// Of a shape for each.
+  [[nodiscard]] double of_each() const {
+    return ratio(std::accumulate(each_.begin(), each_.end(), 0.0));
+  }
+  /// Of a shape for one, and another for the rest.
+  [[nodiscard]] double of_one(std::size_t odd) const {
+    std::swap(samples_[0], samples_[odd]);
+    const double rest = best_log_likelihood(samples_.subspan(1));
+    std::swap(samples_[0], samples_[odd]);
+    return ratio(each_[odd] + rest);
+  }
+
+ private:
+  [[nodiscard]] double ratio(double separate) const {
+    const double twice = 2 * (separate - all_);
+    return twice < 0 ? 0 : twice;
+  }
+
+  std::span<CentredSample> samples_;
+  double all_;
+  std::vector<double> each_;
+};
+
+/// In place of the sample that is tested against the rest: a shape for each.
+constexpr std::size_t kEach = std::numeric_limits<std::size_t>::max();
+
+double ratio_of(const ShapeRatios& ratios, std::size_t tested) {
+  return tested == kEach ? ratios.of_each() : ratios.of_one(tested);
 }
 
-Test test_groups(std::span<const Sample> samples, std::span<const std::size_t> group_sizes,
-                 const BootstrapOptions& options) {
-  Test test{.statistic = kUnknown,
-            .degrees_of_freedom = static_cast<double>(group_sizes.size()) - 1,
-            .p_chi_square = kUnknown,
-            .p_simulated = kUnknown};
+/// Tests of samples with shapes, all by the same replicates.
+std::vector<Test> tests_of(std::span<const Sample> samples, std::span<const std::size_t> tested,
+                           const BootstrapOptions& options) {
+  std::vector<Test> tests;
+  for (const std::size_t one : tested) {
+    tests.push_back(
+        {.statistic = kUnknown,
+         .degrees_of_freedom = one == kEach ? static_cast<double>(samples.size()) - 1 : 1,
+         .p_chi_square = kUnknown,
+         .p_simulated = kUnknown});
+  }
   const CommonShapeFit common = fit_common_shape(samples);
   if (common.problem != FitProblem::none) {
-    return test;
+    return tests;
   }
   const SameShapeSamples truth(samples, common);
-  test.statistic = likelihood_ratio(truth.measured(), group_sizes);
-  if (std::isnan(test.statistic)) {
-    return test;
+  std::vector<CentredSample> measured(truth.measured().begin(), truth.measured().end());
+  const ShapeRatios ratios(measured);
+  std::vector<std::vector<double>> replicates(tested.size());
+  for (std::size_t t = 0; t < tested.size(); ++t) {
+    tests[t].statistic = ratio_of(ratios, tested[t]);
+    replicates[t].resize(options.replicates);
   }
-  test.p_chi_square = boost::math::gamma_q(test.degrees_of_freedom / 2, test.statistic / 2);
-  std::vector<double> replicates(options.replicates);
   for_each_replicate(options, [&] {
     return [&, drawn = SameShapeSamples::Memory()](Random& random, std::size_t i) mutable {
-      replicates[i] = likelihood_ratio(truth.draw(random, drawn), group_sizes);
+      const ShapeRatios of_drawn(truth.draw(random, drawn));
+      for (std::size_t t = 0; t < tested.size(); ++t) {
+        replicates[t][i] = ratio_of(of_drawn, tested[t]);
+      }
     };
   });
-  test.p_simulated = bootstrap_p(replicates, test.statistic);
-  return test;
+  for (std::size_t t = 0; t < tested.size(); ++t) {
+    if (Test& test = tests[t]; !std::isnan(test.statistic)) {
+      test.p_chi_square = boost::math::gamma_q(test.degrees_of_freedom / 2, test.statistic / 2);
+      test.p_simulated = bootstrap_p(replicates[t], test.statistic);
+    }
+  }
+  return tests;
 }
 
 bool has_shape(const Sample& sample) {
@@ -203,30 +247,34 @@ Test not_testable() {
 
 }  // namespace
 
-Test test_common_shape(std::span<const Sample> samples, const BootstrapOptions& options) {
+ShapeTests test_shapes(std::span<const Sample> samples, const BootstrapOptions& options) {
   std::vector<Sample> usable;
-  std::copy_if(samples.begin(), samples.end(), std::back_inserter(usable), has_shape);
-  if (usable.size() < 2) {
-    return not_testable();
-  }
-  return test_groups(usable, std::vector<std::size_t>(usable.size(), 1), options);
-}
-
-Test test_one_against_rest(std::span<const Sample> samples, std::size_t odd,
-                           const BootstrapOptions& options) {
-  if (!has_shape(samples[odd])) {
-    return not_testable();
-  }
-  std::vector<Sample> usable{samples[odd]};
+  std::vector<std::size_t> places;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    if (i != odd && has_shape(samples[i])) {
+    if (has_shape(samples[i])) {
+      places.push_back(i);
       usable.push_back(samples[i]);
     }
   }
+  ShapeTests tests{not_testable(), std::vector<Test>(samples.size(), not_testable())};
   if (usable.size() < 2) {
-    return not_testable();
+    return tests;
   }
-  return test_groups(usable, std::vector<std::size_t>{1, usable.size() - 1}, options);
+  std::vector<std::size_t> tested(usable.size() + 1, kEach);
+  std::iota(tested.begin() + 1, tested.end(), std::size_t{0});
+  const std::vector<Test> found = tests_of(usable, tested, options);
+  tests.common = found.front();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    tests.one_against_rest[places[i]] = found[i + 1];
+  }
+  return tests;
+}
+
+Test test_common_shape(std::span<const Sample> samples, const BootstrapOptions& options) {
+  std::vector<Sample> usable;
+  std::copy_if(samples.begin(), samples.end(), std::back_inserter(usable), has_shape);
+  return usable.size() < 2 ? not_testable()
+                           : tests_of(usable, std::span(&kEach, 1), options).front();
 }
 
 double unbiased_shape(std::span<const Sample> samples, const CommonShapeFit& fit,

@@ -42,9 +42,14 @@ Interval common_shape_interval(std::span<const Sample> samples, const CommonShap
 /// fit under each sample's plan of suspension.
 Test test_common_shape(std::span<const Sample> samples, const BootstrapOptions& options);
 
-/// One shape for all against one shape for `odd` and another for the rest: one degree of freedom.
-Test test_one_against_rest(std::span<const Sample> samples, std::size_t odd,
-                           const BootstrapOptions& options);
+struct ShapeTests {
+  Test common;  ///< test_common_shape()
+  /// One shape for all against one for this sample and another for the rest: one degree of freedom.
+  std::vector<Test> one_against_rest;
+};
+
+/// All of these tests by the same replicates.
+ShapeTests test_shapes(std::span<const Sample> samples, const BootstrapOptions& options);
 
 /// The shape without its bias, by simulation: the estimate over the mean of (estimate / truth).
 double unbiased_shape(std::span<const Sample> samples, const CommonShapeFit& fit,

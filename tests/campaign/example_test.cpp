@@ -125,7 +125,8 @@ TEST_F(TendonAlt, SharesTheShapeOfThePaper) {
 
 TEST_F(TendonAlt, ShapeOfTheLastLevelBreaksTheOthers) {
   const std::vector<Sample> five = samples({315, 360, 405, 450, 540});
-  const statistics::Test test = statistics::test_one_against_rest(five, 4, {.replicates = 0});
+  const statistics::Test test =
+      statistics::test_shapes(five, {.replicates = 0}).one_against_rest[4];
   EXPECT_EQ(fmt::format("{:.1f}", test.statistic), "9.9");
   EXPECT_EQ(fmt::format("{:.3f}", test.p_chi_square), "0.002");
 }

@@ -126,7 +126,7 @@ TEST(CommonShape, TestComparesWithFitsOfTheirOwn) {
 TEST(CommonShape, OneAgainstRest) {
   const std::vector<Sample> samples = three_levels();
   const std::vector<Sample> first_two(samples.begin(), samples.begin() + 2);
-  const auto test = test_one_against_rest(first_two, 1, {.replicates = 0});
+  const auto test = test_shapes(first_two, {.replicates = 0}).one_against_rest[1];
   EXPECT_EQ(test.degrees_of_freedom, 1);
   EXPECT_NEAR(test.statistic, test_common_shape(first_two, {.replicates = 0}).statistic, 1e-10);
 }
@@ -136,10 +136,10 @@ TEST(CommonShape, OneAgainstRestFindsTheOdd) {
   for (const double shape : {6.0, 6.0, 2.0, 6.0}) {
     samples.push_back(ideal_weibull(500, shape, 20));
   }
-  const auto odd = test_one_against_rest(samples, 2, {.replicates = 999});
+  const auto odd = test_shapes(samples, {.replicates = 999}).one_against_rest[2];
   EXPECT_LT(odd.p_simulated, 0.002);
   for (const std::size_t other : {0U, 1U, 3U}) {
-    const auto test = test_one_against_rest(samples, other, {.replicates = 0});
+    const auto test = test_shapes(samples, {.replicates = 0}).one_against_rest[other];
     EXPECT_LT(test.statistic, odd.statistic / 3);
   }
   EXPECT_LT(test_common_shape(samples, {.replicates = 999}).p_simulated, 0.002);
@@ -148,10 +148,11 @@ TEST(CommonShape, OneAgainstRestFindsTheOdd) {
 TEST(CommonShape, SamplesWithoutTwoFailuresTakeNoPart) {
   std::vector<Sample> samples = three_levels();
   const auto before = test_common_shape(samples, {.replicates = 0});
-  const auto odd_before = test_one_against_rest(samples, 0, {.replicates = 0});
+  const auto odd_before = test_shapes(samples, {.replicates = 0}).one_against_rest[0];
   samples.push_back(with_suspended({50}, {60, 60}));
   EXPECT_EQ(test_common_shape(samples, {.replicates = 0}).statistic, before.statistic);
-  EXPECT_EQ(test_one_against_rest(samples, 0, {.replicates = 0}).statistic, odd_before.statistic);
+  EXPECT_EQ(test_shapes(samples, {.replicates = 0}).one_against_rest[0].statistic,
+            odd_before.statistic);
 }
 
 void expect_not_a_number(const Test& test) {
@@ -163,8 +164,8 @@ void expect_not_a_number(const Test& test) {
 TEST(CommonShape, WhatCannotBeTestedIsNoNumber) {
   const std::vector<Sample> one_usable{failed({5, 6}), failed({7})};
   expect_not_a_number(test_common_shape(one_usable, {.replicates = 10}));
-  expect_not_a_number(test_one_against_rest(one_usable, 0, {.replicates = 10}));
-  expect_not_a_number(test_one_against_rest(one_usable, 1, {.replicates = 10}));
+  expect_not_a_number(test_shapes(one_usable, {.replicates = 10}).one_against_rest[0]);
+  expect_not_a_number(test_shapes(one_usable, {.replicates = 10}).one_against_rest[1]);
   const std::vector<Sample> no_spread{failed({5, 6}), failed({7, 7})};
   expect_not_a_number(test_common_shape(no_spread, {.replicates = 10}));
 }
@@ -177,8 +178,8 @@ TEST(CommonShape, SameSeedSameAnswerForAnyThreads) {
   many.threads = 3;
   EXPECT_EQ(test_common_shape(samples, alone).p_simulated,
             test_common_shape(samples, many).p_simulated);
-  EXPECT_EQ(test_one_against_rest(samples, 1, alone).p_simulated,
-            test_one_against_rest(samples, 1, many).p_simulated);
+  EXPECT_EQ(test_shapes(samples, alone).one_against_rest[1].p_simulated,
+            test_shapes(samples, many).one_against_rest[1].p_simulated);
   EXPECT_EQ(unbiased_shape(samples, found, alone), unbiased_shape(samples, found, many));
 }
 

@@ -168,12 +168,13 @@ std::string shape_prose(const Campaign& campaign, const ShapeTestOptions& option
   }
   const statistics::BootstrapOptions bootstrap{
       .seed = options.seed, .stream = kShapeStream, .replicates = 2000, .threads = options.threads};
+  const std::vector<statistics::Test> tests =
+      statistics::test_shapes(levels.samples, bootstrap).one_against_rest;
   std::size_t odd = 0;
   statistics::Test least{.p_simulated = 2};
-  for (std::size_t i = 0; i < levels.samples.size(); ++i) {
-    const statistics::Test test = statistics::test_one_against_rest(levels.samples, i, bootstrap);
-    if (test.p_simulated < least.p_simulated) {
-      least = test;
+  for (std::size_t i = 0; i < tests.size(); ++i) {
+    if (tests[i].p_simulated < least.p_simulated) {
+      least = tests[i];
       odd = i;
     }
   }
