@@ -10,7 +10,8 @@ here="$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)"
 run_packages=(
   g++ cmake ninja-build
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev zlib1g-dev libzstd-dev
-  libboost-math-dev libeigen3-dev libnlopt-cxx-dev libssl-dev libpcap-dev libcpp-httplib-dev pkg-config
+  libboost-math-dev libeigen3-dev libnlopt-cxx-dev librandom123-dev libssl-dev libpcap-dev libcpp-httplib-dev
+  pkg-config
   ca-certificates openssl
 )
 test_packages=(

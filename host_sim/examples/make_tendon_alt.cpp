@@ -22,7 +22,7 @@
 #include "host_sim/statistics/distribution.hpp"
 #include "host_sim/statistics/fit.hpp"
 #include "host_sim/statistics/goodness_of_fit.hpp"
-#include "host_sim/statistics/random.hpp"
+#include "host_sim/synth/draws.hpp"
 
 /// Samples of whole cycles in place of the lives that the paper measured but did not print.
 namespace tendon_alt {
@@ -72,7 +72,7 @@ bool near(double value, double middle, double half) {
 }
 
 Sample weibull_sample(std::uint64_t stream, std::uint64_t number, std::size_t size, double shape) {
-  host_sim::statistics::Random random(kSeed, stream, number);
+  host_sim::synth::Random random(kSeed, stream, number);
   Sample sample(size);
   for (Observation& observation : sample) {
     observation.value = std::pow(-std::log(random.uniform()), 1 / shape);

@@ -154,14 +154,15 @@ std::vector<Distribution> refits(const Distribution& truth, std::span<const Obse
   return result;
 }
 
-/// (ln t_p* - ln t_p) beta* for each refit.
+/// (ln t_p* - ln t_p) beta* for each refit, where ln t_p* = ln alpha* + ln(-ln(1 - p)) / beta*.
 std::vector<double> pivots(const Distribution& truth, std::span<const Distribution> refitted,
                            double p) {
   const double log_truth = std::log(truth.quantile(p));
+  const double log_hazard = std::log(-std::log1p(-p));
   std::vector<double> result;
   result.reserve(refitted.size());
   for (const Distribution& one : refitted) {
-    result.push_back((std::log(one.quantile(p)) - log_truth) * one.second);
+    result.push_back((std::log(one.first) - log_truth) * one.second + log_hazard);
   }
   return result;
 }

@@ -7,7 +7,6 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/statistics/random.hpp"
 #include "host_sim/synth/draws.hpp"
 
 namespace host_sim::synth {
@@ -91,7 +90,7 @@ class EnduranceLimit final : public LifePart {
       : median_N_(values["limit_N"]), log_sd_(values["log_sd"]), limit_N_(median_N_) {}
 
   void begin(const SpecimenPlace& place, std::uint64_t seed) override {
-    statistics::Random random(seed, kEnduranceStream, place.number);
+    Random random(seed, kEnduranceStream, place.number);
     limit_N_ = median_N_ * std::exp(log_sd_ * normal(random));
   }
 
@@ -137,7 +136,7 @@ class SecondMode final : public LifePart {
         shape_(values["shape"]) {}
 
   void begin(const SpecimenPlace& place, std::uint64_t seed) override {
-    statistics::Random random(seed, kSecondModeStream, place.number);
+    Random random(seed, kSecondModeStream, place.number);
     strength_ = std::pow(exponential(random), 1 / shape_);
   }
 
@@ -166,7 +165,7 @@ class LotFrailty final : public LifePart {
   explicit LotFrailty(const Values& values) : log_sd_(values["log_sd"]) {}
 
   void begin(const SpecimenPlace& place, std::uint64_t seed) override {
-    statistics::Random random(seed, kLotStream, place.lot);
+    Random random(seed, kLotStream, place.lot);
     factor_ = std::exp(log_sd_ * normal(random));
   }
 
@@ -225,9 +224,7 @@ class EarlyDeaths final : public LifePart {
       : share_(values["share"]), life_left_(values["life_left"]) {}
 
   void begin(const SpecimenPlace& place, std::uint64_t seed) override {
-    factor_ = statistics::Random(seed, kEarlyDeathStream, place.number).uniform() < share_
-                  ? life_left_
-                  : 1;
+    factor_ = Random(seed, kEarlyDeathStream, place.number).uniform() < share_ ? life_left_ : 1;
   }
 
   [[nodiscard]] double life_factor() const override { return factor_; }

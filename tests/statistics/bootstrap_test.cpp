@@ -1,5 +1,6 @@
 #include "host_sim/statistics/bootstrap.hpp"
 
+#include <Random123/philox.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -122,21 +123,28 @@ TEST(Random, RepeatsItself) {
   }
 }
 
-// std::mt19937_64 seeded by std::seed_seq with the words of seed, stream and number, low ones
-// first.
-TEST(Random, IsTheEngineOfTheStandardSeededByItsSequence) {
+// philox4x64-10 of counter and key 0 among the vectors that come with Random123.
+TEST(Random, BeginsWithThePublishedBlock) {
+  Random random(0, 0, 0);
+  for (const std::uint64_t word :
+       {0x16554d9eca36314cU, 0xdb20fe9d672d0fdcU, 0xd7e772cee186176bU, 0x7e68b68aec7ba23bU}) {
+    EXPECT_EQ(random.uniform(), (static_cast<double>(word >> 11U) + 0.5) * 0x1p-53);
+  }
+}
+
+TEST(Random, CountsBlocksAndReplicatesUnderTheKeyOfSeedAndStream) {
+  using Philox = r123::Philox4x64;
   std::mt19937_64 any(5);
-  for (unsigned i = 0; i < 200; ++i) {
-    const auto drawn = [&] { return any() >> (i % 64); };
-    const std::uint64_t seed = drawn();
-    const std::uint64_t stream = drawn();
-    const std::uint64_t number = drawn();
-    std::seed_seq sequence{seed & 0xffffffffU, seed >> 32U,          stream & 0xffffffffU,
-                           stream >> 32U,      number & 0xffffffffU, number >> 32U};
-    std::mt19937_64 engine(sequence);
+  for (int i = 0; i < 200; ++i) {
+    const std::uint64_t seed = any();
+    const std::uint64_t stream = any();
+    const std::uint64_t number = any();
     Random random(seed, stream, number);
-    for (int k = 0; k < 400; ++k) {
-      ASSERT_EQ(random.uniform(), (static_cast<double>(engine() >> 11U) + 0.5) * 0x1p-53);
+    for (std::uint64_t block = 0; block < 5; ++block) {
+      for (const std::uint64_t word :
+           Philox{}(Philox::ctr_type{{block, number, 0, 0}}, Philox::key_type{{seed, stream}})) {
+        ASSERT_EQ(random.uniform(), (static_cast<double>(word >> 11U) + 0.5) * 0x1p-53);
+      }
     }
   }
 }

@@ -72,7 +72,7 @@ class Runner {
       specimen.levels = levels;
       specimen.validation = validation;
       specimen.storage_days = plan_.lives->storage_days[number % plan_.lives->storage_days.size()];
-      statistics::Random random(seed_, kStrengthStream, number);
+      Random random(seed_, kStrengthStream, number);
       const double strength = std::pow(exponential(random), 1 / plan_.model.life->weibull_shape);
       specimen.result = run_specimen(model_, steps, strength, specimen.storage_days,
                                      parts_for(plan_, specimen.place, seed_));

@@ -125,7 +125,7 @@ Rig rig_of(const SynthPlan& plan) {
 }  // namespace
 
 SessionScatter session_scatter(const SynthPlan& plan, std::uint64_t seed, std::size_t session) {
-  statistics::Random random(seed, kSessionStream, session);
+  Random random(seed, kSessionStream, session);
   const double log_gain = plan.scatter.log_gain_sd * normal(random);
   const double friction = plan.scatter.friction_sd * normal(random);
   return {log_gain, std::max(friction, -plan.model.sheath->friction_coefficient)};

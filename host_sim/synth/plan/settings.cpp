@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <array>
 
-#include "host_sim/statistics/random.hpp"
 #include "host_sim/synth/draws.hpp"
 #include "host_sim/synth/plan/plan.hpp"
 
@@ -73,7 +72,7 @@ std::vector<std::size_t> shuffled(std::size_t count, std::size_t places, std::ui
   for (std::size_t i = 0; i < count; ++i) {
     order[i] = i % places;
   }
-  statistics::Random random(seed, kDesignStream, list);
+  Random random(seed, kDesignStream, list);
   for (std::size_t i = count; i > 1; --i) {
     const auto other = static_cast<std::size_t>(random.uniform() * static_cast<double>(i));
     std::swap(order[i - 1], order[other]);

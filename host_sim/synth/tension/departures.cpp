@@ -5,7 +5,6 @@
 #include <numbers>
 #include <vector>
 
-#include "host_sim/statistics/random.hpp"
 #include "host_sim/synth/draws.hpp"
 
 namespace host_sim::synth {
@@ -302,7 +301,7 @@ class BendAngle final : public TensionPart {
       : errors_deg_(values.list("error_deg")), sd_deg_(values["sd_deg"]) {}
 
   void begin(const Setting& setting, std::uint64_t seed) override {
-    statistics::Random random(seed, kPoseStream, setting.pose);
+    Random random(seed, kPoseStream, setting.pose);
     const double error_deg =
         errors_deg_[setting.pose % errors_deg_.size()] + sd_deg_ * normal(random);
     error_rad_ = error_deg * std::numbers::pi / 180;

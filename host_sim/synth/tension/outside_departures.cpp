@@ -4,7 +4,6 @@
 #include <optional>
 #include <vector>
 
-#include "host_sim/statistics/random.hpp"
 #include "host_sim/synth/draws.hpp"
 #include "host_sim/synth/tension/departures.hpp"
 
@@ -66,7 +65,7 @@ class StickSlip final : public TensionPart {
 
  private:
   double share_, mean_wait_s_, burst_s_, frequency_Hz_;
-  std::optional<statistics::Random> random_;
+  std::optional<Random> random_;
   double next_s_ = 0;
 };
 

@@ -5,7 +5,6 @@
 #include <optional>
 #include <vector>
 
-#include "host_sim/statistics/random.hpp"
 #include "host_sim/synth/draws.hpp"
 #include "host_sim/synth/tension/departures.hpp"
 #include "host_sim/synth/tension/sensors.hpp"
@@ -64,7 +63,7 @@ class VelocitySteps final : public TensionPart {
     if (sensor != Sensor::velocity) {
       return;
     }
-    statistics::Random random = *random_;
+    Random random = *random_;
     for (double& value : readings) {
       value = quantised(value, step_m_s_);
       if (value == 0) {
@@ -75,7 +74,7 @@ class VelocitySteps final : public TensionPart {
 
  private:
   double step_m_s_;
-  std::optional<statistics::Random> random_;
+  std::optional<Random> random_;
 };
 
 TensionKind velocity_steps() {
@@ -88,7 +87,7 @@ class GainDrift final : public TensionPart {
   explicit GainDrift(const Values& values) : log_per_min_sd_(values["log_per_min_sd"]) {}
 
   void begin(const Setting& setting, std::uint64_t seed) override {
-    statistics::Random random(seed, kGainDriftStream, setting.number);
+    Random random(seed, kGainDriftStream, setting.number);
     log_per_s_ = log_per_min_sd_ * normal(random) / 60;
   }
 

@@ -11,8 +11,6 @@ using enum hal::files::ProfileColumnId;
 
 namespace {
 
-using statistics::Random;
-
 /// A jitter beyond this share of a sample time would let time run back.
 constexpr double kMostJitter = 0.45;
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "host_sim/statistics/random.hpp"
+#include "host_sim/synth/draws.hpp"
 
 namespace blind {
 
@@ -34,7 +34,7 @@ class Dice {
   }
 
  private:
-  host_sim::statistics::Random random_;
+  host_sim::synth::Random random_;
 };
 
 }  // namespace blind
