@@ -59,12 +59,18 @@ std::vector<std::string> credible_set_of(const std::vector<Candidate>& candidate
 }
 
 bool improves(const HeldOutGain& gain) {
-  const auto error = std::ranges::find(gain.metrics, "rmse_N", &Metric::name);
-  if (error != gain.metrics.end()) {
-    return error->after < error->before;
+  constexpr double kNotWorse = 1.02;
+  const auto metric = [&](std::string_view name) -> const Metric* {
+    const auto found = std::ranges::find(gain.metrics, name, &Metric::name);
+    return found == gain.metrics.end() ? nullptr : &*found;
+  };
+  const Metric* const density = metric("log_predictive_density");
+  const bool denser = density != nullptr && density->after > density->before;
+  if (const Metric* const input = metric("input_rmse_N")) {
+    return input->after < input->before || (denser && input->after <= kNotWorse * input->before);
   }
-  const auto density = std::ranges::find(gain.metrics, "log_predictive_density", &Metric::name);
-  return density != gain.metrics.end() && density->after > density->before;
+  const Metric* const output = metric("rmse_N");
+  return output != nullptr ? output->after < output->before : denser;
 }
 
 bool withdraw_unless_improved(Findings& findings) {

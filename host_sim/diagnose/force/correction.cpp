@@ -78,21 +78,16 @@ class TableFit {
     return table;
   }
 
-  /// Mean square of what the table leaves of a record.
-  [[nodiscard]] double left_N2(std::size_t record, const std::vector<double>& residuals_N,
-                               const ForceTable& table) const {
+  /// What the table leaves of a record.
+  [[nodiscard]] std::vector<double> left_N(std::size_t record, std::vector<double> residuals_N,
+                                           const ForceTable& table) const {
     const ForceRecord& of = data_.records()[record];
-    double square_N2 = 0;
-    double count = 0;
     for (std::size_t i = 0; i < of.samples(); ++i) {
       if (of.used[i]) {
-        const double left_N =
-            residuals_N[i] - table.at_N(covariate_.values[record][i], of.velocity_m_s[i] < 0);
-        square_N2 += left_N * left_N;
-        ++count;
+        residuals_N[i] -= table.at_N(covariate_.values[record][i], of.velocity_m_s[i] < 0);
       }
     }
-    return square_N2 / std::max(count, 1.0);
+    return residuals_N;
   }
 
  private:
@@ -131,7 +126,7 @@ double ForceTable::at_N(double value, bool letting_go) const {
 }
 
 std::optional<ForceCorrection> correction_of(const ForceData& data, const ForceFit& fit,
-                                             const std::vector<double>& held_N2,
+                                             const std::vector<std::vector<double>>& held_N,
                                              std::span<const ForceCovariate> covariates,
                                              bool position_known) {
   std::vector<std::vector<std::vector<double>>> of_folds;
@@ -139,28 +134,32 @@ std::optional<ForceCorrection> correction_of(const ForceData& data, const ForceF
     of_folds.push_back(data.residuals_N(seen));
   }
   std::optional<ForceCorrection> best;
+  std::vector<double> best_N2;
   for (std::size_t i = 0; i < kEmpiricalCovariates.size(); ++i) {
     if (covariates[i].name == "position" && !position_known) {
       continue;
     }
     for (const std::size_t count : {std::size_t{4}, std::size_t{8}, kMostKnots}) {
       const TableFit table_fit(data, covariates[i], knots_of(covariates[i], count));
-      std::vector<double> left_N2(data.records().size());
+      std::vector<std::vector<double>> left_N(data.records().size());
       for (std::size_t fold = 0; fold < of_folds.size(); ++fold) {
         const ForceTable table = table_fit.table(of_folds[fold], static_cast<int>(fold));
-        for (std::size_t j = 0; j < left_N2.size(); ++j) {
+        for (std::size_t j = 0; j < left_N.size(); ++j) {
           if (ForceData::is_held_out(j, static_cast<int>(fold))) {
-            left_N2[j] = table_fit.left_N2(j, of_folds[fold][j], table);
+            left_N[j] = table_fit.left_N(j, of_folds[fold][j], table);
           }
         }
       }
-      if (!best || data.rmse_N(left_N2) < data.rmse_N(best->held_N2)) {
-        best = {i, table_fit.table(data.residuals_N(fit), -1), std::move(left_N2)};
+      const std::vector<double> left_N2 = data.mean_squares_N2(left_N);
+      if (!best || data.rmse_N(left_N2) < data.rmse_N(best_N2)) {
+        best = {i, table_fit.table(data.residuals_N(fit), -1), std::move(left_N)};
+        best_N2 = left_N2;
       }
     }
   }
-  const bool gains = best && paired_gain(held_N2, best->held_N2).z >= kSeen &&
-                     std::log(data.rmse_N(held_N2) / data.rmse_N(best->held_N2)) >= kWorthWriting;
+  const std::vector<double> held_N2 = data.mean_squares_N2(held_N);
+  const bool gains = best && paired_gain(held_N2, best_N2).z >= kSeen &&
+                     std::log(data.rmse_N(held_N2) / data.rmse_N(best_N2)) >= kWorthWriting;
   return gains ? best : std::nullopt;
 }
 

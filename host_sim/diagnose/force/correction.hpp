@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "host_sim/diagnose/force/force_covariates.hpp"
 #include "host_sim/diagnose/force/force_fit.hpp"
-#include "host_sim/diagnose/force/remainder.hpp"
 #include "host_sim/model/model.hpp"
 
 namespace host_sim::diagnose {
@@ -23,16 +23,16 @@ struct ForceTable {
 struct ForceCorrection {
   std::size_t covariate = 0;  ///< its place in kEmpiricalCovariates
   ForceTable table;
-  std::vector<double> held_N2;  ///< mean squared residual of each record that is left
+  std::vector<std::vector<double>> held_N;  ///< residuals of each record that are left
 };
 
 /// The table of least error on sessions that neither the model nor the table was fitted to, of all
 /// covariates and up to kMostKnots knots; none where it does not gain on them.
 /// @param fit whose residuals on the whole are what the table is written from
-/// @param held_N2 of the model alone, plain, as ForceData::held_out
+/// @param held_N residuals of the model alone, as ForceData::held_out
 /// @param position_known whether the model is evaluated where the position is known
 std::optional<ForceCorrection> correction_of(const ForceData& data, const ForceFit& fit,
-                                             const std::vector<double>& held_N2,
+                                             const std::vector<std::vector<double>>& held_N,
                                              std::span<const ForceCovariate> covariates,
                                              bool position_known);
 

@@ -11,6 +11,7 @@
 
 #include "host_sim/diagnose/force/correction.hpp"
 #include "host_sim/diagnose/force/force_search.hpp"
+#include "host_sim/diagnose/force/prose.hpp"
 #include "host_sim/diagnose/force/remainder.hpp"
 #include "host_sim/diagnose/sessions.hpp"
 #include "host_sim/extension/model_file.hpp"
@@ -49,7 +50,7 @@ double output_rmse_N(const ForceData& data, const ForceFit& model,
 /// A model as it is judged and as it is written.
 struct Extended {
   ForceFit fit;
-  std::vector<double> held_N2;
+  std::vector<std::vector<double>> held_N;  ///< residuals on sessions that the fit never saw
   std::optional<ForceCorrection> correction;
 };
 
@@ -75,7 +76,8 @@ class Report {
     add_effects(findings);
     findings.steps = steps();
     if (!search_.judged().empty() && !few()) {
-      findings.gain = gain_of({search_.model().fit, search_.model().held.plain_N2, std::nullopt});
+      findings.gain =
+          gain_of({search_.model().fit, search_.model().held.residuals_N, std::nullopt});
     }
     findings.remainder =
         Remainder{.share = share_left(),
@@ -83,12 +85,17 @@ class Report {
                   .output_rmse_N = output_rmse_of({search_.model().fit, {}, std::nullopt}),
                   .covariate = std::string(remainder_.covariate),
                   .p = remainder_.p};
-    findings.prose = sentences(findings);
-    withdraw_unless_improved(findings);
+    findings.prose = verdict_prose(findings, data_.records().size(), search_.nominal_rmse_N()) +
+                     doubts(data_.records(), search_.model().fit.parameters, nominal_);
+    if (withdraw_unless_improved(findings)) {
+      findings.prose += no_gain_prose(findings);
+    }
     extend(diagnosis);
     add_traces(diagnosis);
     add_causes(diagnosis);
+    findings.discrepancies = remainder_.discrepancies;
     diagnosis.remainders = remainder_.pictures;
+    diagnosis.session_refits = session_refits();
     return diagnosis;
   }
 
@@ -98,9 +105,7 @@ class Report {
   [[nodiscard]] Verdict verdict() const {
     const auto& judged = search_.judged();
     if (judged.empty() || few()) {
-      constexpr double kChance = 0.01;
-      return remainder_.p < kChance && remainder_.share >= kLeastRemainder ? Verdict::unknown
-                                                                           : Verdict::none;
+      return remainder_.stands ? Verdict::unknown : Verdict::none;
     }
     if (judged.size() == 1 && judged.front().term == ForceTerm::load && one_pose() &&
         share_left() > kMostBesideLoad) {
@@ -225,8 +230,28 @@ class Report {
     }
   }
 
-  static double density(double rmse_N) {
-    return -std::log(rmse_N) - std::log(2 * std::numbers::pi) / 2 - 0.5;
+  /// Of the nominal model.
+  [[nodiscard]] std::vector<SessionRefit> session_refits() const {
+    const ForceFit& nominal = search_.nominal().fit;
+    const std::vector<std::vector<double>> left_N = data_.residuals_N(nominal);
+    std::vector<SessionRefit> refits;
+    refits.reserve(left_N.size());
+    for (std::size_t j = 0; j < left_N.size(); ++j) {
+      const Eigen::Vector2d beside = data_.covariance().refit(j, vector_of(left_N[j])).value;
+      refits.push_back({data_.records()[j].session, nominal.parameters[1] + beside(1),
+                        -std::log(nominal.parameters[0]) - beside(0)});
+    }
+    return refits;
+  }
+
+  /// ln, of a sample beside the gain and friction that scatter between sessions.
+  /// @param held_N residuals on sessions that the fit never saw
+  [[nodiscard]] double density(const std::vector<std::vector<double>>& held_N) const {
+    double square_N2 = 0;
+    for (std::size_t j = 0; j < held_N.size(); ++j) {
+      square_N2 += data_.covariance().product(j, vector_of(held_N[j]), vector_of(held_N[j]))(0, 0);
+    }
+    return -std::log(2 * std::numbers::pi * square_N2 / data_.samples()) / 2 - 0.5;
   }
 
   [[nodiscard]] std::vector<Step> steps() const {
@@ -236,7 +261,7 @@ class Report {
       Step step{.effect = {},
                 .output_rmse_N = output_rmse_of({stairs_[i].fit, {}, std::nullopt}),
                 .input_rmse_N = rmse_N,
-                .log_predictive_density = density(rmse_N),
+                .log_predictive_density = density(stairs_[i].held.residuals_N),
                 .sessions = static_cast<int>(data_.records().size())};
       if (i > 0) {
         const std::vector<double>& before_N2 = stairs_[i - 1].held.beside_scatter_N2;
@@ -254,14 +279,49 @@ class Report {
     return steps;
   }
 
+  [[nodiscard]] double rmse_N(const std::vector<std::vector<double>>& residuals_N) const {
+    return data_.rmse_N(data_.mean_squares_N2(residuals_N));
+  }
+
   [[nodiscard]] HeldOutGain gain_of(const Extended& extended) const {
     const double before = search_.nominal_rmse_N();
-    const double after = data_.rmse_N(extended.held_N2);
-    return {.held_out_by = "session",
-            .metrics = {{"rmse_N", output_rmse_of({search_.nominal().fit, {}, std::nullopt}),
-                         output_rmse_of(extended)},
-                        {"input_rmse_N", before, after},
-                        {"log_predictive_density", density(before), density(after)}}};
+    const double after = rmse_N(extended.held_N);
+    HeldOutGain gain{
+        .held_out_by = "session",
+        .metrics = {
+            {"rmse_N", output_rmse_of({search_.nominal().fit, {}, {}}), output_rmse_of(extended)},
+            {"input_rmse_N", before, after},
+            {"log_predictive_density", density(search_.nominal().held.residuals_N),
+             density(extended.held_N)}}};
+    const std::optional<double> damage_before =
+        damage_error_percent(search_.nominal().held.residuals_N);
+    const std::optional<double> damage_after = damage_error_percent(extended.held_N);
+    if (damage_before && damage_after) {
+      gain.metrics.push_back({"damage_error_percent", *damage_before, *damage_after});
+    }
+    return gain;
+  }
+
+  /// Magnitude of the error of the damage of a session, mean of those that do any; none of forces
+  /// that two tendons share.
+  [[nodiscard]] std::optional<double> damage_error_percent(
+      const std::vector<std::vector<double>>& residuals_N) const {
+    constexpr double kPercent = 100;
+    double sum = 0;
+    double sessions = 0;
+    for (std::size_t j = 0; j < residuals_N.size(); ++j) {
+      const ForceRecord& record = data_.records()[j];
+      std::vector<double> predicted_N = record.input_N;
+      for (std::size_t i = 0; i < predicted_N.size(); ++i) {
+        predicted_N[i] -= residuals_N[j][i];
+      }
+      const double measured = record.pulls_alone ? damage_of(record.input_N, constants_) : 0;
+      if (measured > 0) {
+        sum += std::abs(damage_of(predicted_N, constants_) / measured - 1);
+        sessions += 1;
+      }
+    }
+    return sessions > 0 ? std::optional(kPercent * sum / sessions) : std::nullopt;
   }
 
   /// What the causes leave, and without any the nominal model, gets a correction. A written model
@@ -270,7 +330,7 @@ class Report {
     Findings& findings = diagnosis.findings;
     const bool named = findings.verdict == Verdict::named;
     const ForceSearch::Candidate& by = named ? search_.model() : search_.nominal();
-    extended_ = {by.fit, by.held.plain_N2, std::nullopt};
+    extended_ = {by.fit, by.held.residuals_N, std::nullopt};
     if (findings.verdict != Verdict::none && !few()) {
       extended_ = corrected(std::move(extended_));
     }
@@ -283,7 +343,7 @@ class Report {
       }
     }
     if (written.fit.terms != extended_.fit.terms) {
-      written.held_N2 = data_.held_out(written.fit).plain_N2;
+      written.held_N = data_.held_out(written.fit).residuals_N;
       written = corrected(std::move(written));
     }
     for (std::size_t i = 0; i < written.fit.terms.size(); ++i) {
@@ -300,7 +360,7 @@ class Report {
           Correction{.covariate = std::string(covariates_[extended_.correction->covariate].name),
                      .knots = extended_.correction->table.knots.size(),
                      .before_N = data_.rmse_N(by.held.plain_N2),
-                     .after_N = data_.rmse_N(extended_.held_N2)};
+                     .after_N = rmse_N(extended_.held_N)};
       findings.prose += correction_prose(*findings.correction);
     }
     if (!findings.extensions.empty()) {
@@ -311,9 +371,9 @@ class Report {
   /// Its correction with it, where that gains on sessions that nothing was fitted to.
   [[nodiscard]] Extended corrected(Extended extended) const {
     extended.correction =
-        correction_of(data_, extended.fit, extended.held_N2, covariates_, rotor_known());
+        correction_of(data_, extended.fit, extended.held_N, covariates_, rotor_known());
     if (extended.correction) {
-      extended.held_N2 = extended.correction->held_N2;
+      extended.held_N = extended.correction->held_N;
     }
     return extended;
   }
@@ -349,82 +409,6 @@ class Report {
     diagnosis.friction_coefficient =
         written_friction(friction, diagnosis.findings.extensions, data_.scales());
     diagnosis.log_gain = -std::log(gain);
-  }
-
-  [[nodiscard]] std::string sentences(const Findings& findings) const {
-    std::vector<std::string_view> ids;
-    for (const FoundEffect& effect : findings.effects) {
-      ids.emplace_back(effect.id);
-    }
-    const std::string most = fmt::format("What is left shows most against {} (p = {:.3f}).",
-                                         remainder_.covariate, remainder_.p);
-    const std::string few_sessions =
-        few() ? fmt::format(" {} of 4 sessions that it takes to name anything.",
-                            data_.records().size())
-              : "";
-    std::string text;
-    if (ids.empty()) {
-      text =
-          findings.verdict == Verdict::none
-              ? "In newtons, no effect of the catalogue gains on sessions that the fit never saw."
-              : "No effect of the catalogue explains what the recordings hold. " + most;
-      return text + few_sessions + doubts();
-    }
-    text = fmt::format(
-        "{}: with {} the error of the input force on sessions that the fit never saw is {:.3g} N "
-        "in place of {:.3g} N. {}",
-        fmt::join(ids, " and "), ids.size() > 1 ? "them" : "it", search_.rmse_N(),
-        search_.nominal_rmse_N(), most);
-    for (const auto& same : findings.equivalent_sets) {
-      text += fmt::format(" In place of {} it may be {}.", same.front(),
-                          fmt::join(same.begin() + 1, same.end(), " or "));
-    }
-    return text + doubts();
-  }
-
-  /// What a user may have got wrong before any physics does.
-  [[nodiscard]] std::string doubts() const {
-    constexpr double kLogGain = 0.3;
-    constexpr double kTimesNominal = 3;
-    const ForceFit& model = search_.model().fit;
-    std::string text;
-    if (std::abs(std::log(model.parameters[0])) > kLogGain) {
-      text += fmt::format(
-          " The input force is {:.3g} times what the model has: are its unit, the "
-          "radius and the torque constant right?",
-          model.parameters[0]);
-    }
-    if (nominal_.sheath &&
-        model.parameters[1] > kTimesNominal * nominal_.sheath->friction_coefficient) {
-      text +=
-          fmt::format(" Friction is {:.3g} times the nominal one: are bend angle and units right?",
-                      model.parameters[1] / nominal_.sheath->friction_coefficient);
-    }
-    double product = 0;
-    double moved_square = 0;
-    double square = 0;
-    for (const ForceRecord& record : data_.records()) {
-      for (std::size_t i = 1; i < record.samples(); ++i) {
-        const double moved_m = record.position_m[i] - record.position_m[i - 1];
-        const double expected_m = (record.velocity_m_s[i] + record.velocity_m_s[i - 1]) / 2 *
-                                  (record.time_s[i] - record.time_s[i - 1]);
-        product += moved_m * expected_m;
-        moved_square += moved_m * moved_m;
-        square += expected_m * expected_m;
-      }
-    }
-    constexpr double kOpposite = -0.5;
-    constexpr double kScale = 1.3;
-    const double scale = std::sqrt(moved_square / std::max(square, 1e-300));
-    if (product < kOpposite * std::sqrt(moved_square * square)) {
-      text += " Velocity runs against the position: one of the two has the wrong sign.";
-    } else if (product > 0 && (scale > kScale || scale < 1 / kScale)) {
-      text += fmt::format(
-          " The position moves {:.3g} times as far as the velocity says: are their "
-          "units, the radius and the ratio of the gear right?",
-          scale);
-    }
-    return text;
   }
 
   [[nodiscard]] double damage_ratio() const {
@@ -545,20 +529,11 @@ class Report {
 
 }  // namespace
 
-std::string correction_prose(const Correction& correction) {
-  return fmt::format(
-      " What is left repeats in sessions that nothing was fitted to: a correction over {} by "
-      "direction, which is no cause, takes the error of the input force on them from {:.3g} N to "
-      "{:.3g} N.",
-      correction.covariate, correction.before_N, correction.after_N);
-}
-
 TensionDiagnosis diagnose_forces(const std::vector<ForceRecord>& records,
                                  const NominalModel& nominal, const reference::Constants& constants,
                                  const DiagnoseOptions& options) {
   ForceData data(records);
-  ForceSearch search(data, nominal.sheath ? nominal.sheath->friction_coefficient : 0.1,
-                     options.without, options.threads);
+  ForceSearch search(data, nominal.sheath ? nominal.sheath->friction_coefficient : 0.1, options);
   search.run();
   return Report(data, search, nominal, constants, options.seed).diagnosis();
 }

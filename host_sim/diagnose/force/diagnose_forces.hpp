@@ -30,7 +30,4 @@ TensionDiagnosis diagnose_forces(const std::vector<ForceRecord>& records,
                                  const NominalModel& nominal, const reference::Constants& constants,
                                  const DiagnoseOptions& options);
 
-/// "A correction ... takes the error ... from ... to ..." behind other sentences.
-std::string correction_prose(const Correction& correction);
-
 }  // namespace host_sim::diagnose

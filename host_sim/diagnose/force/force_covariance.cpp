@@ -33,41 +33,27 @@ Eigen::MatrixX2d directions_of(const ForceRecord& record, const ForceScales& sca
 constexpr double kMostLogGain = 0.03;
 constexpr double kMostFriction = 0.1;
 
-/// By how much fewer samples residuals count that go on from one to the next.
-double inflation_of(const Eigen::VectorXd& residuals) {
-  constexpr double kMost = 0.98;
-  const Eigen::Index count = residuals.size();
-  const double square = residuals.squaredNorm();
-  if (count < 2 || square == 0) {
-    return 1;
-  }
-  const double correlation =
-      std::clamp(residuals.head(count - 1).dot(residuals.tail(count - 1)) / square, 0.0, kMost);
-  return (1 + correlation) / (1 - correlation);
-}
-
 /// Gain and friction that one session has beside the model, how surely, and what they leave.
-struct Refit {
-  Eigen::Vector2d value;
-  Eigen::Vector2d variance;
+struct RefitOfSession {
+  ForceCovariance::Refit of;
   Eigen::VectorXd left_N;
   double inflation = 1;
 };
 
-Refit refit_of(const Eigen::MatrixX2d& directions_N, const Eigen::VectorXd& weights,
-               const Eigen::VectorXd& residuals_N) {
+RefitOfSession refit_of(const Eigen::MatrixX2d& directions_N, const Eigen::VectorXd& weights,
+                        const Eigen::VectorXd& residuals_N) {
   constexpr double kRidge = 1e-9;
   const Eigen::MatrixX2d weighted_N = weights.asDiagonal() * directions_N;
   Eigen::Matrix2d square = weighted_N.transpose() * directions_N;
   square.diagonal() *= 1 + kRidge;
   square.diagonal().array() += 1e-30;
   const Eigen::Matrix2d inverse = square.inverse();
-  Refit refit;
-  refit.value = inverse * (weighted_N.transpose() * residuals_N);
-  refit.left_N = residuals_N - directions_N * refit.value;
+  RefitOfSession refit;
+  refit.of.value = inverse * (weighted_N.transpose() * residuals_N);
+  refit.left_N = residuals_N - directions_N * refit.of.value;
   refit.inflation = inflation_of(refit.left_N);
   const double noise_N2 = (weights.array() * refit.left_N.array().square()).mean();
-  refit.variance = inverse.diagonal() * noise_N2 * refit.inflation;
+  refit.of.variance = inverse.diagonal() * noise_N2 * refit.inflation;
   return refit;
 }
 
@@ -125,7 +111,8 @@ std::vector<double> input_rates(const ForceRecord& record, const std::vector<dou
 }
 
 /// Of squares by weighted least squares, each by its own variance.
-NoiseVariance noise_of(std::span<const ForceRecord> records, const std::vector<Refit>& refits,
+NoiseVariance noise_of(std::span<const ForceRecord> records,
+                       const std::vector<RefitOfSession>& refits,
                        const std::vector<std::vector<double>>& rates) {
   constexpr int kRounds = 8;
   constexpr double kLeastShare = 0.01;  // of all variance: some noise has no sample
@@ -165,6 +152,18 @@ NoiseVariance noise_of(std::span<const ForceRecord> records, const std::vector<R
 
 }  // namespace
 
+double inflation_of(const Eigen::VectorXd& residuals) {
+  constexpr double kMost = 0.98;
+  const Eigen::Index count = residuals.size();
+  const double square = residuals.squaredNorm();
+  if (count < 2 || square == 0) {
+    return 1;
+  }
+  const double correlation =
+      std::clamp(residuals.head(count - 1).dot(residuals.tail(count - 1)) / square, 0.0, kMost);
+  return (1 + correlation) / (1 - correlation);
+}
+
 ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const ForceScales& scales,
                                  std::span<const double> parameters,
                                  const std::vector<std::vector<double>>& residuals_N,
@@ -174,7 +173,7 @@ ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const For
     return;
   }
   std::vector<Eigen::MatrixX2d> directions_N;
-  std::vector<Refit> refits;
+  std::vector<RefitOfSession> refits;
   for (std::size_t j = 0; j < records.size(); ++j) {
     directions_N.push_back(directions_of(records[j], scales, parameters));
     refits.push_back(refit_of(directions_N[j], Eigen::VectorXd::Ones(directions_N[j].rows()),
@@ -203,17 +202,17 @@ ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const For
   for (std::size_t j = 0; j < records.size(); ++j) {
     weights_[j] *= samples / sum;
     refits[j] = refit_of(directions_N[j], weights_[j], vector_of(residuals_N[j]));
-    mean += refits[j].value.array() / sessions;
+    mean += refits[j].of.value.array() / sessions;
     noise_N2 += (weights_[j].array() * refits[j].left_N.array().square()).sum() *
                 refits[j].inflation / samples;
   }
   Eigen::Array2d variance = Eigen::Array2d::Zero();
-  for (const Refit& refit : refits) {
-    variance +=
-        (refit.value.array() - mean).square() / (sessions - 1) - refit.variance.array() / sessions;
+  for (const RefitOfSession& refit : refits) {
+    variance += (refit.of.value.array() - mean).square() / (sessions - 1) -
+                refit.of.variance.array() / sessions;
   }
-  const Eigen::Array2d most(kMostLogGain, kMostFriction * parameters[1]);
-  variance = variance.max(0).min(most.square());
+  most_scatter_ = {kMostLogGain, kMostFriction * parameters[1]};
+  variance = variance.max(0).min(most_scatter_.square());
   log_gain_sd_ = std::sqrt(variance[0]);
   friction_sd_ = std::sqrt(variance[1]);
   const Eigen::Matrix2d root = (variance / std::max(noise_N2, 1e-30)).sqrt().matrix().asDiagonal();
@@ -240,6 +239,26 @@ double ForceCovariance::weighted_square(
     std::size_t record, const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const {
   return weights_.empty() ? residuals_N.squaredNorm()
                           : (weights_[record].array() * residuals_N.array().square()).sum();
+}
+
+ForceCovariance::Refit ForceCovariance::refit(
+    std::size_t record, const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const {
+  if (record >= along_N_.size()) {
+    return {};
+  }
+  const Eigen::VectorXd& weights = weights_[record];
+  return refit_of(weights.cwiseInverse().asDiagonal() * along_N_[record], weights, residuals_N).of;
+}
+
+Eigen::Array2d ForceCovariance::squares(std::size_t record) const {
+  if (record >= along_N_.size()) {
+    return Eigen::Array2d::Zero();
+  }
+  return (weights_[record].cwiseInverse().asDiagonal() * along_N_[record].cwiseAbs2())
+      .colwise()
+      .sum()
+      .transpose()
+      .array();
 }
 
 Eigen::VectorXd ForceCovariance::beside_scatter(

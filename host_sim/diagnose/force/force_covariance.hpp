@@ -13,6 +13,9 @@ inline Eigen::Map<const Eigen::VectorXd> vector_of(const std::vector<double>& va
   return {values.data(), static_cast<Eigen::Index>(values.size())};
 }
 
+/// By how much fewer samples residuals count that go on from one to the next, 1 or more.
+double inflation_of(const Eigen::VectorXd& residuals);
+
 /// How residuals of the input force covary: noise of each sample that grows with the force and with
 /// how fast it changes, and within a session what gain and friction coefficient do that scatter
 /// between sessions.
@@ -38,6 +41,22 @@ class ForceCovariance {
   [[nodiscard]] Eigen::VectorXd beside_scatter(
       std::size_t record, const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const;
 
+  /// ln gain and friction coefficient that suit one record, beside those of a model.
+  struct Refit {
+    Eigen::Vector2d value = Eigen::Vector2d::Zero();
+    Eigen::Vector2d variance = Eigen::Vector2d::Zero();
+  };
+  /// @param residuals_N that the model leaves
+  [[nodiscard]] Refit refit(std::size_t record,
+                            const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const;
+
+  /// Of one record, the sum of squares of what a unit of ln gain and of friction does to the input
+  /// force, by the weight of samples.
+  [[nodiscard]] Eigen::Array2d squares(std::size_t record) const;
+
+  /// Standard deviations of ln gain and friction of which any more has a cause.
+  [[nodiscard]] const Eigen::Array2d& most_scatter() const { return most_scatter_; }
+
   /// How much a sample of a record says beside others, by its noise: 1 in the mean over all.
   [[nodiscard]] double weight(std::size_t record, std::size_t sample) const {
     return weights_.empty() ? 1 : weights_[record](static_cast<Eigen::Index>(sample));
@@ -54,6 +73,7 @@ class ForceCovariance {
   std::vector<Eigen::VectorXd> weights_;
   std::vector<Eigen::MatrixX2d> along_N_;  ///< dT_in/d ln gain and dT_in/d mu, times the weights
   std::vector<Eigen::Matrix2d> shrinks_;
+  Eigen::Array2d most_scatter_ = Eigen::Array2d::Zero();
   double log_gain_sd_ = 0;
   double friction_sd_ = 0;
 };

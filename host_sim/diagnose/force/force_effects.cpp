@@ -368,7 +368,8 @@ constexpr ForceEffect kEffect{
     [](const ForceRecord& record) { return !record.sheath_temperature_C.empty(); },
     parameters,
     [](Numbers numbers, ForceValues& values) { values.temperature_1_K = numbers[0]; },
-    written<parameters>};
+    written<parameters>,
+    ForceEffect::Of::session};
 
 }  // namespace temperature
 
@@ -398,7 +399,8 @@ constexpr ForceEffect kEffect{
       Extension extension = by_name(id, numbers, parameters(scales));
       extension.values.push_back({"run_in_cycles", {0}});
       return extension;
-    }};
+    },
+    ForceEffect::Of::session};
 
 }  // namespace wear
 
@@ -430,7 +432,8 @@ constexpr ForceEffect kEffect{
       Extension extension = by_name(id, numbers, parameters(scales));
       extension.values.insert(extension.values.begin() + 1, {"wear_exponent", {0}});
       return extension;
-    }};
+    },
+    ForceEffect::Of::session};
 
 }  // namespace run_in
 
@@ -467,7 +470,8 @@ constexpr ForceEffect kEffect{
         angles.values.push_back(pose_rad * 180 / std::numbers::pi);
       }
       return Extension{std::string(id), {std::move(errors), std::move(angles)}};
-    }};
+    },
+    ForceEffect::Of::session};
 
 }  // namespace bend_angle
 
@@ -523,7 +527,8 @@ constexpr ForceEffect kEffect{
     },
     parameters,
     [](Numbers numbers, ForceValues& values) { values.droop_1_K = numbers[0]; },
-    written<parameters>};
+    written<parameters>,
+    ForceEffect::Of::session};
 
 }  // namespace torque_gain
 

@@ -322,13 +322,23 @@ HeldOut ForceData::held_out(std::span<const ForceFit> seen) const {
     const ForceFit& by = seen[j % kFolds];
     const std::vector<double> left_N = residuals_N(j, by.terms, by.parameters);
     const double count = std::max(counts_[j], 1.0);
-    held.plain_N2.push_back(vector_of(left_N).squaredNorm() / count);
     held.residuals_N.push_back(left_N);
     held.weighted_N2.push_back(covariance_.weighted_square(j, vector_of(left_N)) / count);
     held.beside_scatter_N2.push_back(
         covariance_.product(j, vector_of(left_N), vector_of(left_N))(0, 0) / count);
   }
+  held.plain_N2 = mean_squares_N2(held.residuals_N);
   return held;
+}
+
+std::vector<double> ForceData::mean_squares_N2(
+    const std::vector<std::vector<double>>& residuals_N) const {
+  std::vector<double> means_N2;
+  means_N2.reserve(residuals_N.size());
+  for (std::size_t j = 0; j < residuals_N.size(); ++j) {
+    means_N2.push_back(vector_of(residuals_N[j]).squaredNorm() / std::max(counts_[j], 1.0));
+  }
+  return means_N2;
 }
 
 void ForceData::learn_covariance(const ForceFit& nominal, const ForceFit& model, bool with_timing) {

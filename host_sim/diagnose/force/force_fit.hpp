@@ -98,6 +98,10 @@ class ForceData {
   ///   where that takes off nothing that is there, else above 1/2, where both leave as much
   [[nodiscard]] PairedGain gain_of(const HeldOut& before, const HeldOut& after, bool nested) const;
 
+  /// Mean square of each record's residuals, which are 0 where a sample does not count.
+  [[nodiscard]] std::vector<double> mean_squares_N2(
+      const std::vector<std::vector<double>>& residuals_N) const;
+
   /// Root mean square over records of such means.
   [[nodiscard]] double rmse_N(std::span<const double> means_N2) const;
 

@@ -153,8 +153,9 @@ struct ForceEffect {
                        const ForceScales& scales);
   /// Of what it is a law. Those of friction are approximations, and another of them may take up a
   /// part of what one leaves. Two of when a channel is read together smooth its noise, which gains
-  /// by itself.
-  enum class Of { sensor, friction, time } of = Of::sensor;
+  /// by itself. What sessions differ in, their place in the tendon's life, pose and temperature,
+  /// moves them as wholes.
+  enum class Of { sensor, friction, time, session } of = Of::sensor;
 };
 const ForceEffect& definition_of(ForceTerm term);
 

@@ -35,9 +35,6 @@ constexpr double kLeastShare = 0.05;
 /// output's alone where both ends have as much.
 constexpr double kReadBetween = 1.0 / 3;
 
-/// Of what an effect takes off, what is left of it beside the scatter where it shifts sessions.
-constexpr double kShift = 0.05;
-
 /// Of what an effect takes off, by which its law and one that could be in its place are not told
 /// apart, nor another law of friction beside it from what it leaves.
 constexpr double kLawError = 0.02;
@@ -45,10 +42,24 @@ constexpr double kLawError = 0.02;
 /// The same of a lag and a delay: how a force turns between samples is known to neither.
 constexpr double kTimeError = 0.05;
 
+/// Of the squared error of sessions, plain as they are, which scatter: an effect may look worse by
+/// that much, 2 % of the error.
+constexpr double kNotWorse = 0.04;
+
 constexpr double kPrior = 0.05;  ///< of an effect of the catalogue
 
 bool both_of(ForceEffect::Of kind, ForceTerm one, ForceTerm other) {
   return definition_of(one).of == kind && definition_of(other).of == kind;
+}
+
+/// Of what an effect takes off, what gain and friction that suit each session leave of it where it
+/// moves them as wholes; an effect of what sessions differ in does by what it is.
+constexpr double kShift = 0.05;
+constexpr double kShiftOfSession = 0.2;
+
+bool moves_sessions(const Judged& one) {
+  const bool of_session = definition_of(one.term).of == ForceEffect::Of::session;
+  return one.gain.beside_scatter_N2 < (of_session ? kShiftOfSession : kShift) * one.gain.taken_N2;
 }
 
 }  // namespace
@@ -62,11 +73,9 @@ double probability_of(ForceTerm term, const PairedGain& gain, const ForceData& d
   return gain.z > 0 && gain.any() ? 1 / (1 + std::exp(-log_odds)) : 0;
 }
 
-ForceSearch::ForceSearch(ForceData& data, double friction, std::vector<std::string> without,
-                         unsigned threads)
+ForceSearch::ForceSearch(ForceData& data, double friction, const DiagnoseOptions& options)
     : data_(data),
-      without_(std::move(without)),
-      threads_(threads),
+      options_(options),
       covariates_(force_covariates(data.records())),
       nominal_{data.fit({}, {1, friction}, kNominalIterations), {}} {
   for (const ForceCovariate& covariate : covariates_) {
@@ -77,17 +86,28 @@ ForceSearch::ForceSearch(ForceData& data, double friction, std::vector<std::stri
 }
 
 void ForceSearch::run() {
+  constexpr double kOfGrowing = 0.3;
+  constexpr double kOfPruning = 0.1;
+  report(0);
   for (int round = 0; round < 2; ++round) {
     learn_covariance(round > 0);
     while (model_.fit.terms.size() < kMostForceTerms && grow()) {
     }
+    report(kOfGrowing * (round + 1));
   }
   for (int round = 0; round < kRounds; ++round) {
     while (prune()) {
     }
+    report(2 * kOfGrowing + kOfPruning * (round + 1));
     if (!exchange(round + 1 < kRounds)) {
       break;
     }
+  }
+}
+
+void ForceSearch::report(double share) const {
+  if (options_.progress) {
+    options_.progress(share);
   }
 }
 
@@ -122,7 +142,8 @@ std::vector<ForceSearch::Candidate> ForceSearch::stairs() const {
       all_so_far = false;
       Candidate next{
           data_.finished(
-              data_.started(stairs.back().fit, std::span(&added.term, 1), threads_).front()),
+              data_.started(stairs.back().fit, std::span(&added.term, 1), options_.threads)
+                  .front()),
           {}};
       next.held = data_.held_out(next.fit);
       stairs.push_back(std::move(next));
@@ -145,7 +166,8 @@ std::vector<ForceTerm> ForceSearch::outside(const ForceTerms& taken) const {
       return definition_of(one).id == definition_of(term).id ||
              both_of(ForceEffect::Of::time, one, term);
     };
-    const bool wanted = std::ranges::find(without_, definition_of(term).id) == without_.end();
+    const bool wanted =
+        std::ranges::find(options_.without, definition_of(term).id) == options_.without.end();
     if (wanted && is_shown(term, data_.records()) && std::ranges::none_of(taken, same) &&
         !parameters_of(term, data_.scales()).empty()) {
       terms.push_back(term);
@@ -161,13 +183,14 @@ std::vector<ForceSearch::Candidate> ForceSearch::with_each(
   constexpr std::size_t kFinished = 5;
   const auto by_squares = [](const Candidate& one) { return one.fit.square_N2; };
   std::vector<Candidate> all;
-  for (ForceFit& fit : data_.started(from, terms, threads_)) {
+  for (ForceFit& fit : data_.started(from, terms, options_.threads)) {
     all.push_back({std::move(fit), {}});
   }
   std::ranges::sort(all, {}, by_squares);
   all.resize(std::min(all.size(), kFinished));
   statistics::parallel_for(
-      all.size(), [&](std::size_t i) { all[i].fit = data_.finished(all[i].fit); }, threads_);
+      all.size(), [&](std::size_t i) { all[i].fit = data_.finished(all[i].fit); },
+      options_.threads);
   std::erase_if(all, [&](const Candidate& one) {
     return !data_.is_physical(one.fit, one.fit.terms.size() - 1);
   });
@@ -184,7 +207,7 @@ void ForceSearch::hold_out(std::vector<Candidate>& all) const {
         seen[i / folds][i % folds] =
             data_.fold_fit(all[i / folds].fit, static_cast<int>(i % folds));
       },
-      threads_);
+      options_.threads);
   for (std::size_t i = 0; i < all.size(); ++i) {
     all[i].held = data_.held_out(seen[i]);
   }
@@ -206,9 +229,28 @@ bool ForceSearch::grow() {
   if (best == all.end()) {
     return false;
   }
-  model_ = std::move(*best);
+  model_ = std::move(*first_law_as_good(all, best));
   added_.push_back({model_.fit.terms.back(), model_});
   return true;
+}
+
+/// Of laws of one effect the first one in the catalogue, unless another is seen to be better.
+std::vector<ForceSearch::Candidate>::iterator ForceSearch::first_law_as_good(
+    std::vector<Candidate>& all, std::vector<Candidate>::iterator best) const {
+  auto first = best;
+  for (auto one = all.begin(); one != all.end(); ++one) {
+    const ForceTerm term = one->fit.terms.back();
+    if (term < first->fit.terms.back() &&
+        definition_of(term).id == definition_of(best->fit.terms.back()).id &&
+        data_.gain_of(one->held, best->held, false).z < kSeen) {
+      first = one;
+    }
+  }
+  return first;
+}
+
+double ForceSearch::not_worse_N2() const {
+  return kNotWorse * rmse_N() * rmse_N();
 }
 
 /// Whether a term is certain, material, within the bounds of physics and more than samples resolve.
@@ -229,8 +271,9 @@ bool ForceSearch::stays(std::size_t place) const {
   const auto material = [&](double taken_N2, std::span<const double> noise_N2, double left_N2) {
     return taken_N2 >= least * std::pow(data_.rmse_N(noise_N2), 2) && taken_N2 >= share * left_N2;
   };
-  return told_apart && data_.is_physical(model_.fit, place) && one.gain.plain_N2 > 0 &&
-         ((one.gain.beside_scatter_N2 < kShift * one.gain.taken_N2 &&
+  return told_apart && data_.is_physical(model_.fit, place) &&
+         one.gain.plain_N2 > -not_worse_N2() &&
+         ((moves_sessions(one) &&
            material(one.gain.taken_N2, held.weighted_N2, left_.repeats_N2)) ||
           material(one.gain.beside_scatter_N2, held.beside_scatter_N2, left_.beside_scatter_N2)) &&
          probability_of(one.term, one.gain, data_) >= kNamed;
@@ -241,7 +284,8 @@ bool ForceSearch::prune() {
   judged_.assign(model_.fit.terms.size(), {});
   std::vector<Candidate> all(model_.fit.terms.size());
   statistics::parallel_for(
-      all.size(), [&](std::size_t i) { all[i].fit = data_.without(model_.fit, i); }, threads_);
+      all.size(), [&](std::size_t i) { all[i].fit = data_.without(model_.fit, i); },
+      options_.threads);
   hold_out(all);
   left_ = structure_of(data_, bins_, model_.fit);
   std::optional<std::size_t> least;
@@ -263,6 +307,18 @@ bool ForceSearch::prune() {
   return true;
 }
 
+/// Whether what is lost by another term in the place of one is too little to say that it is not
+/// that: beside the scatter of sessions, or as it is where the term shifts whole sessions.
+bool ForceSearch::alike(std::size_t place, ForceTerm other, const PairedGain& lost) const {
+  const Judged& one = judged_[place];
+  const double law_error = both_of(ForceEffect::Of::time, one.term, other) ? kTimeError : kLawError;
+  if (moves_sessions(one)) {
+    return lost.taken_N2 < std::max(kAlike * left_.repeats_N2, law_error * one.gain.taken_N2);
+  }
+  return lost.beside_scatter_N2 <
+         std::max(kAlike * left_.beside_scatter_N2, law_error * one.gain.beside_scatter_N2);
+}
+
 /// Finds what could stand in the place of each term. Where that does better it takes the place,
 /// as long as that is allowed, and all are judged anew.
 bool ForceSearch::exchange(bool allowed) {
@@ -271,15 +327,16 @@ bool ForceSearch::exchange(bool allowed) {
       const ForceTerm term = judged_[place].term;
       const ForceTerm other = one.fit.terms.back();
       const PairedGain lost = data_.gain_of(one.held, model_.held, false);
-      if (allowed && lost.log_odds < -kOdds) {
+      if (judged_[place].gain.plain_N2 - lost.plain_N2 < -not_worse_N2()) {
+        continue;  // worse than none
+      }
+      const bool other_law = definition_of(other).id == definition_of(term).id;
+      if (allowed && lost.log_odds < -kOdds && (!other_law || lost.z < -kSeen)) {
         added_.push_back({other, std::nullopt});
         model_ = std::move(one);
         return true;
       }
-      const double law_error = both_of(ForceEffect::Of::time, term, other) ? kTimeError : kLawError;
-      if (definition_of(other).id != definition_of(term).id &&
-          (lost.log_odds < kOdds || lost.beside_scatter_N2 < kAlike * left_.beside_scatter_N2 ||
-           lost.beside_scatter_N2 < law_error * judged_[place].gain.beside_scatter_N2)) {
+      if (!other_law && (lost.log_odds < kOdds || alike(place, other, lost))) {
         judged_[place].others.push_back(other);
       }
     }

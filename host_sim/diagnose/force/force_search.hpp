@@ -5,8 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "host_sim/diagnose/diagnosis.hpp"
 #include "host_sim/diagnose/force/force_fit.hpp"
-#include "host_sim/diagnose/force/remainder.hpp"
+#include "host_sim/diagnose/force/structure.hpp"
 
 namespace host_sim::diagnose {
 
@@ -37,8 +38,7 @@ class ForceSearch {
   };
 
   /// @param friction coefficient that the nominal model starts with
-  /// @param without ids of effects that are left out
-  ForceSearch(ForceData& data, double friction, std::vector<std::string> without, unsigned threads);
+  ForceSearch(ForceData& data, double friction, const DiagnoseOptions& options);
 
   void run();
 
@@ -49,7 +49,7 @@ class ForceSearch {
   [[nodiscard]] const std::vector<Judged>& judged() const { return judged_; }
 
   [[nodiscard]] const std::vector<ForceCovariate>& covariates() const { return covariates_; }
-  [[nodiscard]] const std::vector<RemainderBins>& bins() const { return bins_; }
+  [[nodiscard]] const std::vector<CovariateBins>& bins() const { return bins_; }
 
   /// From the nominal model on, one term more each: those that stay in the order in which they
   /// came, or where none stays those that came as far as that gains.
@@ -61,22 +61,26 @@ class ForceSearch {
     std::optional<Candidate> grown;  ///< from the one added before; none: it took a place
   };
 
+  void report(double share) const;
   void learn_covariance(bool with_timing);
   [[nodiscard]] std::vector<ForceTerm> outside(const ForceTerms& taken) const;
   [[nodiscard]] std::vector<Candidate> with_each(const ForceFit& from,
                                                  const std::vector<ForceTerm>& terms) const;
   void hold_out(std::vector<Candidate>& all) const;
   bool grow();
+  [[nodiscard]] std::vector<Candidate>::iterator first_law_as_good(
+      std::vector<Candidate>& all, std::vector<Candidate>::iterator best) const;
   bool prune();
+  [[nodiscard]] double not_worse_N2() const;
   [[nodiscard]] bool stays(std::size_t place) const;
+  [[nodiscard]] bool alike(std::size_t place, ForceTerm other, const PairedGain& lost) const;
   bool exchange(bool allowed);
   [[nodiscard]] std::vector<Candidate> in_place_of(std::size_t place) const;
 
   ForceData& data_;
-  std::vector<std::string> without_;
-  unsigned threads_;
+  const DiagnoseOptions& options_;
   std::vector<ForceCovariate> covariates_;
-  std::vector<RemainderBins> bins_;  ///< of each covariate
+  std::vector<CovariateBins> bins_;  ///< of each covariate
   Candidate nominal_;
   Candidate model_;
   std::vector<Judged> judged_;

@@ -1,268 +1,175 @@
 #include "host_sim/diagnose/force/remainder.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <iterator>
 #include <numeric>
-#include <optional>
 #include <utility>
 
-#include "host_sim/recording/signal.hpp"
+#include "host_sim/diagnose/force/structure.hpp"
 #include "host_sim/statistics/random.hpp"
 
 namespace host_sim::diagnose {
 namespace {
 
-std::vector<double> travel_of(const ForceRecord& record) {
-  std::vector<double> travel_m(record.samples());
-  double since_m = record.samples() == 0 ? 0 : record.position_m.front();
-  for (std::size_t i = 1; i < record.samples(); ++i) {
-    if (record.velocity_m_s[i] * record.velocity_m_s[i - 1] <= 0) {
-      since_m = record.position_m[i];
+constexpr std::size_t kBins = CovariateBins::kCount;
+
+/// Of what is left, from where on it shows as structure: noise of the output force and of the
+/// velocity alone leave up to 0.4 % that is the same in all sessions.
+constexpr double kLeastRemainder = 0.005;
+/// The chance of what repeats, which eight sessions can show: of 2^8 ways to turn them over, two.
+constexpr double kRareRepeat = 0.01;
+/// That of what goes with sessions.
+constexpr double kRareTrend = SessionScatter::kRare;
+
+/// Gain and friction that suit each session beside a model, against a covariate of sessions.
+class SessionTrend {
+ public:
+  /// @param refits by session: what gain and friction each has beside the model
+  SessionTrend(const ForceCovariate& covariate, const Eigen::MatrixX2d& refits)
+      : values_(refits.rowwise() - refits.colwise().mean()) {
+    const Eigen::Index count = refits.rows();
+    Eigen::VectorXd place(count);
+    for (Eigen::Index j = 0; j < count; ++j) {
+      place(j) = mean_of(covariate.values[static_cast<std::size_t>(j)]);
     }
-    travel_m[i] = std::abs(record.position_m[i] - since_m);
+    place = (place.array() - place.mean()) / std::max(place.cwiseAbs().maxCoeff(), 1e-300);
+    add(place);
+    add(place.cwiseAbs2());
+    values_.colwise().normalize();
   }
-  return travel_m;
-}
 
-/// By a cubic over some samples to each side.
-std::vector<double> acceleration_of(const ForceRecord& record) {
-  const recording::Stretch whole{0, record.samples()};
-  const double duration_s = record.samples() < 2 ? 0 : record.time_s.back() - record.time_s.front();
-  constexpr double kSamples = 4;
-  const double reach_s = kSamples * duration_s / static_cast<double>(record.samples());
-  std::vector<double> acceleration_m_s2(record.samples());
-  for (std::size_t i = 0; i < record.samples(); ++i) {
-    recording::LocalFit fit;
-    if (recording::fit_locally(record.time_s, record.velocity_m_s, whole, i, reach_s, fit)) {
-      acceleration_m_s2[i] = fit.slope_1_s;
+  /// As many sessions as the parabola explains of one of both.
+  /// @param order of the sessions
+  [[nodiscard]] double statistic(const std::vector<Eigen::Index>& order) const {
+    constexpr Eigen::Index kFewSessions = 8;
+    if (values_.rows() < kFewSessions) {
+      return 0;
+    }
+    const Eigen::MatrixX2d moved = values_(order, Eigen::all);
+    return (parabola_.transpose() * moved).colwise().squaredNorm().maxCoeff() *
+           static_cast<double>(values_.rows());
+  }
+
+ private:
+  /// Beside the mean and the columns before it.
+  void add(Eigen::VectorXd column) {
+    constexpr double kSame = 1e-6;
+    const double before = column.norm();
+    column.array() -= column.mean();
+    column -= parabola_ * (parabola_.transpose() * column);
+    if (column.norm() > kSame * before) {
+      parabola_.conservativeResize(column.size(), parabola_.cols() + 1);
+      parabola_.rightCols<1>() = column.normalized();
     }
   }
-  return acceleration_m_s2;
-}
 
-std::vector<double> since_start(std::vector<double> time_s) {
-  const double start_s = time_s.front();
-  for (double& value_s : time_s) {
-    value_s -= start_s;
-  }
-  return time_s;
-}
-
-std::vector<double> sizes_of(std::vector<double> values) {
-  for (double& value : values) {
-    value = std::abs(value);
-  }
-  return values;
-}
-
-}  // namespace
-
-std::vector<ForceCovariate> force_covariates(const std::vector<ForceRecord>& records) {
-  std::vector<ForceCovariate> all{{"output tension", "N", {}},
-                                  {"position", "m", {}},
-                                  {"speed", "m/s", {}},
-                                  {"travel", "m", {}},
-                                  {"rate of tension", "N/s", {}},
-                                  {"acceleration", "m/s2", {}},
-                                  {"time", "s", {}}};
-  for (const ForceRecord& record : records) {
-    all[0].values.push_back(sizes_of(record.output_N));
-    all[1].values.push_back(record.position_m);
-    all[2].values.push_back(sizes_of(record.velocity_m_s));
-    all[3].values.push_back(travel_of(record));
-    all[4].values.push_back(record.output_rate_N_s);
-    all[5].values.push_back(acceleration_of(record));
-    all[6].values.push_back(since_start(record.time_s));
-  }
-  return all;
-}
-
-namespace {
-
-constexpr std::size_t kBins = RemainderBins::kCount;
-
-struct Spread {
-  double mean_N = 0;
-  double sd_N = 0;
+  Eigen::MatrixX2d values_;
+  Eigen::MatrixXd parabola_ = Eigen::MatrixXd(values_.rows(), 0);
 };
 
-/// @pre two values or more
-Spread spread_of(const std::vector<double>& values_N) {
-  const auto count = static_cast<double>(values_N.size());
-  const double mean_N = std::accumulate(values_N.begin(), values_N.end(), 0.0) / count;
-  double square_N2 = 0;
-  for (const double value_N : values_N) {
-    square_N2 += (value_N - mean_N) * (value_N - mean_N);
-  }
-  return {mean_N, std::sqrt(square_N2 / (count - 1))};
-}
-
-/// Mean residual of each session in each bin, by weight; absent where a session has few samples
-/// there. Samples count where the direction of friction is settled: as the motion turns over, noise
-/// of the velocity leaves what is the same in all sessions too.
-class BinMeans {
+/// What one model leaves against each covariate.
+class CovariateTest {
  public:
-  /// @param noise whose weights samples have
-  BinMeans(const ForceData& data, const RemainderBins& bins,
-           const std::vector<std::vector<double>>& residuals_N, const ForceCovariance& noise)
-      : means_N_(data.records().size()) {
-    const std::vector<ForceRecord>& records = data.records();
-    constexpr double kTurnsOver = 2;
-    const double settled_m_s = kTurnsOver * data.scales().turn_over_m_s;
-    for (std::size_t j = 0; j < records.size(); ++j) {
-      std::array<double, 2 * kBins> sums{};
-      std::array<double, 2 * kBins> weights{};
-      std::array<std::size_t, 2 * kBins> counts{};
-      for (std::size_t i = 0; i < records[j].samples(); ++i) {
-        if (records[j].used[i] && std::abs(records[j].velocity_m_s[i]) > settled_m_s) {
-          const double weight = noise.weight(j, i);
-          sums[bins.places[j][i]] += weight * residuals_N[j][i];
-          weights[bins.places[j][i]] += weight;
-          ++counts[bins.places[j][i]];
-        }
-      }
-      for (std::size_t bin = 0; bin < 2 * kBins; ++bin) {
-        weights_[bin] += weights[bin];
-        constexpr std::size_t kFew = 3;
-        means_N_[j][bin] =
-            counts[bin] < kFew ? std::nullopt : std::optional(sums[bin] / weights[bin]);
-      }
+  CovariateTest(const ForceData& data, const ForceFit& model,
+                const std::vector<ForceCovariate>& covariates,
+                const std::vector<CovariateBins>& bins)
+      : residuals_N_(beside_scatter_N(data, model)), covariates_(covariates) {
+    const std::vector<ForceCovariance::Refit> all = refits_of(data, model);
+    Eigen::MatrixX2d refits(static_cast<Eigen::Index>(all.size()), 2);
+    for (std::size_t j = 0; j < all.size(); ++j) {
+      refits.row(static_cast<Eigen::Index>(j)) = all[j].value;
+    }
+    means_.reserve(covariates.size());
+    trends_.reserve(covariates.size());
+    for (std::size_t i = 0; i < covariates.size(); ++i) {
+      means_.emplace_back(data, bins[i], residuals_N_, ForceCovariance());
+      trends_.emplace_back(covariates[i], refits);
     }
   }
 
-  /// How far the means are from zero against their scatter between sessions, all bins together.
-  [[nodiscard]] double statistic(const std::vector<double>& signs) const {
-    double sum = 0;
-    double bins = 0;
-    for (std::size_t bin = 0; bin < 2 * kBins; ++bin) {
-      double count = 0;
-      double mean = 0;
-      double square = 0;
-      for (std::size_t j = 0; j < means_N_.size(); ++j) {
-        if (means_N_[j][bin]) {
-          const double value = signs[j] * *means_N_[j][bin];
-          ++count;
-          mean += value;
-          square += value * value;
-        }
+  /// @param draws how often sessions are turned over and change places at random
+  void run(int draws, std::uint64_t seed) {
+    const std::size_t sessions = residuals_N_.size();
+    std::vector<double> signs(sessions, 1);
+    std::vector<Eigen::Index> order(sessions);
+    std::iota(order.begin(), order.end(), Eigen::Index{0});
+    statistics_ = of(signs, order);
+    std::vector<int> as_large(statistics_.size(), 1);
+    for (int draw = 0; draw < draws; ++draw) {
+      constexpr std::uint64_t kStream = 41;
+      statistics::Random random(seed, kStream, static_cast<std::uint64_t>(draw));
+      for (double& sign : signs) {
+        sign = random.uniform() < 0.5 ? -1 : 1;
       }
-      if (count >= kFewSessions && square > 0) {
-        sum += mean * mean / square;
-        ++bins;
+      for (std::size_t j = sessions; j > 1; --j) {
+        const auto other = static_cast<std::size_t>(random.uniform() * static_cast<double>(j));
+        std::swap(order[j - 1], order[std::min(other, j - 1)]);
+      }
+      const std::vector<double> drawn = of(signs, order);
+      const double repeats = largest(drawn, false);
+      const double moves = largest(drawn, true);
+      for (std::size_t i = 0; i < as_large.size(); ++i) {
+        as_large[i] += (covariates_[i].of_sessions ? moves : repeats) >= statistics_[i] ? 1 : 0;
       }
     }
-    return bins > 0 ? sum / bins : 0;
-  }
-
-  /// Square of the means over sessions, less what chance puts there, in the mean over all samples
-  /// by weight.
-  [[nodiscard]] double square_N2() const {
-    double sum_N2 = 0;
-    double weights = 0;
-    for (std::size_t bin = 0; bin < 2 * kBins; ++bin) {
-      const std::vector<double> means_N = of_sessions(bin);
-      if (means_N.size() < kFewSessions) {
-        continue;
-      }
-      const Spread spread = spread_of(means_N);
-      const double chance_N2 = spread.sd_N * spread.sd_N / static_cast<double>(means_N.size());
-      sum_N2 += weights_[bin] * (spread.mean_N * spread.mean_N - chance_N2);
-      weights += weights_[bin];
+    for (const int count : as_large) {
+      p_.push_back(static_cast<double>(count) / (draws + 1));
     }
-    return weights > 0 ? std::max(sum_N2 / weights, 0.0) : 0;
   }
 
-  /// Of one bin, those that there are.
-  [[nodiscard]] std::vector<double> of_sessions(std::size_t bin) const {
+  [[nodiscard]] const std::vector<double>& statistics() const { return statistics_; }
+  /// That chance leaves as much against any of the covariates of its kind.
+  [[nodiscard]] const std::vector<double>& p() const { return p_; }
+
+  [[nodiscard]] const BinMeans& means(std::size_t covariate) const { return means_[covariate]; }
+  [[nodiscard]] const std::vector<std::vector<double>>& residuals_N() const { return residuals_N_; }
+
+  /// The place of the one that chance shows least.
+  [[nodiscard]] std::size_t most() const {
+    std::size_t most = 0;
+    for (std::size_t i = 1; i < p_.size(); ++i) {
+      if (std::pair(-p_[i], statistics_[i]) > std::pair(-p_[most], statistics_[most])) {
+        most = i;
+      }
+    }
+    return most;
+  }
+
+ private:
+  [[nodiscard]] std::vector<double> of(const std::vector<double>& signs,
+                                       const std::vector<Eigen::Index>& order) const {
     std::vector<double> all;
-    for (const auto& session : means_N_) {
-      if (session[bin]) {
-        all.push_back(*session[bin]);
-      }
+    all.reserve(means_.size());
+    for (std::size_t i = 0; i < means_.size(); ++i) {
+      all.push_back(covariates_[i].of_sessions ? trends_[i].statistic(order)
+                                               : means_[i].statistic(signs));
     }
     return all;
   }
 
- private:
-  static constexpr std::size_t kFewSessions = 4;
+  /// The largest of all that repeats, or of all of sessions.
+  [[nodiscard]] double largest(const std::vector<double>& statistics, bool of_sessions) const {
+    double largest = 0;
+    for (std::size_t i = 0; i < statistics.size(); ++i) {
+      largest =
+          covariates_[i].of_sessions == of_sessions ? std::max(largest, statistics[i]) : largest;
+    }
+    return largest;
+  }
 
-  std::vector<std::array<std::optional<double>, 2 * kBins>> means_N_;
-  std::array<double, 2 * kBins> weights_{};  ///< of samples that count, of all sessions
+  std::vector<std::vector<double>> residuals_N_;
+  const std::vector<ForceCovariate>& covariates_;
+  std::vector<BinMeans> means_;
+  std::vector<SessionTrend> trends_;
+  std::vector<double> statistics_;
+  std::vector<double> p_;
 };
-
-/// Mean square of what repeats, over the covariate that shows most of it.
-double most_repeated(const std::vector<BinMeans>& means) {
-  double most_N2 = 0;
-  for (const BinMeans& one : means) {
-    most_N2 = std::max(most_N2, one.square_N2());
-  }
-  return most_N2;
-}
-
-std::vector<std::vector<double>> beside_scatter_N(const ForceData& data,
-                                                  std::vector<std::vector<double>> residuals_N) {
-  for (std::size_t j = 0; j < residuals_N.size(); ++j) {
-    const Eigen::VectorXd left_N = data.covariance().beside_scatter(j, vector_of(residuals_N[j]));
-    residuals_N[j].assign(left_N.begin(), left_N.end());
-  }
-  return residuals_N;
-}
-
-/// Samples in an eighth of the mean time between reversals, which are those of 5 % of the stroke.
-std::size_t part_of_stroke(const ForceRecord& record, double stroke_m) {
-  constexpr double kReversal = 0.05;
-  constexpr std::size_t kPart = 8;
-  std::size_t strokes = 1;
-  double turned_m = record.position_m.front();
-  double way = 0;
-  for (const double position_m : record.position_m) {
-    const double moved_m = position_m - turned_m;
-    if (way == 0 || moved_m * way > 0) {
-      turned_m = position_m;
-      way = way == 0 && std::abs(moved_m) > 0 ? moved_m : way;
-    } else if (std::abs(moved_m) > kReversal * stroke_m) {
-      turned_m = position_m;
-      way = moved_m;
-      ++strokes;
-    }
-  }
-  return std::max<std::size_t>(record.samples() / (kPart * strokes), 1);
-}
-
-/// Mean product of residuals that are so far apart, less twice what chance puts there by its
-/// scatter between sessions.
-double going_on(const ForceData& data, const std::vector<std::vector<double>>& residuals_N) {
-  constexpr double kChance = 2;
-  std::vector<double> of_sessions;
-  for (std::size_t j = 0; j < residuals_N.size(); ++j) {
-    const ForceRecord& record = data.records()[j];
-    const std::size_t later = part_of_stroke(record, data.scales().stroke_m);
-    double sum_N2 = 0;
-    double count = 0;
-    for (std::size_t i = 0; i + later < record.samples(); ++i) {
-      if (record.used[i] && record.used[i + later]) {
-        sum_N2 +=
-            std::sqrt(data.covariance().weight(j, i) * data.covariance().weight(j, i + later)) *
-            residuals_N[j][i] * residuals_N[j][i + later];
-        ++count;
-      }
-    }
-    if (count > 0) {
-      of_sessions.push_back(sum_N2 / count);
-    }
-  }
-  if (of_sessions.size() < 2) {
-    return 0;
-  }
-  const Spread spread = spread_of(of_sessions);
-  const double error_N2 = spread.sd_N / std::sqrt(static_cast<double>(of_sessions.size()));
-  return std::max(spread.mean_N - kChance * error_N2, 0.0);
-}
 
 /// What both models leave, as the test sees it.
 std::vector<RemainderPicture> pictures_of(const ForceCovariate& covariate,
-                                          const RemainderBins& bins, const BinMeans& before,
+                                          const CovariateBins& bins, const BinMeans& before,
                                           const BinMeans& after) {
   std::vector<RemainderPicture> pictures;
   for (const std::size_t back : {0U, 1U}) {
@@ -293,6 +200,24 @@ std::vector<RemainderPicture> pictures_of(const ForceCovariate& covariate,
   return pictures;
 }
 
+/// Places of the covariate that shows most, and of those that the nominal model leaves most against
+/// or the model does, as far as chance does not.
+std::vector<std::size_t> pictured(const std::vector<double>& before_p,
+                                  const std::vector<double>& after_p, std::size_t most) {
+  constexpr std::size_t kMost = 3;
+  std::vector<std::size_t> others;
+  const auto p = [&](std::size_t i) { return std::min(before_p[i], after_p[i]); };
+  for (std::size_t i = 0; i < before_p.size(); ++i) {
+    if (i != most && p(i) < kRareRepeat) {
+      others.push_back(i);
+    }
+  }
+  std::ranges::stable_sort(others, {}, p);
+  others.insert(others.begin(), most);
+  others.resize(std::min(others.size(), kMost));
+  return others;
+}
+
 double mean_square(const ForceData& data, const std::vector<std::vector<double>>& residuals_N) {
   double square_N2 = 0;
   for (const std::vector<double>& of_record : residuals_N) {
@@ -303,79 +228,45 @@ double mean_square(const ForceData& data, const std::vector<std::vector<double>>
 
 }  // namespace
 
-RemainderBins::RemainderBins(const std::vector<ForceRecord>& records,
-                             const ForceCovariate& covariate) {
-  std::vector<double> sorted;
-  for (const auto& values : covariate.values) {
-    sorted.insert(sorted.end(), values.begin(), values.end());
-  }
-  std::ranges::sort(sorted);
-  for (std::size_t bin = 0; bin < kCount; ++bin) {
-    centres.push_back(sorted[(2 * bin + 1) * sorted.size() / (2 * kCount)]);
-  }
-  for (std::size_t j = 0; j < records.size(); ++j) {
-    std::vector<std::size_t>& of_record = places.emplace_back();
-    for (std::size_t i = 0; i < records[j].samples(); ++i) {
-      const auto below = std::ranges::lower_bound(sorted, covariate.values[j][i]) - sorted.begin();
-      const std::size_t bin =
-          std::min(static_cast<std::size_t>(below) * kCount / sorted.size(), kCount - 1);
-      of_record.push_back(2 * bin + (records[j].velocity_m_s[i] < 0 ? 1 : 0));
-    }
-  }
-}
-
-Structure structure_of(const ForceData& data, const std::vector<RemainderBins>& bins,
-                       const ForceFit& model) {
-  const std::vector<std::vector<double>> all_N = data.residuals_N(model);
-  const std::vector<std::vector<double>> beside_N = beside_scatter_N(data, all_N);
-  std::vector<BinMeans> beside;
-  std::vector<BinMeans> all;
-  beside.reserve(bins.size());
-  all.reserve(bins.size());
-  for (const RemainderBins& of_covariate : bins) {
-    beside.emplace_back(data, of_covariate, beside_N, data.covariance());
-    all.emplace_back(data, of_covariate, all_N, data.covariance());
-  }
-  return {.repeats_N2 = most_repeated(all),
-          .beside_scatter_N2 = std::max(most_repeated(beside), going_on(data, beside_N))};
-}
-
 ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, const ForceFit& model,
                             const std::vector<ForceCovariate>& covariates,
-                            const std::vector<RemainderBins>& bins, std::uint64_t seed) {
+                            const std::vector<CovariateBins>& bins, std::uint64_t seed) {
   constexpr int kDraws = 999;
-  const std::vector<std::vector<double>> residuals_N =
-      beside_scatter_N(data, data.residuals_N(model));
-  std::vector<BinMeans> means;
-  means.reserve(bins.size());
-  for (const RemainderBins& of_covariate : bins) {
-    means.emplace_back(data, of_covariate, residuals_N, ForceCovariance());
-  }
-  std::vector<double> signs(data.records().size(), 1);
-  std::size_t most = 0;
-  double largest = 0;
-  for (std::size_t i = 0; i < means.size(); ++i) {
-    const double statistic = means[i].statistic(signs);
-    if (statistic > largest) {
-      largest = statistic;
-      most = i;
+  CovariateTest before(data, nominal, covariates, bins);
+  CovariateTest after(data, model, covariates, bins);
+  before.run(kDraws, seed);
+  after.run(kDraws, seed);
+  const std::size_t most = after.most();
+  ForceRemainder remainder;
+  remainder.covariate = covariates[most].name;
+  remainder.p = after.p()[most];
+  double repeated_N2 = 0;
+  double repeats_p = 1;
+  double moves_p = 1;
+  for (std::size_t i = 0; i < covariates.size(); ++i) {
+    remainder.discrepancies.push_back(
+        {std::string(covariates[i].name), before.statistics()[i], before.p()[i], after.p()[i]});
+    double& least_p = covariates[i].of_sessions ? moves_p : repeats_p;
+    least_p = std::min(least_p, after.p()[i]);
+    if (!covariates[i].of_sessions) {
+      repeated_N2 = std::max(repeated_N2, after.means(i).square_N2());
     }
   }
-  int as_large = 1;
-  for (int draw = 0; draw < kDraws; ++draw) {
-    constexpr std::uint64_t kStream = 41;
-    statistics::Random random(seed, kStream, static_cast<std::uint64_t>(draw));
-    for (double& sign : signs) {
-      sign = random.uniform() < 0.5 ? -1 : 1;
-    }
-    as_large += std::ranges::any_of(
-        means, [&](const BinMeans& one) { return one.statistic(signs) >= largest; });
+  remainder.share = repeated_N2 / std::max(mean_square(data, after.residuals_N()), 1e-300);
+  const SessionScatter scatter = session_scatter_of(data, model);
+  if (scatter.p < remainder.p) {
+    remainder.covariate = kSession;
+    remainder.p = scatter.p;
   }
-  const BinMeans before(data, bins[most], beside_scatter_N(data, data.residuals_N(nominal)),
-                        ForceCovariance());
-  return {covariates[most].name, static_cast<double>(as_large) / (kDraws + 1),
-          most_repeated(means) / std::max(mean_square(data, residuals_N), 1e-300),
-          pictures_of(covariates[most], bins[most], before, means[most])};
+  remainder.discrepancies.push_back(
+      {std::string(kSession), scatter.statistic, session_scatter_of(data, nominal).p, scatter.p});
+  remainder.stands = (repeats_p < kRareRepeat && remainder.share >= kLeastRemainder) ||
+                     moves_p < kRareTrend || scatter.p < SessionScatter::kRare;
+  for (const std::size_t i : pictured(before.p(), after.p(), most)) {
+    std::ranges::move(pictures_of(covariates[i], bins[i], before.means(i), after.means(i)),
+                      std::back_inserter(remainder.pictures));
+  }
+  return remainder;
 }
 
 }  // namespace host_sim::diagnose

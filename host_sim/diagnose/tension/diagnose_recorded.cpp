@@ -11,6 +11,7 @@
 #include "hal/files/input_error.hpp"
 #include "host_sim/diagnose/audit.hpp"
 #include "host_sim/diagnose/force/diagnose_forces.hpp"
+#include "host_sim/diagnose/force/prose.hpp"
 #include "host_sim/diagnose/tension/decision.hpp"
 #include "host_sim/diagnose/tension/estimates.hpp"
 #include "host_sim/diagnose/tension/held_out.hpp"
@@ -331,7 +332,6 @@ TensionDiagnosis nothing_to_see(const RecordedSessions& recorded) {
 TensionDiagnosis in_newtons_after(TensionDiagnosis signatures, TensionDiagnosis forces) {
   Findings& found = forces.findings;
   if (found.verdict == Verdict::named) {
-    found.discrepancies = std::move(signatures.findings.discrepancies);
     found.invisible = std::move(signatures.findings.invisible);
     std::ranges::move(signatures.findings.equivalent_sets,
                       std::back_inserter(found.equivalent_sets));

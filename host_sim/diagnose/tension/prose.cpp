@@ -53,22 +53,6 @@ const effects::TensionEffect* other_than(const Audit& audit, const std::string& 
 
 }  // namespace
 
-std::string how_far(const std::vector<Step>& steps) {
-  if (steps.size() < 2) {
-    return "";
-  }
-  std::string effects;
-  for (std::size_t i = 1; i < steps.size(); ++i) {
-    effects += i == 1 ? "" : i + 1 == steps.size() ? " and " : ", ";
-    effects += fmt::format("{} ({})", steps[i].effect.term, steps[i].effect.id);
-  }
-  return fmt::format(
-      " On sessions held out, Capstan friction alone has an error of {:.3g} N "
-      "of output and {:.3g} N of input tension; with {} that is {:.3g} N and {:.3g} N.",
-      steps.front().output_rmse_N, steps.front().input_rmse_N, effects, steps.back().output_rmse_N,
-      steps.back().input_rmse_N);
-}
-
 std::string verdict_prose(const Findings& findings, std::size_t sessions) {
   switch (findings.verdict) {
     case Verdict::none:

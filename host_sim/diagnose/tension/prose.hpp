@@ -13,8 +13,4 @@ std::string verdict_prose(const Findings& findings, std::size_t sessions);
 /// What distinguishes the causes that are still in question; empty where none are.
 std::string next_experiment(const Findings& findings, const Audit& audit);
 
-/// "... Capstan friction alone has an error of ...; with ... that is ..."; empty where no effect
-/// takes any off.
-std::string how_far(const std::vector<Step>& steps);
-
 }  // namespace host_sim::diagnose

@@ -181,8 +181,7 @@ ResidualTest ResidualTests::of(const Evidence& evidence, std::span<const Compone
   options.wanted = wanted_of(model);
   options.probes = probes_;
   Grams grams = gram_of(evidence.sessions, options, before_ ? &*before_ : nullptr);
-  const ResidualTest test =
-      test_residual(grams, evidence.sample_sd, seed_, evidence.options.threads);
+  ResidualTest test = test_residual(grams, evidence.sample_sd, seed_, evidence.options.threads);
   if (!before_) {
     before_ = std::move(grams);
   }

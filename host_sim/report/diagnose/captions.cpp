@@ -105,7 +105,7 @@ std::string residual(const diagnose::TensionDiagnosis& tension, std::size_t inde
 }
 
 std::string remainders() {
-  return "What the models leave of the input tension, in bins of the covariate that it shows most "
+  return "What the models leave of the input tension, in bins of the covariates that it shows most "
          "against: means of the sessions, with bars of one standard deviation between sessions. "
          "Means that are far from zero in the same direction in all sessions are structure that "
          "the model lacks.";

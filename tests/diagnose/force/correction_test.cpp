@@ -41,11 +41,12 @@ struct Corrected {
 Corrected corrected(const Joint& joint) {
   const ForceData data(measured(joint, 11));
   const ForceFit fit = data.fit({}, {1, 0.1}, 15);
-  const std::vector<double> held_N2 = data.held_out(fit).plain_N2;
-  Corrected result{data.rmse_N(held_N2), {}, 0};
-  result.correction =
-      correction_of(data, fit, held_N2, force_covariates(data.records()), joint.rotor_known);
-  result.corrected_N = result.correction ? data.rmse_N(result.correction->held_N2) : 0;
+  const HeldOut held = data.held_out(fit);
+  Corrected result{data.rmse_N(held.plain_N2), {}, 0};
+  result.correction = correction_of(data, fit, held.residuals_N, force_covariates(data.records()),
+                                    joint.rotor_known);
+  result.corrected_N =
+      result.correction ? data.rmse_N(data.mean_squares_N2(result.correction->held_N)) : 0;
   return result;
 }
 
@@ -78,7 +79,7 @@ TEST(Correction, WhatDoesNotRepeatGetsNone) {
 /// Behind a gain of 2 the table of the model is half of what is seen.
 TEST(Correction, IsWrittenBeforeTheGain) {
   const ForceCorrection correction{
-      .covariate = 3, .table = {{0, 0.5}, {2, -4}, {6, 8}}, .held_N2 = {}};
+      .covariate = 3, .table = {{0, 0.5}, {2, -4}, {6, 8}}, .held_N = {}};
   EXPECT_EQ(toml_text(std::vector{written_correction(correction, 2)}),
             "[extension.empirical]\ntravel_m = [0.0, 0.5]\npulling_N = [1.0, -2.0]\n"
             "letting_go_N = [3.0, 4.0]\n");

@@ -14,6 +14,14 @@ TEST(Gain, IsOneOfTheErrorElseOfTheDensity) {
   EXPECT_FALSE(improves({"session", {{"rmse_N", 1.5, 1.5}}}));
   EXPECT_FALSE(improves({"session", {{"log_predictive_density", 2, 3}, {"rmse_N", 1.5, 1.6}}}));
   EXPECT_FALSE(improves({"session", {{"rmse_N", 1.5, std::nan("")}}}));
+  EXPECT_FALSE(improves({"session", {{"log_predictive_density", 2, 3}, {"rmse_N", 1.5, 1.52}}}));
+  EXPECT_TRUE(
+      improves({"session", {{"log_predictive_density", 2, 3}, {"input_rmse_N", 1.5, 1.52}}}));
+  EXPECT_FALSE(
+      improves({"session", {{"log_predictive_density", 2, 3}, {"input_rmse_N", 1.5, 1.54}}}));
+  EXPECT_TRUE(improves({"session", {{"rmse_N", 1.5, 1.6}, {"input_rmse_N", 1.5, 1.4}}}));
+  EXPECT_FALSE(
+      improves({"session", {{"log_predictive_density", 3, 2}, {"input_rmse_N", 1.5, 1.52}}}));
   EXPECT_TRUE(
       improves({"level", {{"log_predictive_density", -2, -1}, {"b10_coverage", 0.1, 0.3}}}));
   EXPECT_FALSE(improves({"level", {{"log_predictive_density", -1, -2}}}));

@@ -1,0 +1,133 @@
+#include "host_sim/diagnose/force/prose.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "host_sim/diagnose/sessions.hpp"
+
+namespace host_sim::diagnose {
+namespace {
+
+/// "wear of the sheath (friction_wear, 99.6 %) and ..."
+std::string listed(const std::vector<FoundEffect>& effects) {
+  constexpr double kPercent = 100;
+  std::string text;
+  for (std::size_t i = 0; i < effects.size(); ++i) {
+    text += i == 0 ? "" : i + 1 == effects.size() ? " and " : ", ";
+    text += fmt::format("{} ({}, {:.1f} %)", effects[i].term, effects[i].id,
+                        kPercent * effects[i].probability);
+  }
+  return text;
+}
+
+std::string what_is_left(const Remainder& remainder) {
+  constexpr double kLeastP = 0.001;
+  return fmt::format("What is left shows most against {} ({}).", remainder.covariate,
+                     remainder.p < kLeastP ? fmt::format("p below {}", kLeastP)
+                                           : fmt::format("p {:.2g}", remainder.p));
+}
+
+}  // namespace
+
+std::string how_far(const std::vector<Step>& steps) {
+  if (steps.size() < 2) {
+    return "";
+  }
+  std::string effects;
+  for (std::size_t i = 1; i < steps.size(); ++i) {
+    effects += i == 1 ? "" : i + 1 == steps.size() ? " and " : ", ";
+    effects += fmt::format("{} ({})", steps[i].effect.term, steps[i].effect.id);
+  }
+  return fmt::format(
+      " On sessions held out, Capstan friction alone has an error of {:.3g} N of output and {:.3g} "
+      "N of input tension; with {} that is {:.3g} N and {:.3g} N.",
+      steps.front().output_rmse_N, steps.front().input_rmse_N, effects, steps.back().output_rmse_N,
+      steps.back().input_rmse_N);
+}
+
+std::string verdict_prose(const Findings& findings, std::size_t sessions, double nominal_rmse_N) {
+  const Remainder& left = findings.remainder.value();
+  const std::string few = sessions < kLeastSessions
+                              ? fmt::format(" {} of {} sessions that it takes to name anything.",
+                                            sessions, kLeastSessions)
+                              : "";
+  if (findings.verdict == Verdict::none) {
+    return fmt::format(
+               "Nothing in {} recordings disagrees with the model beyond noise and the scatter of "
+               "sessions.",
+               sessions) +
+           few;
+  }
+  if (findings.effects.empty()) {
+    return "The recordings contain structure that no effect of the catalogue explains. " +
+           what_is_left(left) + how_far(findings.steps) + few;
+  }
+  const bool many = findings.effects.size() > 1;
+  std::string text = fmt::format(
+      "The recordings disagree with the model, and {} {}. With {} the error of the input tension "
+      "on sessions that the fit never saw is {:.3g} N in place of {:.3g} N. {}",
+      findings.verdict != Verdict::named ? "what may be the cause is"
+      : many                             ? "the causes are"
+                                         : "the cause is",
+      listed(findings.effects), many ? "them" : "it", left.input_rmse_N, nominal_rmse_N,
+      what_is_left(left));
+  for (const auto& same : findings.equivalent_sets) {
+    text += fmt::format(" In place of {} it may be {}.", same.front(),
+                        fmt::join(same.begin() + 1, same.end(), " or "));
+  }
+  return text;
+}
+
+std::string correction_prose(const Correction& correction) {
+  return fmt::format(
+      " What is left repeats in sessions that nothing was fitted to: a correction over {} by "
+      "direction, which is no cause, takes the error of the input force on them from {:.3g} N to "
+      "{:.3g} N.",
+      correction.covariate, correction.before_N, correction.after_N);
+}
+
+std::string doubts(std::span<const ForceRecord> records, std::span<const double> parameters,
+                   const NominalModel& nominal) {
+  constexpr double kDoubtfulLogGain = 0.3;
+  constexpr double kTimesNominal = 3;
+  std::string text;
+  if (std::abs(std::log(parameters[0])) > kDoubtfulLogGain) {
+    text += fmt::format(
+        " The input force is {:.3g} times what the model has: are its unit, the "
+        "radius and the torque constant right?",
+        parameters[0]);
+  }
+  if (nominal.sheath && parameters[1] > kTimesNominal * nominal.sheath->friction_coefficient) {
+    text +=
+        fmt::format(" Friction is {:.3g} times the nominal one: are bend angle and units right?",
+                    parameters[1] / nominal.sheath->friction_coefficient);
+  }
+  double product = 0;
+  double moved_square = 0;
+  double square = 0;
+  for (const ForceRecord& record : records) {
+    for (std::size_t i = 1; i < record.samples(); ++i) {
+      const double moved_m = record.position_m[i] - record.position_m[i - 1];
+      const double expected_m = (record.velocity_m_s[i] + record.velocity_m_s[i - 1]) / 2 *
+                                (record.time_s[i] - record.time_s[i - 1]);
+      product += moved_m * expected_m;
+      moved_square += moved_m * moved_m;
+      square += expected_m * expected_m;
+    }
+  }
+  constexpr double kOpposite = -0.5;
+  constexpr double kScale = 1.3;
+  const double scale = std::sqrt(moved_square / std::max(square, 1e-300));
+  if (product < kOpposite * std::sqrt(moved_square * square)) {
+    text += " Velocity runs against the position: one of the two has the wrong sign.";
+  } else if (product > 0 && (scale > kScale || scale < 1 / kScale)) {
+    text += fmt::format(
+        " The position moves {:.3g} times as far as the velocity says: are their "
+        "units, the radius and the ratio of the gear right?",
+        scale);
+  }
+  return text;
+}
+
+}  // namespace host_sim::diagnose

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "host_sim/diagnose/diagnosis.hpp"
+#include "host_sim/diagnose/force/force_model.hpp"
+
+namespace host_sim::diagnose {
+
+/// The verdict in a few sentences: causes with what they take off, or how far effects go that do
+/// not explain all, and what is left.
+/// @param findings with effects, steps, equivalent sets and the remainder
+/// @param nominal_rmse_N of the input force on sessions that the fit never saw
+std::string verdict_prose(const Findings& findings, std::size_t sessions, double nominal_rmse_N);
+
+/// What effects take off that do not explain all, behind other sentences; empty where none takes
+/// any off.
+std::string how_far(const std::vector<Step>& steps);
+
+/// "A correction ... takes the error ... from ... to ..." behind other sentences.
+std::string correction_prose(const Correction& correction);
+
+/// What a user may have got wrong before any physics does: units, signs and ratios, behind other
+/// sentences.
+/// @param parameters gain and friction coefficient of the model first
+std::string doubts(std::span<const ForceRecord> records, std::span<const double> parameters,
+                   const NominalModel& nominal);
+
+}  // namespace host_sim::diagnose

@@ -1,0 +1,237 @@
+#include "host_sim/diagnose/force/structure.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
+#include <cmath>
+#include <numeric>
+
+namespace host_sim::diagnose {
+namespace {
+
+constexpr std::size_t kFewSessions = 4;
+
+/// Mean square of what repeats, over the covariate that shows most of it.
+double most_repeated(const std::vector<BinMeans>& means) {
+  double most_N2 = 0;
+  for (const BinMeans& one : means) {
+    most_N2 = std::max(most_N2, one.square_N2());
+  }
+  return most_N2;
+}
+
+/// Samples in an eighth of the mean time between reversals, which are those of 5 % of the stroke.
+std::size_t part_of_stroke(const ForceRecord& record, double stroke_m) {
+  constexpr double kReversal = 0.05;
+  constexpr std::size_t kPart = 8;
+  std::size_t strokes = 1;
+  double turned_m = record.position_m.front();
+  double way = 0;
+  for (const double position_m : record.position_m) {
+    const double moved_m = position_m - turned_m;
+    if (way == 0 || moved_m * way > 0) {
+      turned_m = position_m;
+      way = way == 0 && std::abs(moved_m) > 0 ? moved_m : way;
+    } else if (std::abs(moved_m) > kReversal * stroke_m) {
+      turned_m = position_m;
+      way = moved_m;
+      ++strokes;
+    }
+  }
+  return std::max<std::size_t>(record.samples() / (kPart * strokes), 1);
+}
+
+/// Mean product of residuals that are so far apart, less twice what chance puts there by its
+/// scatter between sessions.
+double going_on(const ForceData& data, const std::vector<std::vector<double>>& residuals_N) {
+  constexpr double kChance = 2;
+  std::vector<double> of_sessions;
+  for (std::size_t j = 0; j < residuals_N.size(); ++j) {
+    const ForceRecord& record = data.records()[j];
+    const std::size_t later = part_of_stroke(record, data.scales().stroke_m);
+    double sum_N2 = 0;
+    double count = 0;
+    for (std::size_t i = 0; i + later < record.samples(); ++i) {
+      if (record.used[i] && record.used[i + later]) {
+        sum_N2 +=
+            std::sqrt(data.covariance().weight(j, i) * data.covariance().weight(j, i + later)) *
+            residuals_N[j][i] * residuals_N[j][i + later];
+        ++count;
+      }
+    }
+    if (count > 0) {
+      of_sessions.push_back(sum_N2 / count);
+    }
+  }
+  if (of_sessions.size() < 2) {
+    return 0;
+  }
+  const Spread spread = spread_of(of_sessions);
+  const double error_N2 = spread.sd_N / std::sqrt(static_cast<double>(of_sessions.size()));
+  return std::max(spread.mean_N - kChance * error_N2, 0.0);
+}
+
+}  // namespace
+
+/// @pre two values or more
+Spread spread_of(const std::vector<double>& values_N) {
+  const auto count = static_cast<double>(values_N.size());
+  const double mean_N = std::accumulate(values_N.begin(), values_N.end(), 0.0) / count;
+  double square_N2 = 0;
+  for (const double value_N : values_N) {
+    square_N2 += (value_N - mean_N) * (value_N - mean_N);
+  }
+  return {mean_N, std::sqrt(square_N2 / (count - 1))};
+}
+
+BinMeans::BinMeans(const ForceData& data, const CovariateBins& bins,
+                   const std::vector<std::vector<double>>& residuals_N,
+                   const ForceCovariance& noise)
+    : means_N_(data.records().size()) {
+  const std::vector<ForceRecord>& records = data.records();
+  constexpr double kTurnsOver = 2;
+  const double settled_m_s = kTurnsOver * data.scales().turn_over_m_s;
+  for (std::size_t j = 0; j < records.size(); ++j) {
+    std::array<double, kBins> sums{};
+    std::array<double, kBins> weights{};
+    std::array<std::size_t, kBins> counts{};
+    for (std::size_t i = 0; i < records[j].samples(); ++i) {
+      if (records[j].used[i] && std::abs(records[j].velocity_m_s[i]) > settled_m_s) {
+        const double weight = noise.weight(j, i);
+        sums[bins.places[j][i]] += weight * residuals_N[j][i];
+        weights[bins.places[j][i]] += weight;
+        ++counts[bins.places[j][i]];
+      }
+    }
+    for (std::size_t bin = 0; bin < kBins; ++bin) {
+      weights_[bin] += weights[bin];
+      constexpr std::size_t kFew = 3;
+      means_N_[j][bin] =
+          counts[bin] < kFew ? std::nullopt : std::optional(sums[bin] / weights[bin]);
+    }
+  }
+}
+
+double BinMeans::statistic(const std::vector<double>& signs) const {
+  double sum = 0;
+  double bins = 0;
+  for (std::size_t bin = 0; bin < kBins; ++bin) {
+    double count = 0;
+    double mean = 0;
+    double square = 0;
+    for (std::size_t j = 0; j < means_N_.size(); ++j) {
+      if (means_N_[j][bin]) {
+        const double value = signs[j] * *means_N_[j][bin];
+        ++count;
+        mean += value;
+        square += value * value;
+      }
+    }
+    if (count >= kFewSessions && square > 0) {
+      sum += mean * mean / square;
+      ++bins;
+    }
+  }
+  return bins > 0 ? sum / bins : 0;
+}
+
+double BinMeans::square_N2() const {
+  double sum_N2 = 0;
+  double weights = 0;
+  for (std::size_t bin = 0; bin < kBins; ++bin) {
+    const std::vector<double> means_N = of_sessions(bin);
+    if (means_N.size() < kFewSessions) {
+      continue;
+    }
+    const Spread spread = spread_of(means_N);
+    const double chance_N2 = spread.sd_N * spread.sd_N / static_cast<double>(means_N.size());
+    sum_N2 += weights_[bin] * (spread.mean_N * spread.mean_N - chance_N2);
+    weights += weights_[bin];
+  }
+  return weights > 0 ? std::max(sum_N2 / weights, 0.0) : 0;
+}
+
+std::vector<double> BinMeans::of_sessions(std::size_t bin) const {
+  std::vector<double> all;
+  for (const auto& session : means_N_) {
+    if (session[bin]) {
+      all.push_back(*session[bin]);
+    }
+  }
+  return all;
+}
+
+std::vector<std::vector<double>> beside_scatter_N(const ForceData& data, const ForceFit& model) {
+  std::vector<std::vector<double>> residuals_N = data.residuals_N(model);
+  for (std::size_t j = 0; j < residuals_N.size(); ++j) {
+    const Eigen::VectorXd left_N = data.covariance().beside_scatter(j, vector_of(residuals_N[j]));
+    residuals_N[j].assign(left_N.begin(), left_N.end());
+  }
+  return residuals_N;
+}
+
+std::vector<ForceCovariance::Refit> refits_of(const ForceData& data, const ForceFit& model) {
+  const std::vector<std::vector<double>> residuals_N = data.residuals_N(model);
+  std::vector<ForceCovariance::Refit> all;
+  all.reserve(residuals_N.size());
+  for (std::size_t j = 0; j < residuals_N.size(); ++j) {
+    all.push_back(data.covariance().refit(j, vector_of(residuals_N[j])));
+  }
+  return all;
+}
+
+SessionScatter session_scatter_of(const ForceData& data, const ForceFit& model) {
+  const std::vector<ForceCovariance::Refit> refits = refits_of(data, model);
+  const auto sessions = static_cast<double>(refits.size());
+  const Eigen::Array2d most = data.covariance().most_scatter();
+  if (sessions < 2 || !(most > 0).all()) {
+    return {};
+  }
+  const boost::math::chi_squared chance(sessions - 1);
+  SessionScatter scatter;
+  for (Eigen::Index k = 0; k < 2; ++k) {
+    double weights = 0;
+    double sum = 0;
+    double square = 0;
+    double squares_N2 = 0;
+    for (std::size_t j = 0; j < refits.size(); ++j) {
+      const double weight = 1 / (most[k] * most[k] + refits[j].variance(k));
+      weights += weight;
+      sum += weight * refits[j].value(k);
+      square += weight * refits[j].value(k) * refits[j].value(k);
+      squares_N2 += data.covariance().squares(j)[k];
+    }
+    const double statistic = square - sum * sum / weights;
+    const double p =
+        std::min(1.0, 2 * boost::math::cdf(boost::math::complement(chance, statistic)));
+    scatter.statistic = std::max(scatter.statistic, statistic);
+    scatter.p = std::min(scatter.p, p);
+    if (p < SessionScatter::kRare) {
+      scatter.beyond_N2 +=
+          (statistic / (sessions - 1) - 1) * most[k] * most[k] * squares_N2 / data.samples();
+    }
+  }
+  return scatter;
+}
+
+Structure structure_of(const ForceData& data, const std::vector<CovariateBins>& bins,
+                       const ForceFit& model) {
+  const std::vector<std::vector<double>> beside_N = beside_scatter_N(data, model);
+  const std::vector<std::vector<double>> all_N = data.residuals_N(model);
+  std::vector<BinMeans> beside;
+  std::vector<BinMeans> all;
+  beside.reserve(bins.size());
+  all.reserve(bins.size());
+  for (const CovariateBins& of_covariate : bins) {
+    if (of_covariate.of_sessions) {
+      continue;
+    }
+    beside.emplace_back(data, of_covariate, beside_N, data.covariance());
+    all.emplace_back(data, of_covariate, all_N, data.covariance());
+  }
+  const double beyond_N2 = session_scatter_of(data, model).beyond_N2;
+  return {
+      .repeats_N2 = most_repeated(all) + beyond_N2,
+      .beside_scatter_N2 = std::max(most_repeated(beside), going_on(data, beside_N)) + beyond_N2};
+}
+
+}  // namespace host_sim::diagnose
