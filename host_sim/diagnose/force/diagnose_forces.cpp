@@ -22,6 +22,8 @@ namespace {
 /// Of the squared error: a sheath that stretches under load looks like friction of the load where
 /// all sessions are of one pose, and explains less.
 constexpr double kMostBesideLoad = 0.25;
+/// The same of one tendon and of causes of which it is one: what bends under load looks like both.
+constexpr double kMostBesideLoadAndMore = 2.0 / 3;
 
 /// The error of the output force that one of the input force is, sample by sample.
 double output_rmse_N(const ForceData& data, const ForceFit& model,
@@ -107,8 +109,10 @@ class Report {
     if (judged.empty() || few()) {
       return remainder_.stands ? Verdict::unknown : Verdict::none;
     }
-    if (judged.size() == 1 && judged.front().term == ForceTerm::load && one_pose() &&
-        share_left() > kMostBesideLoad) {
+    const bool load = std::ranges::find(judged, ForceTerm::load, &Judged::term) != judged.end();
+    const bool alone = judged.size() == 1;
+    if (load && one_pose() && (alone || data_.records().front().pulls_alone) &&
+        share_left() > (alone ? kMostBesideLoad : kMostBesideLoadAndMore)) {
       return Verdict::unknown;
     }
     return std::ranges::any_of(judged, [&](const Judged& one) { return stands(one); })
