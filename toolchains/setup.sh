@@ -11,8 +11,7 @@ run_packages=(
   g++ cmake ninja-build
   libcli11-dev libtomlplusplus-dev nlohmann-json3-dev libfmt-dev zlib1g-dev libzstd-dev
   libboost-math-dev libeigen3-dev libnlopt-cxx-dev librandom123-dev libssl-dev libpcap-dev libcpp-httplib-dev
-  pkg-config
-  ca-certificates openssl
+  pkg-config ca-certificates openssl
 )
 test_packages=(
   git python3 python3-icalendar python3-jsonschema ccache clang-format
