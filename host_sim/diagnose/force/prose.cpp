@@ -9,7 +9,15 @@
 namespace host_sim::diagnose {
 namespace {
 
-/// "wear of the sheath (friction_wear, 99.6 %) and ..."
+std::string what_is_left(const Remainder& remainder) {
+  constexpr double kLeastP = 0.001;
+  return fmt::format("What is left shows most against {} ({}).", remainder.covariate,
+                     remainder.p < kLeastP ? fmt::format("p below {}", kLeastP)
+                                           : fmt::format("p {:.2g}", remainder.p));
+}
+
+}  // namespace
+
 std::string listed(const std::vector<FoundEffect>& effects) {
   constexpr double kPercent = 100;
   std::string text;
@@ -20,15 +28,6 @@ std::string listed(const std::vector<FoundEffect>& effects) {
   }
   return text;
 }
-
-std::string what_is_left(const Remainder& remainder) {
-  constexpr double kLeastP = 0.001;
-  return fmt::format("What is left shows most against {} ({}).", remainder.covariate,
-                     remainder.p < kLeastP ? fmt::format("p below {}", kLeastP)
-                                           : fmt::format("p {:.2g}", remainder.p));
-}
-
-}  // namespace
 
 std::string how_far(const std::vector<Step>& steps) {
   if (steps.size() < 2) {

@@ -16,6 +16,9 @@ namespace host_sim::diagnose {
 /// @param nominal_rmse_N of the input force on sessions that the fit never saw
 std::string verdict_prose(const Findings& findings, std::size_t sessions, double nominal_rmse_N);
 
+/// "wear of the sheath (friction_wear, 99.6 %) and ..."
+std::string listed(const std::vector<FoundEffect>& effects);
+
 /// What effects take off that do not explain all, behind other sentences; empty where none takes
 /// any off.
 std::string how_far(const std::vector<Step>& steps);

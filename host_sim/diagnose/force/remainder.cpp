@@ -72,11 +72,11 @@ class SessionTrend {
 /// What one model leaves against each covariate.
 class CovariateTest {
  public:
-  CovariateTest(const ForceData& data, const ForceFit& model,
+  CovariateTest(const ForceData& data, const std::vector<std::vector<double>>& all_N,
                 const std::vector<ForceCovariate>& covariates,
                 const std::vector<CovariateBins>& bins)
-      : residuals_N_(beside_scatter_N(data, model)), covariates_(covariates) {
-    const std::vector<ForceCovariance::Refit> all = refits_of(data, model);
+      : residuals_N_(beside_scatter_N(data, all_N)), covariates_(covariates) {
+    const std::vector<ForceCovariance::Refit> all = refits_of(data, all_N);
     Eigen::MatrixX2d refits(static_cast<Eigen::Index>(all.size()), 2);
     for (std::size_t j = 0; j < all.size(); ++j) {
       refits.row(static_cast<Eigen::Index>(j)) = all[j].value;
@@ -232,8 +232,10 @@ ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, cons
                             const std::vector<ForceCovariate>& covariates,
                             const std::vector<CovariateBins>& bins, std::uint64_t seed) {
   constexpr int kDraws = 999;
-  CovariateTest before(data, nominal, covariates, bins);
-  CovariateTest after(data, model, covariates, bins);
+  const std::vector<std::vector<double>> nominal_N = data.residuals_N(nominal);
+  const std::vector<std::vector<double>> model_N = data.residuals_N(model);
+  CovariateTest before(data, nominal_N, covariates, bins);
+  CovariateTest after(data, model_N, covariates, bins);
   before.run(kDraws, seed);
   after.run(kDraws, seed);
   const std::size_t most = after.most();
@@ -253,13 +255,13 @@ ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, cons
     }
   }
   remainder.share = repeated_N2 / std::max(mean_square(data, after.residuals_N()), 1e-300);
-  const SessionScatter scatter = session_scatter_of(data, model);
+  const SessionScatter scatter = session_scatter_of(data, model_N);
   if (scatter.p < remainder.p) {
     remainder.covariate = kSession;
     remainder.p = scatter.p;
   }
   remainder.discrepancies.push_back(
-      {std::string(kSession), scatter.statistic, session_scatter_of(data, nominal).p, scatter.p});
+      {std::string(kSession), scatter.statistic, session_scatter_of(data, nominal_N).p, scatter.p});
   remainder.stands = (repeats_p < kRareRepeat && remainder.share >= kLeastRemainder) ||
                      moves_p < kRareTrend || scatter.p < SessionScatter::kRare;
   for (const std::size_t i : pictured(before.p(), after.p(), most)) {

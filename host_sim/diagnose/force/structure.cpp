@@ -160,8 +160,8 @@ std::vector<double> BinMeans::of_sessions(std::size_t bin) const {
   return all;
 }
 
-std::vector<std::vector<double>> beside_scatter_N(const ForceData& data, const ForceFit& model) {
-  std::vector<std::vector<double>> residuals_N = data.residuals_N(model);
+std::vector<std::vector<double>> beside_scatter_N(const ForceData& data,
+                                                  std::vector<std::vector<double>> residuals_N) {
   for (std::size_t j = 0; j < residuals_N.size(); ++j) {
     const Eigen::VectorXd left_N = data.covariance().beside_scatter(j, vector_of(residuals_N[j]));
     residuals_N[j].assign(left_N.begin(), left_N.end());
@@ -169,8 +169,8 @@ std::vector<std::vector<double>> beside_scatter_N(const ForceData& data, const F
   return residuals_N;
 }
 
-std::vector<ForceCovariance::Refit> refits_of(const ForceData& data, const ForceFit& model) {
-  const std::vector<std::vector<double>> residuals_N = data.residuals_N(model);
+std::vector<ForceCovariance::Refit> refits_of(const ForceData& data,
+                                              const std::vector<std::vector<double>>& residuals_N) {
   std::vector<ForceCovariance::Refit> all;
   all.reserve(residuals_N.size());
   for (std::size_t j = 0; j < residuals_N.size(); ++j) {
@@ -179,8 +179,9 @@ std::vector<ForceCovariance::Refit> refits_of(const ForceData& data, const Force
   return all;
 }
 
-SessionScatter session_scatter_of(const ForceData& data, const ForceFit& model) {
-  const std::vector<ForceCovariance::Refit> refits = refits_of(data, model);
+SessionScatter session_scatter_of(const ForceData& data,
+                                  const std::vector<std::vector<double>>& residuals_N) {
+  const std::vector<ForceCovariance::Refit> refits = refits_of(data, residuals_N);
   const auto sessions = static_cast<double>(refits.size());
   const Eigen::Array2d most = data.covariance().most_scatter();
   if (sessions < 2 || !(most > 0).all()) {
@@ -215,8 +216,8 @@ SessionScatter session_scatter_of(const ForceData& data, const ForceFit& model) 
 
 Structure structure_of(const ForceData& data, const std::vector<CovariateBins>& bins,
                        const ForceFit& model) {
-  const std::vector<std::vector<double>> beside_N = beside_scatter_N(data, model);
   const std::vector<std::vector<double>> all_N = data.residuals_N(model);
+  const std::vector<std::vector<double>> beside_N = beside_scatter_N(data, all_N);
   std::vector<BinMeans> beside;
   std::vector<BinMeans> all;
   beside.reserve(bins.size());
@@ -228,7 +229,7 @@ Structure structure_of(const ForceData& data, const std::vector<CovariateBins>& 
     beside.emplace_back(data, of_covariate, beside_N, data.covariance());
     all.emplace_back(data, of_covariate, all_N, data.covariance());
   }
-  const double beyond_N2 = session_scatter_of(data, model).beyond_N2;
+  const double beyond_N2 = session_scatter_of(data, all_N).beyond_N2;
   return {
       .repeats_N2 = most_repeated(all) + beyond_N2,
       .beside_scatter_N2 = std::max(most_repeated(beside), going_on(data, beside_N)) + beyond_N2};

@@ -46,11 +46,14 @@ struct Spread {
 /// @pre two values or more
 Spread spread_of(const std::vector<double>& values_N);
 
-/// What gain and friction that suit each session leave, by record and sample.
-std::vector<std::vector<double>> beside_scatter_N(const ForceData& data, const ForceFit& model);
+/// What gain and friction that suit each session leave of the residuals of a model, by record and
+/// sample.
+std::vector<std::vector<double>> beside_scatter_N(const ForceData& data,
+                                                  std::vector<std::vector<double>> residuals_N);
 
-/// Gain and friction that suit each session beside a model.
-std::vector<ForceCovariance::Refit> refits_of(const ForceData& data, const ForceFit& model);
+/// Gain and friction that suit each session beside a model that leaves these residuals.
+std::vector<ForceCovariance::Refit> refits_of(const ForceData& data,
+                                              const std::vector<std::vector<double>>& residuals_N);
 
 /// Whether gain or friction of sessions scatters by more than it may without a cause.
 struct SessionScatter {
@@ -60,7 +63,8 @@ struct SessionScatter {
   double p = 1;          ///< the chance of that
   double beyond_N2 = 0;  ///< mean square of what is more than it may be, where that is rare
 };
-SessionScatter session_scatter_of(const ForceData& data, const ForceFit& model);
+SessionScatter session_scatter_of(const ForceData& data,
+                                  const std::vector<std::vector<double>>& residuals_N);
 
 /// Mean squares of what a model leaves and is no noise, by the weight of samples. What sessions
 /// scatter by more than they may is a part of both.

@@ -6,21 +6,10 @@
 #include <set>
 
 #include "host_sim/diagnose/audit.hpp"
+#include "host_sim/diagnose/force/prose.hpp"
 
 namespace host_sim::diagnose {
 namespace {
-
-std::string listed(const std::vector<FoundEffect>& effects) {
-  std::string prose;
-  for (std::size_t i = 0; i < effects.size(); ++i) {
-    if (i > 0) {
-      prose += i + 1 == effects.size() ? " and " : ", ";
-    }
-    prose += fmt::format("{} ({}, {:.1f} %)", effects[i].term, effects[i].id,
-                         100 * effects[i].probability);
-  }
-  return prose;
-}
 
 const effects::TensionEffect* effect_of(const Audit& audit, std::string_view id) {
   for (const EffectAudit& entry : audit.effects) {
