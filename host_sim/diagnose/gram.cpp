@@ -122,8 +122,9 @@ class KnownColumns {
     const bool same_baseline = known.baseline == baseline;
     for (std::size_t column = 0; column < layout.size(); ++column) {
       const GramColumn& what = layout.columns[column];
-      const Index place =
-          same_baseline || !is_of_baseline(what.kind) ? place_in(known.layout, layout, what) : kNone;
+      const Index place = same_baseline || !is_of_baseline(what.kind)
+                              ? place_in(known.layout, layout, what)
+                              : kNone;
       auto& own = place == kNone ? new_ : known_;
       own.push_back(static_cast<Index>(column));
       if (place != kNone) {
