@@ -96,13 +96,20 @@ double follow(double reading, double level, double lag_s, double time_s) {
   return level + (reading - level) * std::exp(-time_s / lag_s);
 }
 
-/// Of the output, whose tension is smooth: r = -tau d ln T_out/dt.
-double behind_output(const recording::Covariates& covariates, std::size_t i, double lag_s) {
-  return -covariates.log_output_rate_1_s[i] * lag_s;
+/// 1 + tau d ln T_out/dt, of which a reading lags that follows T_out.
+double ahead(const recording::Covariates& covariates, std::size_t i, double lag_s) {
+  constexpr double kLeast = 0.1;
+  return std::max(kLeast, 1 + lag_s * covariates.log_output_rate_1_s[i]);
 }
 
-/// Of the input, which also jumps by friction at each reversal: what a reading of exp(mu phi s)
-/// lacks of it in the logarithm, and the lag of the smooth part.
+/// Of the output, whose tension is T + tau dT/dt of its reading T.
+double behind_output(const recording::Covariates& covariates, std::size_t i, double lag_s) {
+  return -std::log(ahead(covariates, i, lag_s));
+}
+
+/// Of the input, which also jumps by friction at each reversal: what a reading of it lacks, over
+/// T_out, of exp(mu phi s) in the logarithm. As T_out goes on, that ratio w obeys
+/// tau dw/dt = exp(mu phi s) - w (1 + tau d ln T_out/dt).
 std::vector<double> behind_input(const recording::Covariates& covariates, const Baseline& baseline,
                                  double lag_s) {
   const TimeSteps steps(covariates);
@@ -113,15 +120,16 @@ std::vector<double> behind_input(const recording::Covariates& covariates, const 
   double reading = 0;
   return column_of(covariates, [&](std::size_t i) {
     const double level = level_at(i);
+    const double faster = ahead(covariates, i, lag_s);
     if (steps.starts(i)) {
-      reading = level;
+      reading = level / faster;
     } else {
       const double share = turns_at(covariates, i) ? turned_at(covariates, i) : 0;
       const double step_s = steps.before_s(i);
-      reading = follow(reading, level_at(i - 1), lag_s, share * step_s);
-      reading = follow(reading, level, lag_s, (1 - share) * step_s);
+      reading = follow(reading, level_at(i - 1) / faster, lag_s / faster, share * step_s);
+      reading = follow(reading, level / faster, lag_s / faster, (1 - share) * step_s);
     }
-    return std::log(reading / level) + behind_output(covariates, i, lag_s);
+    return std::log(reading / level);
   });
 }
 
