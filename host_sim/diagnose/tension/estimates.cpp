@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -85,6 +86,15 @@ std::string pose_name(const effects::Parameter& parameter, double pose_rad) {
   return fmt::format("{}_at_{:.4g}_deg", parameter.name, pose_rad * kDegPerRad);
 }
 
+/// Of 95 %: as the noise of the model has it, or as sessions scatter, where that is more.
+double half_width(const ModelFit& fit, Index place, double dispersion) {
+  const boost::math::students_t student(fit.degrees_of_freedom);
+  constexpr double kUpper = 0.975;
+  return std::max(
+      statistics::kNormal95 * std::sqrt(dispersion * fit.covariance(place, place)),
+      boost::math::quantile(student, kUpper) * std::sqrt(fit.covariance_by_sessions(place, place)));
+}
+
 /// Coefficients of a part's columns.
 std::vector<Estimate> linear_estimates(const Fitted& by, const Component& component,
                                        std::size_t part, double dispersion) {
@@ -94,8 +104,7 @@ std::vector<Estimate> linear_estimates(const Fitted& by, const Component& compon
   for (std::size_t i = 0; i < block.count; ++i) {
     const effects::Parameter& parameter = component.effect->parameters()[per_pose ? 0 : i];
     const auto place = static_cast<Index>(block.first + i);
-    const double half =
-        statistics::kNormal95 * std::sqrt(dispersion * by.fit.covariance(place, place));
+    const double half = half_width(by.fit, place, dispersion);
     const double value = by.fit.coefficients(place);
     std::string name = per_pose ? pose_name(parameter, by.grams.baseline.poses_rad[i])
                                 : std::string(parameter.name);
@@ -115,6 +124,31 @@ Estimate of_share(const Estimate& share, const effects::Parameter& size, double 
                  size);
 }
 
+/// Sizes move with a shape, which is known no better than its range: their widths take that up.
+void add_shape(const Evidence& evidence, std::span<const Component> model, std::size_t part,
+               std::size_t parameter, const Range& range, std::span<Estimate> sizes) {
+  if (range.low == range.high) {
+    return;
+  }
+  std::vector<double> below(sizes.size());
+  std::vector<double> above(sizes.size());
+  for (const double end : {range.low, range.high}) {
+    std::vector<Component> moved(model.begin(), model.end());
+    moved[part].shape[parameter] = end;
+    const Fitted by = fitted(evidence, moved);
+    const std::size_t first = by.grams.layout.effects[part].blocks.front().first;
+    for (std::size_t i = 0; i < sizes.size(); ++i) {
+      const double off = by.fit.coefficients(static_cast<Index>(first + i)) - sizes[i].value;
+      below[i] = std::max(below[i], -off);
+      above[i] = std::max(above[i], off);
+    }
+  }
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    sizes[i].low = sizes[i].value - std::hypot(sizes[i].value - sizes[i].low, below[i]);
+    sizes[i].high = sizes[i].value + std::hypot(sizes[i].high - sizes[i].value, above[i]);
+  }
+}
+
 }  // namespace
 
 std::vector<Estimate> estimates_of(const Evidence& evidence, std::span<const Component> model,
@@ -132,6 +166,7 @@ std::vector<Estimate> estimates_of(const Evidence& evidence, std::span<const Com
       continue;
     }
     const Range range = shape_range(evidence, model, part, i, dispersion);
+    add_shape(evidence, model, part, i, range, std::span(estimates).first(linear));
     const Estimate estimate{std::string(parameter.name), std::string(parameter.unit), value,
                             range.low, range.high};
     estimates.push_back(range.low < range.high ? widened(estimate, parameter) : estimate);

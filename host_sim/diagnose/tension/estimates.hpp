@@ -10,7 +10,7 @@ namespace host_sim::diagnose {
 /// The parameters of one part of a model with their 95 % intervals, as the catalogue names them;
 /// one for each pose where the part has a column for each, "..._at_90_deg". A shape's interval is
 /// where the evidence of the whole model is within what a chi-square of one degree of freedom
-/// leaves, times `dispersion`.
+/// leaves, times `dispersion`; a size's holds what it is at the ends of those of its shape.
 /// @param part its place in `model`
 std::vector<Estimate> estimates_of(const Evidence& evidence, std::span<const Component> model,
                                    std::size_t part, double dispersion);

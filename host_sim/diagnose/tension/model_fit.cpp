@@ -80,6 +80,29 @@ std::vector<double> settled(Session session, std::vector<double>& (*pick)(record
   return tension_N;
 }
 
+/// Of standard deviations, as the median has them: a normal sample in 16,000 is further off.
+constexpr double kOutlier = 4;
+constexpr double kSdPerMedian = 1.4826;
+constexpr double kHardlyAny = 1e-6;
+
+/// What a model leaves of the samples of a session, weighed, whose gain and friction are refitted.
+Eigen::VectorXd left_of(const Evidence& evidence, const Fitted& by, std::size_t session) {
+  constexpr double kRidge = 1e-9;
+  Eigen::MatrixXd columns =
+      columns_of(evidence.sessions[session], by.grams.layout, by.grams.baseline,
+                 evidence.options.kept ? &evidence.options.kept->of(session) : nullptr);
+  if (!evidence.options.weights.empty()) {
+    weigh(columns, evidence.options.weights[session]);
+  }
+  const Eigen::VectorXd left = columns.rightCols<1>() -
+                               columns.leftCols(by.fit.coefficients.size()) * by.fit.coefficients;
+  const Eigen::MatrixX2d own = columns.leftCols<2>();
+  Eigen::Matrix2d square = own.transpose() * own;
+  square.diagonal() *= 1 + kRidge;
+  square.diagonal().array() += kRidge;
+  return left - own * square.ldlt().solve(own.transpose() * left);
+}
+
 constexpr int kSelectionRounds = 3;
 constexpr double kMostChange = 4;  ///< in one round
 
@@ -126,12 +149,15 @@ Component searched(const Evidence& evidence, const std::vector<Component>& model
 ModelFit fit_model(const Grams& grams, const Terms& terms, std::span<const std::size_t> sessions,
                    double sample_sd) {
   const Grams some = picked(grams, sessions);
-  ModelFit fit{.noise = best_scatter(some, terms, sample_sd), .coefficients = {}, .covariance = {}};
+  ModelFit fit;
+  fit.noise = best_scatter(some, terms, sample_sd);
   std::vector<Index> columns{Index{GramLayout::kIntercept}, Index{GramLayout::kFriction}};
   columns.insert(columns.end(), terms.columns.begin(), terms.columns.end());
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(grams.response() + 1, grams.response() + 1);
+  std::vector<Eigen::MatrixXd> of_sessions;
   for (const SessionGram& session : some.sessions) {
-    information += session_information(session, fit.noise);
+    of_sessions.push_back(session_information(session, fit.noise));
+    information += of_sessions.back();
   }
   Eigen::MatrixXd inner = information(columns, columns);
   Eigen::VectorXd products = information(columns, grams.response());
@@ -144,6 +170,16 @@ ModelFit fit_model(const Grams& grams, const Terms& terms, std::span<const std::
   const Eigen::LDLT<Eigen::MatrixXd> solver(inner);
   fit.coefficients = solver.solve(products);
   fit.covariance = solver.solve(Eigen::MatrixXd::Identity(inner.rows(), inner.cols()));
+  Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(inner.rows(), inner.cols());
+  for (const Eigen::MatrixXd& of_session : of_sessions) {
+    const Eigen::VectorXd gradient =
+        of_session(columns, grams.response()) - of_session(columns, columns) * fit.coefficients;
+    scatter += gradient * gradient.transpose();
+  }
+  const auto count = static_cast<double>(of_sessions.size());
+  fit.degrees_of_freedom = std::max(count - static_cast<double>(inner.rows()), 1.0);
+  fit.covariance_by_sessions =
+      fit.covariance * scatter * fit.covariance * (count / fit.degrees_of_freedom);
   return fit;
 }
 
@@ -169,6 +205,31 @@ Fitted fitted(const Evidence& evidence, std::span<const Component> model) {
 
 Predicted predict(const Session& session, const Fitted& by) {
   return predict(session, by.grams.layout, by.grams.baseline, by.fit);
+}
+
+SampleWeights weights_without_outliers(const Evidence& evidence, std::span<const Component> model) {
+  const Fitted by = fitted(evidence, model);
+  std::vector<Eigen::VectorXd> left;
+  std::vector<double> sizes;
+  for (std::size_t j = 0; j < evidence.sessions.size(); ++j) {
+    left.push_back(left_of(evidence, by, j));
+    for (const double value : left.back()) {
+      sizes.push_back(std::abs(value));
+    }
+  }
+  const auto middle = sizes.begin() + std::ssize(sizes) / 2;
+  std::ranges::nth_element(sizes, middle);
+  const double most = kOutlier * kSdPerMedian * *middle;
+  SampleWeights weights;
+  for (std::size_t j = 0; j < left.size(); ++j) {
+    weights.push_back(evidence.options.weights.empty()
+                          ? std::vector<double>(static_cast<std::size_t>(left[j].size()), 1)
+                          : evidence.options.weights[j]);
+    for (std::size_t i = 0; i < weights.back().size(); ++i) {
+      weights.back()[i] *= std::abs(left[j](static_cast<Index>(i))) > most ? kHardlyAny : 1;
+    }
+  }
+  return weights;
 }
 
 double settled_friction(std::span<const Session> sessions, double nominal) {

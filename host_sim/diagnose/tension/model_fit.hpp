@@ -6,6 +6,7 @@
 
 #include "host_sim/diagnose/gram.hpp"
 #include "host_sim/diagnose/tension/hypothesis.hpp"
+#include "host_sim/diagnose/tension/noise.hpp"
 
 namespace host_sim::diagnose {
 
@@ -16,6 +17,9 @@ struct ModelFit {
   /// Gain, friction (added to the nominal mu), then the effects in order of the layout's columns.
   Eigen::VectorXd coefficients;
   Eigen::MatrixXd covariance;
+  /// The same, of sessions that scatter as wholes whatever the model says (sandwich).
+  Eigen::MatrixXd covariance_by_sessions = {};
+  double degrees_of_freedom = 0;  ///< of that
 };
 
 /// Generalised least squares with the priors of `terms`; those of gain and friction are flat.
@@ -46,6 +50,11 @@ struct Fitted {
 Fitted fitted(const Evidence& evidence, std::span<const Component> model);
 
 Predicted predict(const Session& session, const Fitted& by);
+
+/// Weights of samples, hardly any to those that a model leaves far outside of the others' scatter
+/// once gain and friction of their session are refitted: at the edges of what sets in at once,
+/// samples lie on the other side than the model has them.
+SampleWeights weights_without_outliers(const Evidence& evidence, std::span<const Component> model);
 
 /// The friction coefficient that samples far from any reversal have, with a gain for each session:
 /// what acts at reversals alone does not reach them.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cmath>
 
 #include "tests/diagnose/tension/noisy_sessions.hpp"
@@ -111,6 +112,45 @@ TEST(ModelFit, FindsTheScatterOfSessions) {
   // Neighbours on the grid differ by a factor of two.
   EXPECT_NEAR(std::exp(log_gain), 0.03, 0.01);
   EXPECT_NEAR(std::exp(log_friction), 0.01, 0.0035);
+}
+
+/// Sessions that scatter as the model has it show about its covariance; an effect of another size in
+/// each pose, which the model does not have, shows more.
+TEST(ModelFit, SessionsThatDisagreeSayLess) {
+  const std::vector<Session> alike = with_offset(4);
+  const Grams grams = offset_grams(alike);
+  const ModelFit fit = fit_model(grams, terms_of(grams.layout), kSample_sd);
+  EXPECT_EQ(fit.degrees_of_freedom, 12 - 3);
+  EXPECT_GT(fit.covariance_by_sessions(2, 2), 0.2 * fit.covariance(2, 2));
+  EXPECT_LT(fit.covariance_by_sessions(2, 2), 5 * fit.covariance(2, 2));
+  const std::vector<Session> unlike = noisy_sessions(
+      small_design(),
+      {.sample_sd = kSample_sd,
+       .effect =
+           [](const recording::Covariates& c, std::size_t i) {
+             return std::log(1 - (c.bend_angle_rad[i] < 2 ? 0.02 : 0.06) / c.current_A[i]);
+           }},
+      4);
+  const Grams of_unlike = offset_grams(unlike);
+  const ModelFit between = fit_model(of_unlike, terms_of(of_unlike.layout), kSample_sd);
+  EXPECT_GT(between.covariance_by_sessions(2, 2), 5 * between.covariance(2, 2));
+}
+
+TEST(WithoutOutliers, SamplesThatAreFarOffHaveNoPart) {
+  std::vector<Session> sessions = with_offset(4);
+  for (std::size_t i = 10; i < sessions[3].covariates.samples(); i += 40) {
+    sessions[3].covariates.output_tension_N[i] *= std::exp(0.5);  // 25 standard deviations
+  }
+  const SampleWeights weights = weights_without_outliers(
+      evidence_of(sessions, kSample_sd), std::vector{component("current_offset", {0.04})});
+  ASSERT_EQ(weights.size(), sessions.size());
+  for (std::size_t i = 10; i < weights[3].size(); i += 40) {
+    EXPECT_LT(weights[3][i], 1e-5);
+  }
+  // A normal sample in 16,000 is as far off.
+  for (const std::size_t other : {0U, 7U}) {
+    EXPECT_LE(std::ranges::count_if(weights[other], [](double weight) { return weight < 1; }), 2);
+  }
 }
 
 /// T_out = (T_in - F s) exp(-mu phi s), and the other way round, whatever the tension that is asked
