@@ -197,6 +197,7 @@ struct TensionDiagnosis {
   std::vector<ResidualPicture> residuals;
   std::vector<RemainderPicture> remainders;
   std::vector<SessionRefit> session_refits;
+  std::vector<std::string> imitated;  ///< effects that what is outside of the catalogue may be
   /// Damage of a recording as the nominal model books it over that of the extended one, geometric
   /// mean of the recordings; 1 where nothing was extended.
   double damage_ratio = 1;

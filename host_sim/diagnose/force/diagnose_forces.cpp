@@ -19,11 +19,13 @@
 namespace host_sim::diagnose {
 namespace {
 
-/// Of the squared error: a sheath that stretches under load looks like friction of the load where
-/// all sessions are of one pose, and explains less.
-constexpr double kMostBesideLoad = 0.25;
-/// The same of one tendon and of causes of which it is one: what bends under load looks like both.
-constexpr double kMostBesideLoadAndMore = 2.0 / 3;
+/// The probability that what is named is all that is wrong, where what is left is no chance: that
+/// has a cause of its own as likely as not.
+constexpr double kOnlyCauses = 0.5;
+
+/// How much further parameters are off than their sessions scatter, where what is left is no chance:
+/// as much as in simulated campaigns that hide more than is named.
+constexpr double kBesideRemainder = 2;
 
 /// The error of the output force that one of the input force is, sample by sample.
 double output_rmse_N(const ForceData& data, const ForceFit& model,
@@ -89,6 +91,12 @@ class Report {
                   .p = remainder_.p};
     findings.prose = verdict_prose(findings, data_.records().size(), search_.nominal_rmse_N()) +
                      doubts(data_.records(), search_.model().fit.parameters, nominal_);
+    for (const Judged& one : search_.judged()) {
+      if (one.imitated_by) {
+        diagnosis.imitated.emplace_back(definition_of(one.term).id);
+        findings.prose += imitation_prose(definition_of(one.term), definition_of(*one.imitated_by));
+      }
+    }
     if (withdraw_unless_improved(findings)) {
       findings.prose += no_gain_prose(findings);
     }
@@ -109,27 +117,12 @@ class Report {
     if (judged.empty() || few()) {
       return remainder_.stands ? Verdict::unknown : Verdict::none;
     }
-    const bool load = std::ranges::find(judged, ForceTerm::load, &Judged::term) != judged.end();
-    const bool alone = judged.size() == 1;
-    if (load && one_pose() && (alone || data_.records().front().pulls_alone) &&
-        share_left() > (alone ? kMostBesideLoad : kMostBesideLoadAndMore)) {
-      return Verdict::unknown;
+    if (std::ranges::any_of(judged, [&](const Judged& one) { return stands(one); })) {
+      return Verdict::named;
     }
-    return std::ranges::any_of(judged, [&](const Judged& one) { return stands(one); })
-               ? Verdict::named
+    return std::ranges::any_of(judged, [](const Judged& one) { return one.imitated_by.has_value(); })
+               ? Verdict::unknown
                : Verdict::ambiguous;
-  }
-
-  [[nodiscard]] bool one_pose() const {
-    constexpr double kSame_rad = 0.02;
-    double least_rad = HUGE_VAL;
-    double most_rad = -HUGE_VAL;
-    for (const ForceRecord& record : data_.records()) {
-      const auto [low, high] = std::ranges::minmax(record.bend_angle_rad);
-      least_rad = std::min(least_rad, low);
-      most_rad = std::max(most_rad, high);
-    }
-    return most_rad - least_rad < kSame_rad;
   }
 
   /// Of the squared error of the nominal model.
@@ -140,7 +133,8 @@ class Report {
 
   /// By itself: nothing could be in its place.
   [[nodiscard]] bool stands(const Judged& one) const {
-    return one.others.empty() && probability_of(one.term, one.gain, data_) >= kNamed;
+    return one.others.empty() && !one.imitated_by &&
+           probability_of(one.term, one.gain, data_) >= kNamed;
   }
 
   void add_candidates(Findings& findings) const {
@@ -151,7 +145,8 @@ class Report {
       if (findings.verdict == Verdict::named && !stands(one)) {
         continue;
       }
-      all *= probability_of(one.term, one.gain, data_) / static_cast<double>(1 + one.others.size());
+      all *= probability_of(one.term, one.gain, data_) * one.share /
+             static_cast<double>(1 + one.others.size());
       const std::size_t before = sets.size();
       for (const ForceTerm other : one.others) {
         sets.push_back(sets.front());
@@ -162,7 +157,14 @@ class Report {
       }
     }
     if (!sets.front().empty() && all > 0) {
-      add_sets(std::move(sets), all, findings.candidates);
+      const double only = remainder_.stands ? kOnlyCauses : 1;
+      add_sets(sets, all * only, findings.candidates);
+      for (std::vector<std::string>& ids : sets) {
+        ids.push_back(rest);
+      }
+      if (only < 1) {
+        add_sets(std::move(sets), all * (1 - only), findings.candidates);
+      }
     }
     double named = 0;
     for (const Candidate& candidate : findings.candidates) {
@@ -217,7 +219,10 @@ class Report {
     if (findings.verdict != Verdict::named && findings.verdict != Verdict::ambiguous) {
       return;
     }
-    const std::vector<double> half = data_.half_widths(search_.model().fit);
+    std::vector<double> half = search_.half_widths();
+    for (double& width : half) {
+      width *= remainder_.stands ? kBesideRemainder : 1;
+    }
     for (const Judged& one : search_.judged()) {
       FoundEffect found = effect_of(one.term, search_.model().fit, half);
       found.probability = probability_of(one.term, one.gain, data_);

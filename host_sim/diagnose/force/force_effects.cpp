@@ -562,6 +562,46 @@ constexpr ForceEffect kEffect{
 
 }  // namespace torque_ripple
 
+namespace giving_sheath {
+
+Parameters parameters(const ForceScales& /*scales*/) {
+  return {{"giving_share", "1", -1, 1, {0.1}}};
+}
+
+constexpr ForceEffect kEffect{
+    "giving_sheath",
+    "a sheath that bends more or less under load",
+    "phi (1 + c (|T|/T_0 - 1))",
+    "",
+    nullptr,
+    parameters,
+    [](Numbers numbers, ForceValues& values) { values.giving_share = numbers[0]; },
+    nullptr,
+    ForceEffect::Of::friction,
+    true};
+
+}  // namespace giving_sheath
+
+namespace bent_sensor {
+
+Parameters parameters(const ForceScales& /*scales*/) {
+  return {{"bent_share", "1", -0.5, 0.5, {0.01}}};
+}
+
+constexpr ForceEffect kEffect{
+    "bent_sensor",
+    "a sensor of the output that is not linear",
+    "T_out (1 + c (T_out/T_0)^2)",
+    "",
+    nullptr,
+    parameters,
+    [](Numbers numbers, ForceValues& values) { values.bent_share = numbers[0]; },
+    nullptr,
+    ForceEffect::Of::sensor,
+    true};
+
+}  // namespace bent_sensor
+
 /// In order of ForceTerm.
 constexpr std::array<ForceEffect, kForceTermCount> kEffects{
     preload::kEffect,     velocity::kEffect,       presliding::kEffect,
@@ -570,7 +610,8 @@ constexpr std::array<ForceEffect, kForceTermCount> kEffects{
     lag::kEffect,         delay::kEffect,          zero::kEffect,
     temperature::kEffect, wear::kEffect,           run_in::kEffect,
     bend_angle::kEffect,  current_offset::kEffect, gear_asymmetry::kEffect,
-    torque_gain::kEffect, torque_ripple::kEffect};
+    torque_gain::kEffect, torque_ripple::kEffect,  giving_sheath::kEffect,
+    bent_sensor::kEffect};
 
 }  // namespace
 

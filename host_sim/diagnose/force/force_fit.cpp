@@ -3,6 +3,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -19,6 +20,9 @@ constexpr int kFirstIterations = 2;  ///< of each start, and again of the best o
 /// Standard deviation of ln gain: more than that off is told as a doubt about units.
 constexpr double kLogGain = 0.3;
 constexpr int kFoldIterations = 2;  ///< from where all records have led
+/// Of standard deviations, as the median has them: a normal sample in 16,000 is further off.
+constexpr double kOutlier = 4;
+constexpr double kSdPerMedian = 1.4826;
 
 }  // namespace
 
@@ -89,6 +93,36 @@ void ForceData::settle_resolution() {
     }
   }
   resolution_m_ = std::sqrt(square_m2 / std::max(samples_, 1.0) / 12 / std::max(reversals, 1.0));
+}
+
+ForceData ForceData::without_outliers(const ForceFit& fit) const {
+  std::vector<Eigen::VectorXd> left;  // over the noise of the sample
+  std::vector<double> sizes;
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    const std::vector<double> left_N = residuals_N(j, fit.terms, fit.parameters);
+    left.push_back(covariance_.beside_scatter(j, vector_of(left_N)));
+    for (std::size_t i = 0; i < left_N.size(); ++i) {
+      double& size = left.back()(static_cast<Eigen::Index>(i));
+      size = std::abs(size) * std::sqrt(covariance_.weight(j, i));
+      if (records_[j].used[i]) {
+        sizes.push_back(size);
+      }
+    }
+  }
+  ForceData inliers = *this;
+  if (sizes.empty()) {
+    return inliers;
+  }
+  const auto middle = sizes.begin() + std::ssize(sizes) / 2;
+  std::ranges::nth_element(sizes, middle);
+  const double most = kOutlier * kSdPerMedian * *middle;
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    std::vector<bool>& used = inliers.records_[j].used;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      used[i] = used[i] && left[j](static_cast<Eigen::Index>(i)) <= most;
+    }
+  }
+  return inliers;
 }
 
 std::vector<double> ForceData::residuals_N(std::size_t record, const ForceTerms& terms,
@@ -367,14 +401,16 @@ std::vector<double> ForceData::half_widths(const ForceFit& fit) const {
   const Eigen::MatrixXd inverse =
       normal.matrix.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
   const double records = static_cast<double>(records_.size());
-  const Eigen::MatrixXd covariance =
-      inverse * scatter * inverse * (records / std::max(records - static_cast<double>(count), 1.0));
+  const double freedom = std::max(records - static_cast<double>(count), 1.0);
+  const Eigen::MatrixXd covariance = inverse * scatter * inverse * (records / freedom);
+  constexpr double kUpper = 0.975;
+  const double wide = boost::math::quantile(boost::math::students_t(freedom), kUpper);
   const auto all = parameters_of(fit.terms, scales_);
   std::vector<double> half;
   for (Eigen::Index k = 0; k < count; ++k) {
     const double step_m = all[static_cast<std::size_t>(k)].stepped ? resolution_m_ : 0;
-    half.push_back(statistics::kNormal95 *
-                   std::sqrt(std::max(covariance(k, k), 0.0) + step_m * step_m));
+    half.push_back(std::hypot(wide * std::sqrt(std::max(covariance(k, k), 0.0)),
+                              statistics::kNormal95 * step_m));
   }
   return half;
 }

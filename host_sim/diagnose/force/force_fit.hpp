@@ -60,6 +60,11 @@ class ForceData {
   void learn_covariance(const ForceFit& nominal, const ForceFit& model, bool with_timing);
   [[nodiscard]] const ForceCovariance& covariance() const { return covariance_; }
 
+  /// The same without samples that a model leaves far outside of the others' scatter once gain and
+  /// friction of their session are refitted: at the edges of what sets in at once, samples lie on
+  /// the other side than the model has them.
+  [[nodiscard]] ForceData without_outliers(const ForceFit& fit) const;
+
   /// Residuals of a record in N, those of samples that do not count as 0.
   [[nodiscard]] std::vector<double> residuals_N(std::size_t record, const ForceTerms& terms,
                                                 std::span<const double> parameters) const;

@@ -142,6 +142,9 @@ class Forward {
   /// @param loose whether the drive holds only a part of the force
   [[nodiscard]] double input_N(std::size_t i, double slip, bool loose) const {
     double output_N = record_.output_N[i] - values_.zero_N;
+    if (values_.bent_share != 0) {
+      output_N *= 1 + values_.bent_share * std::pow(output_N / scales_.force_N, 2);
+    }
     if (values_.lag_s > 0) {
       output_N += values_.lag_s * record_.output_rate_N_s[i];
     }
@@ -159,6 +162,9 @@ class Forward {
       warm += values_.temperature_1_K * (record_.sheath_temperature_C[i] - kReference_C);
     }
     double log_ratio = coefficient * warm * angle_rad(i) * slip;
+    if (values_.giving_share != 0) {
+      log_ratio *= std::max(0.0, 1 + values_.giving_share * (size_N / scales_.force_N - 1));
+    }
     if (values_.load_exponent != 0) {
       log_ratio *= std::pow(std::max(size_N / scales_.force_N, kLeastLoad), -values_.load_exponent);
     }

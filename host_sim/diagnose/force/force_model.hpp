@@ -61,7 +61,8 @@ struct Kinematics {
 };
 Kinematics kinematics_of(const ForceRecord& record, const ForceScales& scales);
 
-/// Effects of the catalogue that the forward model runs, a law each: an effect may have several.
+/// Effects of the catalogue that the forward model runs, a law each: an effect may have several. The
+/// last ones are outside of it: what could imitate an effect, and is never named.
 enum class ForceTerm : unsigned {
   preload,
   velocity,
@@ -83,8 +84,10 @@ enum class ForceTerm : unsigned {
   gear_asymmetry,
   torque_gain,
   torque_ripple,
+  giving_sheath,
+  bent_sensor,
 };
-inline constexpr std::size_t kForceTermCount = 20;
+inline constexpr std::size_t kForceTermCount = 22;
 using ForceTerms = std::vector<ForceTerm>;
 
 /// A parameter with bounds of physics, and what a fit tries to start with.
@@ -135,6 +138,8 @@ struct ForceValues {
   double ripple_sine_A = 0;
   double ripple_cosine_A = 0;
   double ripple_harmonic = 0;
+  double giving_share = 0;  ///< of the bend angle, as the load doubles from ForceScales::force_N
+  double bent_share = 0;    ///< of the output force at ForceScales::force_N, that grows as its cube
 };
 
 /// One law of an effect, with all that is known of it.
@@ -156,6 +161,7 @@ struct ForceEffect {
   /// by itself. What sessions differ in, their place in the tendon's life, pose and temperature,
   /// moves them as wholes.
   enum class Of { sensor, friction, time, session } of = Of::sensor;
+  bool outside = false;  ///< not of the catalogue
 };
 const ForceEffect& definition_of(ForceTerm term);
 

@@ -103,6 +103,16 @@ void ForceSearch::run() {
       break;
     }
   }
+  leave_out_outliers();
+}
+
+/// The model is settled: its parameters are those that outliers have no part in.
+void ForceSearch::leave_out_outliers() {
+  inliers_ = data_.without_outliers(model_.fit);
+  if (!model_.fit.terms.empty()) {
+    model_.fit = inliers_->finished(model_.fit);
+    model_.held = data_.held_out(inliers_->fold_fits(model_.fit));
+  }
 }
 
 void ForceSearch::report(double share) const {
@@ -158,7 +168,7 @@ std::vector<ForceSearch::Candidate> ForceSearch::stairs() const {
 }
 
 /// Laws of effects of which none is taken, and no other that it cannot be beside.
-std::vector<ForceTerm> ForceSearch::outside(const ForceTerms& taken) const {
+std::vector<ForceTerm> ForceSearch::beside(const ForceTerms& taken) const {
   std::vector<ForceTerm> terms;
   for (unsigned i = 0; i < kForceTermCount; ++i) {
     const auto term = static_cast<ForceTerm>(i);
@@ -168,7 +178,7 @@ std::vector<ForceTerm> ForceSearch::outside(const ForceTerms& taken) const {
     };
     const bool wanted =
         std::ranges::find(options_.without, definition_of(term).id) == options_.without.end();
-    if (wanted && is_shown(term, data_.records()) && std::ranges::none_of(taken, same) &&
+    if (wanted && !definition_of(term).outside && is_shown(term, data_.records()) && std::ranges::none_of(taken, same) &&
         !parameters_of(term, data_.scales()).empty()) {
       terms.push_back(term);
     }
@@ -217,7 +227,7 @@ void ForceSearch::hold_out(std::vector<Candidate>& all) const {
 /// there.
 bool ForceSearch::grow() {
   constexpr std::size_t kTried = 4;
-  std::vector<Candidate> all = with_each(model_.fit, outside(model_.fit.terms));
+  std::vector<Candidate> all = with_each(model_.fit, beside(model_.fit.terms));
   all.resize(std::min(all.size(), kTried));
   hold_out(all);
   std::erase_if(all, [&](const Candidate& one) {
@@ -292,8 +302,7 @@ bool ForceSearch::prune() {
   for (std::size_t i = 0; i < all.size(); ++i) {
     judged_[i] = {.term = model_.fit.terms[i],
                   .gain = data_.gain_of(all[i].held, model_.held, true),
-                  .without = all[i].fit,
-                  .others = {}};
+                  .without = all[i].fit};
   }
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (!stays(i) && (!least || judged_[i].gain.z < judged_[*least].gain.z)) {
@@ -319,6 +328,15 @@ bool ForceSearch::alike(std::size_t place, ForceTerm other, const PairedGain& lo
          std::max(kAlike * left_.beside_scatter_N2, law_error * one.gain.beside_scatter_N2);
 }
 
+/// What is no effect of the catalogue takes no place, but may be as likely as one that has it.
+void ForceSearch::beside_catalogue(ForceTerm imitated_by, double log_odds, Judged& one) {
+  const double share = 1 / (1 + std::exp(-log_odds));
+  if (log_odds < kOdds && share < one.share) {
+    one.share = share;
+    one.imitated_by = imitated_by;
+  }
+}
+
 /// Finds what could stand in the place of each term. Where that does better it takes the place,
 /// as long as that is allowed, and all are judged anew.
 bool ForceSearch::exchange(bool allowed) {
@@ -329,6 +347,10 @@ bool ForceSearch::exchange(bool allowed) {
       const PairedGain lost = data_.gain_of(one.held, model_.held, false);
       if (judged_[place].gain.plain_N2 - lost.plain_N2 < -not_worse_N2()) {
         continue;  // worse than none
+      }
+      if (definition_of(other).outside) {
+        beside_catalogue(other, lost.log_odds, judged_[place]);
+        continue;
       }
       const bool other_law = definition_of(other).id == definition_of(term).id;
       if (allowed && lost.log_odds < -kOdds && (!other_law || lost.z < -kSeen)) {
@@ -346,8 +368,13 @@ bool ForceSearch::exchange(bool allowed) {
 
 /// The model with another term in the place of one, where it fits nearly as well or better.
 std::vector<ForceSearch::Candidate> ForceSearch::in_place_of(std::size_t place) const {
-  std::vector<ForceTerm> others = outside(judged_[place].without.terms);
+  std::vector<ForceTerm> others = beside(judged_[place].without.terms);
   std::erase(others, judged_[place].term);
+  for (unsigned i = 0; i < kForceTermCount; ++i) {
+    if (definition_of(static_cast<ForceTerm>(i)).outside) {
+      others.push_back(static_cast<ForceTerm>(i));
+    }
+  }
   std::vector<Candidate> all = with_each(judged_[place].without, others);
   const double taken_N2 = judged_[place].without.square_N2 - model_.fit.square_N2;
   std::erase_if(all, [&](const Candidate& one) {

@@ -21,7 +21,10 @@ struct Judged {
   ForceTerm term{};
   PairedGain gain;
   ForceFit without;
-  std::vector<ForceTerm> others;  ///< that could stand in its place
+  std::vector<ForceTerm> others = {};  ///< that could stand in its place
+  /// The same of what the catalogue does not have, and the probability that it is not that.
+  std::optional<ForceTerm> imitated_by = {};
+  double share = 1;
 };
 
 /// That the effect of a term is there: Laplace, the standard errors of the gain as evidence against
@@ -48,6 +51,11 @@ class ForceSearch {
   [[nodiscard]] double rmse_N() const { return data_.rmse_N(model_.held.plain_N2); }
   [[nodiscard]] const std::vector<Judged>& judged() const { return judged_; }
 
+  /// Of the parameters of the model.
+  [[nodiscard]] std::vector<double> half_widths() const {
+    return inliers_->half_widths(model_.fit);
+  }
+
   [[nodiscard]] const std::vector<ForceCovariate>& covariates() const { return covariates_; }
   [[nodiscard]] const std::vector<CovariateBins>& bins() const { return bins_; }
 
@@ -62,8 +70,9 @@ class ForceSearch {
   };
 
   void report(double share) const;
+  void leave_out_outliers();
   void learn_covariance(bool with_timing);
-  [[nodiscard]] std::vector<ForceTerm> outside(const ForceTerms& taken) const;
+  [[nodiscard]] std::vector<ForceTerm> beside(const ForceTerms& taken) const;
   [[nodiscard]] std::vector<Candidate> with_each(const ForceFit& from,
                                                  const std::vector<ForceTerm>& terms) const;
   void hold_out(std::vector<Candidate>& all) const;
@@ -74,6 +83,7 @@ class ForceSearch {
   [[nodiscard]] double not_worse_N2() const;
   [[nodiscard]] bool stays(std::size_t place) const;
   [[nodiscard]] bool alike(std::size_t place, ForceTerm other, const PairedGain& lost) const;
+  static void beside_catalogue(ForceTerm imitated_by, double log_odds, Judged& one);
   bool exchange(bool allowed);
   [[nodiscard]] std::vector<Candidate> in_place_of(std::size_t place) const;
 
@@ -86,6 +96,7 @@ class ForceSearch {
   std::vector<Judged> judged_;
   Structure left_;  ///< by the model that they are judged in
   std::vector<Added> added_;
+  std::optional<ForceData> inliers_;  ///< of the model
 };
 
 }  // namespace host_sim::diagnose

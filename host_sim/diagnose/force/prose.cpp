@@ -78,6 +78,12 @@ std::string verdict_prose(const Findings& findings, std::size_t sessions, double
   return text;
 }
 
+std::string imitation_prose(const ForceEffect& effect, const ForceEffect& outside) {
+  return fmt::format(
+      " What looks like {} ({}) may as well be {}, {}, which the catalogue does not have.",
+      effect.term, effect.id, outside.term, outside.equation);
+}
+
 std::string correction_prose(const Correction& correction) {
   return fmt::format(
       " What is left repeats in sessions that nothing was fitted to: a correction over {} by "

@@ -23,6 +23,9 @@ std::string listed(const std::vector<FoundEffect>& effects);
 /// any off.
 std::string how_far(const std::vector<Step>& steps);
 
+/// Why an effect is not named that explains what is there, behind other sentences.
+std::string imitation_prose(const ForceEffect& effect, const ForceEffect& outside);
+
 /// "A correction ... takes the error ... from ... to ..." behind other sentences.
 std::string correction_prose(const Correction& correction);
 

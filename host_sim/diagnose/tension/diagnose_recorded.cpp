@@ -96,6 +96,11 @@ class Diagnoser {
     add_discrepancies(before, model.empty() ? before : tests.of(evidence_, model), findings);
     add_audit(audited, findings);
     dispersion_ = dispersion_of(after);
+    const SampleWeights weights = weights_without_outliers(evidence_, model);
+    Evidence inliers = evidence_;
+    inliers.options.weights = weights;
+    inliers_ = &inliers;
+    model = refined(inliers, std::move(model));
     add_effects(model, findings);
     report(0.7);
     if (findings.verdict == Verdict::named && evidence_.sessions.size() >= kLeastSessions) {
@@ -251,10 +256,10 @@ class Diagnoser {
                         .equation = std::string(effect.equation()),
                         .life_consequence = std::string(effect.life_consequence()),
                         .probability = weighed_.marginal(effect.id()),
-                        .parameters = estimates_of(evidence_, model, i, dispersion_)};
+                        .parameters = estimates_of(*inliers_, model, i, dispersion_)};
       if (findings.verdict == Verdict::named) {
         findings.extensions.push_back(
-            extension_of(model[i], found.parameters, evidence_.options.baseline));
+            extension_of(model[i], found.parameters, inliers_->options.baseline));
       }
       findings.effects.push_back(std::move(found));
     }
@@ -308,6 +313,7 @@ class Diagnoser {
   Evidence evidence_;
   Weighed weighed_;
   double dispersion_ = 1;
+  const Evidence* inliers_ = nullptr;
 };
 
 TensionDiagnosis nothing_to_see(const RecordedSessions& recorded) {
@@ -327,11 +333,29 @@ TensionDiagnosis nothing_to_see(const RecordedSessions& recorded) {
   return diagnosis;
 }
 
+/// What in newtons is compared with more than the catalogue has.
+bool may_be_imitated(const FoundEffect& effect) {
+  constexpr std::string_view kOfTheForce[] = {"friction_load", "friction_preload",
+                                              "current_offset"};
+  return std::ranges::find(kOfTheForce, effect.id) != std::end(kOfTheForce);
+}
+
+/// Whether the forward model has something outside of the catalogue for what signatures found.
+bool imitated(const Findings& signatures, const TensionDiagnosis& forces) {
+  return std::ranges::any_of(signatures.effects, [&](const FoundEffect& effect) {
+    return std::ranges::find(forces.imitated, effect.id) != forces.imitated.end();
+  });
+}
+
 /// Where signatures of ln T do not tell the cause of an error, effects in newtons may; else they
-/// say how far it goes where it has none.
+/// say how far it goes where it has none. What signatures name stands unless that is imitated.
 TensionDiagnosis in_newtons_after(TensionDiagnosis signatures, TensionDiagnosis forces) {
   Findings& found = forces.findings;
-  if (found.verdict == Verdict::named) {
+  const bool withdrawn = imitated(signatures.findings, forces);
+  if (signatures.findings.verdict == Verdict::named && !withdrawn) {
+    return signatures;
+  }
+  if (withdrawn || found.verdict == Verdict::named) {
     found.invisible = std::move(signatures.findings.invisible);
     std::ranges::move(signatures.findings.equivalent_sets,
                       std::back_inserter(found.equivalent_sets));
@@ -363,6 +387,16 @@ TensionDiagnosis in_newtons_after(TensionDiagnosis signatures, TensionDiagnosis 
   return signatures;
 }
 
+/// With a part of the progress.
+DiagnoseOptions part_of(DiagnoseOptions options, double from, double to) {
+  if (options.progress) {
+    options.progress = [from, to, report = std::move(options.progress)](double share) {
+      report(std::lerp(from, to, share));
+    };
+  }
+  return options;
+}
+
 }  // namespace
 
 TensionDiagnosis diagnose_recorded(const Campaign& campaign, const RecordedSessions& recorded,
@@ -371,12 +405,13 @@ TensionDiagnosis diagnose_recorded(const Campaign& campaign, const RecordedSessi
     return force_records(recorded.recordings, recorded.faults, campaign.nominal,
                          !campaign.two_sided);
   };
-  const auto in_newtons = [&](const std::vector<ForceRecord>& all) {
-    return diagnose_forces(all, campaign.nominal, constants_of(campaign.nominal), options);
+  const auto in_newtons = [&](const std::vector<ForceRecord>& all, double from) {
+    return diagnose_forces(all, campaign.nominal, constants_of(campaign.nominal),
+                           part_of(options, from, 1));
   };
   if (campaign.two_sided) {
     const std::vector<ForceRecord> all = records();
-    return all.empty() ? nothing_to_see(recorded) : in_newtons(all);
+    return all.empty() ? nothing_to_see(recorded) : in_newtons(all, 0);
   }
   if (recorded.sessions.empty()) {
     return nothing_to_see(recorded);
@@ -386,11 +421,15 @@ TensionDiagnosis diagnose_recorded(const Campaign& campaign, const RecordedSessi
                      "no table [model.sheath], which residuals are taken from",
                      "[model.sheath] with friction_coefficient and bend_angle_deg");
   }
-  TensionDiagnosis diagnosis = Diagnoser(campaign, recorded, options).run();
-  const Verdict verdict = diagnosis.findings.verdict;
-  return verdict == Verdict::unknown || verdict == Verdict::ambiguous
-             ? in_newtons_after(std::move(diagnosis), in_newtons(records()))
-             : diagnosis;
+  constexpr double kOfSignatures = 0.4;
+  const DiagnoseOptions first = part_of(options, 0, kOfSignatures);
+  TensionDiagnosis diagnosis = Diagnoser(campaign, recorded, first).run();
+  const Findings& findings = diagnosis.findings;
+  const bool open = findings.verdict == Verdict::unknown ||
+                    findings.verdict == Verdict::ambiguous ||
+                    std::ranges::any_of(findings.effects, may_be_imitated);
+  return open ? in_newtons_after(std::move(diagnosis), in_newtons(records(), kOfSignatures))
+              : diagnosis;
 }
 
 TensionDiagnosis diagnose_tension(const Campaign& campaign, const DiagnoseOptions& options) {

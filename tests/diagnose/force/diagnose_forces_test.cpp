@@ -297,18 +297,42 @@ TEST(DiagnoseForces, WhatHasNoCauseAndRepeatsIsCorrectedAndStaysUnknown) {
   EXPECT_DOUBLE_EQ(metric(findings, "input_rmse_N", false), findings.correction->before_N);
 }
 
-TEST(DiagnoseForces, FrictionOfTheLoadIsNotNamedWhereMuchIsLeft) {
-  const Joint joint{.friction = 0.2, .load_exponent = 0.5, .noise_N = 0.1, .gain_scatter = 0.002};
-  const Findings alone = found(measured(joint, 9));
-  EXPECT_EQ(alone.verdict, Verdict::named) << alone.prose;
-  EXPECT_THAT(ids_of(alone), UnorderedElementsAre("friction_load"));
-  Joint cogging = joint;
-  cogging.cogging_N = 0.7;
-  const Findings beside = found(measured(cogging, 9));
-  EXPECT_EQ(beside.verdict, Verdict::unknown) << beside.prose;
-  EXPECT_THAT(ids_of(beside), IsEmpty());
-  ASSERT_EQ(beside.steps.size(), 2U);
-  EXPECT_EQ(beside.steps[1].effect.id, "friction_load");
+TEST(DiagnoseForces, FrictionOfTheLoadIsNotASheathThatGives) {
+  Joint joint{.friction = 0.2, .load_exponent = 0.3, .noise_N = 0.1, .gain_scatter = 0.002};
+  const Findings falling = found(measured(joint, 9));
+  EXPECT_EQ(falling.verdict, Verdict::named) << falling.prose;
+  EXPECT_THAT(ids_of(falling), UnorderedElementsAre("friction_load"));
+  joint.load_exponent = 0;
+  joint.giving = -0.3;
+  const TensionDiagnosis giving = diagnose_forces(measured(joint, 9), nominal(), kWire, {});
+  EXPECT_EQ(giving.findings.verdict, Verdict::unknown) << giving.findings.prose;
+  EXPECT_THAT(ids_of(giving.findings), IsEmpty());
+  EXPECT_THAT(giving.imitated, UnorderedElementsAre("friction_load"));
+  EXPECT_EQ(giving.findings.candidates.front().id, "unknown");
+  EXPECT_THAT(giving.findings.prose, HasSubstr("a sheath that bends more or less under load"));
+}
+
+/// Half of a sine of 40 N is read 3 % too small at its top.
+TEST(DiagnoseForces, ASensorThatIsNotLinearIsNoFriction) {
+  std::vector<ForceRecord> records = measured({.friction = 0.1, .noise_N = 0.1}, 10);
+  for (ForceRecord& record : records) {
+    for (double& output_N : record.output_N) {
+      output_N *= 1 - 0.03 * output_N * output_N / 1600;
+    }
+  }
+  const Findings findings = found(records);
+  EXPECT_NE(findings.verdict, Verdict::named) << findings.prose;
+}
+
+/// The cogging that the catalogue does not have is a cause of its own as likely as not.
+TEST(DiagnoseForces, WhatStandsBesideCausesLeavesThemHalfOfTheProbabilityToBeAll) {
+  const Findings findings = found(measured({.preload_N = 12, .cogging_N = 3}, 4));
+  ASSERT_GE(findings.candidates.size(), 2U);
+  EXPECT_EQ(findings.candidates[0].id, "friction_preload");
+  EXPECT_NEAR(findings.candidates[0].probability, 0.5, 0.01);
+  EXPECT_EQ(findings.candidates[1].id, "friction_preload+unknown");
+  EXPECT_EQ(findings.candidates[1].probability, findings.candidates[0].probability);
+  EXPECT_GT(findings.effects.front().probability, 0.99);
 }
 
 TEST(DiagnoseForces, AFewSessionsNameNothing) {

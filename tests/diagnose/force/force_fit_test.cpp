@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
@@ -52,6 +53,28 @@ TEST_P(Slack, IsFoundBetweenSamples) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Lengths, Slack, testing::Values(0.0007, 0.002, 0.007, 0.02));
+
+/// One sample in fifty is 30 N off, of a joint with 12 N of friction and noise of 0.7 N.
+TEST(WithoutOutliers, SamplesThatAreFarOffHaveNoPart) {
+  std::vector<ForceRecord> records = measured({.preload_N = 12}, 3);
+  for (ForceRecord& record : records) {
+    for (std::size_t i = 20; i < record.samples(); i += 50) {
+      record.input_N[i] += 30;
+    }
+  }
+  const ForceData data(records);
+  const ForceFit all = data.fit({ForceTerm::preload}, {1, 0.1, 10}, 15);
+  const ForceData inliers = data.without_outliers(all);
+  std::ptrdiff_t left_out = 0;
+  for (const ForceRecord& record : inliers.records()) {
+    for (std::size_t i = 20; i < record.samples(); i += 50) {
+      EXPECT_FALSE(record.used[i]) << record.session << ' ' << i;
+    }
+    left_out += std::ranges::count(record.used, false);
+  }
+  EXPECT_LE(left_out, 240);  // of them 120, and others where friction turns over between samples
+  EXPECT_NEAR(inliers.finished(all).parameters[2], 12, 0.1);
+}
 
 }  // namespace
 }  // namespace host_sim::diagnose

@@ -287,6 +287,23 @@ TEST(ForceModel, RippleGoesWithTheAngleOfTheRotor) {
   EXPECT_NEAR(predicted(turned, {ForceTerm::torque_ripple}, {1, 0, 0, -0.25, 6}), 9.5, 1e-9);
 }
 
+TEST(ForceModel, ASheathThatGivesBendsByTheLoad) {
+  EXPECT_TRUE(definition_of(ForceTerm::giving_sheath).outside);
+  // At twice the scale of force by a fifth more, at half of it by a tenth less.
+  EXPECT_NEAR(predicted(record({0, 0.1}, 1, 20), {ForceTerm::giving_sheath}, {1, 0.1, 0.2}),
+              20 * std::exp(0.1 * 1.2 * pi), 1e-9);
+  EXPECT_NEAR(predicted(record({0, 0.1}, 1, -5), {ForceTerm::giving_sheath}, {1, 0.1, 0.2}),
+              -5 * std::exp(-0.1 * 0.9 * pi), 1e-9);
+}
+
+TEST(ForceModel, ASensorThatIsNotLinearShowsALargeForceTooSmall) {
+  EXPECT_TRUE(definition_of(ForceTerm::bent_sensor).outside);
+  // A tenth at the scale of force, four tenths at twice of it, whatever its sign.
+  EXPECT_NEAR(predicted(record({0, 0.1}, 1, 20), {ForceTerm::bent_sensor}, {1, 0, 0.1}), 28, 1e-9);
+  EXPECT_NEAR(predicted(record({0, 0.1}, 1, -10), {ForceTerm::bent_sensor}, {1, 0, 0.1}), -11,
+              1e-9);
+}
+
 TEST(ForceModel, WhatACurrentShowsALoadCellDoesNot) {
   std::vector<ForceRecord> records{record({0, 0.1}, 1, 10), record({0, 0.1}, 1, 10)};
   records[0].input_N_per_A = 2;

@@ -15,6 +15,7 @@ namespace host_sim::diagnose {
 struct Joint {
   double friction = 0.02;    ///< of the load, as much at 10 N
   double load_exponent = 0;  ///< by which that falls
+  double giving = 0;         ///< of the friction, more of it at twice the load of 28 N
   double preload_N = 0;
   double viscous_N_s_m = 0;
   double cogging_N = 0;       ///< not in the catalogue of the forward model
@@ -49,7 +50,8 @@ inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int 
       const double read_s = joint.jitter_s > 0 ? t + joint.jitter_s * normal(engine) : t;
       const double read_m_s = 0.05 * omega * std::cos(omega * read_s);
       const double of_load_N =
-          joint.friction * 10 * std::pow(std::abs(load_N) / 10, 1 - joint.load_exponent);
+          joint.friction * 10 * std::pow(std::abs(load_N) / 10, 1 - joint.load_exponent) *
+          (1 + joint.giving * (std::abs(load_N) / 28 - 1));
       const double friction_N =
           std::tanh(read_m_s / 1e-3) * (of_load_N + joint.preload_N) + joint.viscous_N_s_m * v;
       const double spring_N = joint.spring_N * x / 0.05;
