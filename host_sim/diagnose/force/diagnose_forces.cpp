@@ -23,8 +23,8 @@ namespace {
 /// has a cause of its own as likely as not.
 constexpr double kOnlyCauses = 0.5;
 
-/// How much further parameters are off than their sessions scatter, where what is left is no chance:
-/// as much as in simulated campaigns that hide more than is named.
+/// How much further parameters are off than their sessions scatter, where what is left is no
+/// chance: as much as in simulated campaigns that hide more than is named.
 constexpr double kBesideRemainder = 2;
 
 /// The error of the output force that one of the input force is, sample by sample.
@@ -120,7 +120,8 @@ class Report {
     if (std::ranges::any_of(judged, [&](const Judged& one) { return stands(one); })) {
       return Verdict::named;
     }
-    return std::ranges::any_of(judged, [](const Judged& one) { return one.imitated_by.has_value(); })
+    return std::ranges::any_of(judged,
+                               [](const Judged& one) { return one.imitated_by.has_value(); })
                ? Verdict::unknown
                : Verdict::ambiguous;
   }

@@ -61,8 +61,8 @@ struct Kinematics {
 };
 Kinematics kinematics_of(const ForceRecord& record, const ForceScales& scales);
 
-/// Effects of the catalogue that the forward model runs, a law each: an effect may have several. The
-/// last ones are outside of it: what could imitate an effect, and is never named.
+/// Effects of the catalogue that the forward model runs, a law each: an effect may have several.
+/// The last ones are outside of it: what could imitate an effect, and is never named.
 enum class ForceTerm : unsigned {
   preload,
   velocity,

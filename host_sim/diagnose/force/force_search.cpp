@@ -178,8 +178,8 @@ std::vector<ForceTerm> ForceSearch::beside(const ForceTerms& taken) const {
     };
     const bool wanted =
         std::ranges::find(options_.without, definition_of(term).id) == options_.without.end();
-    if (wanted && !definition_of(term).outside && is_shown(term, data_.records()) && std::ranges::none_of(taken, same) &&
-        !parameters_of(term, data_.scales()).empty()) {
+    if (wanted && !definition_of(term).outside && is_shown(term, data_.records()) &&
+        std::ranges::none_of(taken, same) && !parameters_of(term, data_.scales()).empty()) {
       terms.push_back(term);
     }
   }

@@ -96,11 +96,10 @@ class Diagnoser {
     add_discrepancies(before, model.empty() ? before : tests.of(evidence_, model), findings);
     add_audit(audited, findings);
     dispersion_ = dispersion_of(after);
-    const SampleWeights weights = weights_without_outliers(evidence_, model);
-    Evidence inliers = evidence_;
-    inliers.options.weights = weights;
-    inliers_ = &inliers;
-    model = refined(inliers, std::move(model));
+    inlier_weights_ = weights_without_outliers(evidence_, model);
+    inliers_ = evidence_;
+    inliers_.options.weights = inlier_weights_;
+    model = refined(inliers_, std::move(model));
     add_effects(model, findings);
     report(0.7);
     if (findings.verdict == Verdict::named && evidence_.sessions.size() >= kLeastSessions) {
@@ -256,10 +255,10 @@ class Diagnoser {
                         .equation = std::string(effect.equation()),
                         .life_consequence = std::string(effect.life_consequence()),
                         .probability = weighed_.marginal(effect.id()),
-                        .parameters = estimates_of(*inliers_, model, i, dispersion_)};
+                        .parameters = estimates_of(inliers_, model, i, dispersion_)};
       if (findings.verdict == Verdict::named) {
         findings.extensions.push_back(
-            extension_of(model[i], found.parameters, inliers_->options.baseline));
+            extension_of(model[i], found.parameters, inliers_.options.baseline));
       }
       findings.effects.push_back(std::move(found));
     }
@@ -313,7 +312,8 @@ class Diagnoser {
   Evidence evidence_;
   Weighed weighed_;
   double dispersion_ = 1;
-  const Evidence* inliers_ = nullptr;
+  SampleWeights inlier_weights_;
+  Evidence inliers_;  ///< what estimates are of
 };
 
 TensionDiagnosis nothing_to_see(const RecordedSessions& recorded) {

@@ -94,8 +94,8 @@ Eigen::VectorXd left_of(const Evidence& evidence, const Fitted& by, std::size_t 
   if (!evidence.options.weights.empty()) {
     weigh(columns, evidence.options.weights[session]);
   }
-  const Eigen::VectorXd left = columns.rightCols<1>() -
-                               columns.leftCols(by.fit.coefficients.size()) * by.fit.coefficients;
+  const Eigen::VectorXd left =
+      columns.rightCols<1>() - columns.leftCols(by.fit.coefficients.size()) * by.fit.coefficients;
   const Eigen::MatrixX2d own = columns.leftCols<2>();
   Eigen::Matrix2d square = own.transpose() * own;
   square.diagonal() *= 1 + kRidge;

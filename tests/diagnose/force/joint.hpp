@@ -49,9 +49,9 @@ inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int 
       const double load_N = 40 * std::sin(2 * std::numbers::pi * 0.7 * t + j);
       const double read_s = joint.jitter_s > 0 ? t + joint.jitter_s * normal(engine) : t;
       const double read_m_s = 0.05 * omega * std::cos(omega * read_s);
-      const double of_load_N =
-          joint.friction * 10 * std::pow(std::abs(load_N) / 10, 1 - joint.load_exponent) *
-          (1 + joint.giving * (std::abs(load_N) / 28 - 1));
+      const double of_load_N = joint.friction * 10 *
+                               std::pow(std::abs(load_N) / 10, 1 - joint.load_exponent) *
+                               (1 + joint.giving * (std::abs(load_N) / 28 - 1));
       const double friction_N =
           std::tanh(read_m_s / 1e-3) * (of_load_N + joint.preload_N) + joint.viscous_N_s_m * v;
       const double spring_N = joint.spring_N * x / 0.05;

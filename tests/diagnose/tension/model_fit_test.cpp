@@ -114,8 +114,8 @@ TEST(ModelFit, FindsTheScatterOfSessions) {
   EXPECT_NEAR(std::exp(log_friction), 0.01, 0.0035);
 }
 
-/// Sessions that scatter as the model has it show about its covariance; an effect of another size in
-/// each pose, which the model does not have, shows more.
+/// Sessions that scatter as the model has it show about its covariance; an effect of another size
+/// in each pose, which the model does not have, shows more.
 TEST(ModelFit, SessionsThatDisagreeSayLess) {
   const std::vector<Session> alike = with_offset(4);
   const Grams grams = offset_grams(alike);
