@@ -96,7 +96,18 @@ TEST(FilterLag, IsWhatAFirstOrderLagOfTheOutputDoes) {
     measured_N += (output_N(time_s) - measured_N) * kStep_s / kLag_s;
     return Ends{sliding_input_N(time_s), measured_N};
   });
-  expect_same(columns("filter_lag", c, {kLag_s})[0], residuals(c), 0.03);
+  expect_same(columns("filter_lag", c, {kLag_s})[0], residuals(c), 0.05);
+}
+
+/// T_out exp(g t) has a reading of T_out exp(g t)/(1 + g tau).
+TEST(FilterLag, OfATensionThatGrowsByAShareIsExact) {
+  recording::Covariates c = recorded([](double time_s) {
+    return Ends{sliding_input_N(time_s), output_N(time_s)};
+  });
+  std::ranges::fill(c.log_output_rate_1_s, 10);
+  for (const double value : columns("filter_lag", c, {0.02})[0]) {
+    EXPECT_NEAR(value, -std::log(1.2), 1e-12);
+  }
 }
 
 TEST(FilterLag, IsWhatAFirstOrderLagOfTheInputDoesToTheJumpsOfFriction) {
