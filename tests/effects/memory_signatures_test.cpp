@@ -105,7 +105,8 @@ TEST(FilterLag, OfATensionThatGrowsByAShareIsExact) {
     return Ends{sliding_input_N(time_s), output_N(time_s)};
   });
   std::ranges::fill(c.log_output_rate_1_s, 10);
-  for (const double value : columns("filter_lag", c, {0.02})[0]) {
+  const std::vector<double> found = columns("filter_lag", c, {0.02})[0];
+  for (const double value : found) {
     EXPECT_NEAR(value, -std::log(1.2), 1e-12);
   }
 }
