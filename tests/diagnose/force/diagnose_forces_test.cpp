@@ -312,16 +312,21 @@ TEST(DiagnoseForces, FrictionOfTheLoadIsNotASheathThatGives) {
   EXPECT_THAT(giving.findings.prose, HasSubstr("a sheath that bends more or less under load"));
 }
 
-/// Half of a sine of 40 N is read 3 % too small at its top.
+/// The top of a sine of 40 N is read a tenth too small.
 TEST(DiagnoseForces, ASensorThatIsNotLinearIsNoFriction) {
-  std::vector<ForceRecord> records = measured({.friction = 0.1, .noise_N = 0.1}, 10);
+  std::vector<ForceRecord> records =
+      measured({.friction = 0.2, .noise_N = 0.1, .gain_scatter = 0.002}, 10);
   for (ForceRecord& record : records) {
-    for (double& output_N : record.output_N) {
-      output_N *= 1 - 0.03 * output_N * output_N / 1600;
+    record.pulls_alone = true;
+    for (std::size_t i = 0; i < record.samples(); ++i) {
+      record.used[i] = record.output_N[i] > 2;
+      record.output_N[i] *= 1 - 0.1 * record.output_N[i] * record.output_N[i] / 1600;
     }
   }
-  const Findings findings = found(records);
-  EXPECT_NE(findings.verdict, Verdict::named) << findings.prose;
+  const TensionDiagnosis diagnosis = diagnose_forces(records, nominal(), kWire, {});
+  EXPECT_NE(diagnosis.findings.verdict, Verdict::named) << diagnosis.findings.prose;
+  EXPECT_THAT(diagnosis.imitated, Not(IsEmpty())) << diagnosis.findings.prose;
+  EXPECT_THAT(diagnosis.findings.prose, HasSubstr("a sensor of the output that is not linear"));
 }
 
 /// The cogging that the catalogue does not have is a cause of its own as likely as not.
