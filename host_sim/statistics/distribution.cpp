@@ -1,8 +1,10 @@
 #include "host_sim/statistics/distribution.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/erf.hpp>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numbers>
 #include <tuple>
@@ -27,6 +29,19 @@ double far_hazard(double z) {
 }
 
 }  // namespace
+
+double student95(double degrees_of_freedom) {
+  constexpr double kUpper = 0.975;
+  return boost::math::quantile(boost::math::students_t(degrees_of_freedom), kUpper);
+}
+
+double outlier_limit(std::vector<double> magnitudes) {
+  constexpr double kOutlier = 4;
+  constexpr double kSdPerMedian = 1.4826;
+  const auto middle = magnitudes.begin() + std::ssize(magnitudes) / 2;
+  std::ranges::nth_element(magnitudes, middle);
+  return kOutlier * kSdPerMedian * *middle;
+}
 
 double log_normal_density(double z) {
   return -0.5 * z * z - kHalfLogTwoPi;

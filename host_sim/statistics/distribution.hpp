@@ -49,6 +49,14 @@ double log_likelihood(const Distribution& distribution, std::span<const Observat
 /// Quantile of 97.5 % of the standard normal distribution: half the width of an interval of 95 %.
 inline constexpr double kNormal95 = 1.959963984540054;
 
+/// The same of Student's t distribution.
+double student95(double degrees_of_freedom);
+
+/// Four standard deviations of normal values, as the median of their magnitudes has them: one value
+/// in 16,000 is further off.
+/// @param magnitudes one or more
+double outlier_limit(std::vector<double> magnitudes);
+
 /// ln phi(z), the standard normal density.
 double log_normal_density(double z);
 

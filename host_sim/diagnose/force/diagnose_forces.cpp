@@ -158,13 +158,12 @@ class Report {
       }
     }
     if (!sets.front().empty() && all > 0) {
-      const double only = remainder_.stands ? kOnlyCauses : 1;
-      add_sets(sets, all * only, findings.candidates);
-      for (std::vector<std::string>& ids : sets) {
-        ids.push_back(rest);
-      }
-      if (only < 1) {
-        add_sets(std::move(sets), all * (1 - only), findings.candidates);
+      add_sets(sets, remainder_.stands ? kOnlyCauses * all : all, findings.candidates);
+      if (remainder_.stands) {
+        for (std::vector<std::string>& ids : sets) {
+          ids.push_back(rest);
+        }
+        add_sets(std::move(sets), (1 - kOnlyCauses) * all, findings.candidates);
       }
     }
     double named = 0;

@@ -3,7 +3,6 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -20,9 +19,6 @@ constexpr int kFirstIterations = 2;  ///< of each start, and again of the best o
 /// Standard deviation of ln gain: more than that off is told as a doubt about units.
 constexpr double kLogGain = 0.3;
 constexpr int kFoldIterations = 2;  ///< from where all records have led
-/// Of standard deviations, as the median has them: a normal sample in 16,000 is further off.
-constexpr double kOutlier = 4;
-constexpr double kSdPerMedian = 1.4826;
 
 }  // namespace
 
@@ -113,9 +109,7 @@ ForceData ForceData::without_outliers(const ForceFit& fit) const {
   if (sizes.empty()) {
     return inliers;
   }
-  const auto middle = sizes.begin() + std::ssize(sizes) / 2;
-  std::ranges::nth_element(sizes, middle);
-  const double most = kOutlier * kSdPerMedian * *middle;
+  const double most = statistics::outlier_limit(std::move(sizes));
   for (std::size_t j = 0; j < records_.size(); ++j) {
     std::vector<bool>& used = inliers.records_[j].used;
     for (std::size_t i = 0; i < used.size(); ++i) {
@@ -403,8 +397,7 @@ std::vector<double> ForceData::half_widths(const ForceFit& fit) const {
   const double records = static_cast<double>(records_.size());
   const double freedom = std::max(records - static_cast<double>(count), 1.0);
   const Eigen::MatrixXd covariance = inverse * scatter * inverse * (records / freedom);
-  constexpr double kUpper = 0.975;
-  const double wide = boost::math::quantile(boost::math::students_t(freedom), kUpper);
+  const double wide = statistics::student95(freedom);
   const auto all = parameters_of(fit.terms, scales_);
   std::vector<double> half;
   for (Eigen::Index k = 0; k < count; ++k) {

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -88,11 +87,9 @@ std::string pose_name(const effects::Parameter& parameter, double pose_rad) {
 
 /// Of 95 %: as the noise of the model has it, or as sessions scatter, where that is more.
 double half_width(const ModelFit& fit, Index place, double dispersion) {
-  const boost::math::students_t student(fit.degrees_of_freedom);
-  constexpr double kUpper = 0.975;
-  return std::max(
-      statistics::kNormal95 * std::sqrt(dispersion * fit.covariance(place, place)),
-      boost::math::quantile(student, kUpper) * std::sqrt(fit.covariance_by_sessions(place, place)));
+  return std::max(statistics::kNormal95 * std::sqrt(dispersion * fit.covariance(place, place)),
+                  statistics::student95(fit.degrees_of_freedom) *
+                      std::sqrt(fit.covariance_by_sessions(place, place)));
 }
 
 /// Coefficients of a part's columns.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host_sim/recording/covariates.hpp"
+#include "host_sim/statistics/distribution.hpp"
 
 namespace host_sim::diagnose {
 namespace {
@@ -80,9 +81,6 @@ std::vector<double> settled(Session session, std::vector<double>& (*pick)(record
   return tension_N;
 }
 
-/// Of standard deviations, as the median has them: a normal sample in 16,000 is further off.
-constexpr double kOutlier = 4;
-constexpr double kSdPerMedian = 1.4826;
 constexpr double kHardlyAny = 1e-6;
 
 /// What a model leaves of the samples of a session, weighed, whose gain and friction are refitted.
@@ -217,9 +215,7 @@ SampleWeights weights_without_outliers(const Evidence& evidence, std::span<const
       sizes.push_back(std::abs(value));
     }
   }
-  const auto middle = sizes.begin() + std::ssize(sizes) / 2;
-  std::ranges::nth_element(sizes, middle);
-  const double most = kOutlier * kSdPerMedian * *middle;
+  const double most = statistics::outlier_limit(std::move(sizes));
   SampleWeights weights;
   for (std::size_t j = 0; j < left.size(); ++j) {
     weights.push_back(evidence.options.weights.empty()
