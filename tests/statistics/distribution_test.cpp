@@ -168,5 +168,18 @@ TEST(KaplanMeier, ForgetsTheSampleBefore) {
   EXPECT_EQ(estimate.last(), 7);
 }
 
+/// From tables of t at 0.975.
+TEST(Student95, IsAsInTables) {
+  EXPECT_NEAR(student95(1), 12.706, 5e-4);
+  EXPECT_NEAR(student95(9), 2.262, 5e-4);
+  EXPECT_NEAR(student95(1e6), kNormal95, 1e-5);
+}
+
+/// A median of 2 is that of a standard deviation of 2 / 0.67449.
+TEST(OutlierLimit, IsFourStandardDeviationsWhateverIsFarOff) {
+  EXPECT_NEAR(outlier_limit({3, 1, 2}), 4 * 2 / 0.67449, 1e-3);
+  EXPECT_EQ(outlier_limit({1e9, 1, 2}), outlier_limit({3, 1, 2}));
+}
+
 }  // namespace
 }  // namespace host_sim::statistics
