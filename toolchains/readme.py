@@ -74,6 +74,20 @@ serve() {
 exec < /dev/null"""
 
 
+def not_printed(shown, printed):
+    """The first line shown that is not printed, behind how many are before it; None if all are."""
+    rest = printed.splitlines()
+    for number, line in enumerate(shown.splitlines()):
+        if line.strip() in ("", "..."):
+            continue
+        pattern = re.compile(".*".join(re.escape(part) for part in line.split("...")) + r"\s*$")
+        at = next((i for i, other in enumerate(rest) if pattern.match(other)), None)
+        if at is None:
+            return number, line
+        rest = rest[at + 1:]
+    return None
+
+
 def compare(blocks, log):
     parts = re.split(rf"^{MARK} (\d+)\n", log, flags=re.MULTILINE)
     printed = dict(zip(map(int, parts[1::2]), parts[2::2]))
@@ -81,16 +95,10 @@ def compare(blocks, log):
     for block in blocks:
         if block.printed is None:
             continue
-        rest = printed[block.line].splitlines()
-        for number, line in enumerate(block.printed.text.splitlines(), block.printed.line + 1):
-            if line.strip() in ("", "..."):
-                continue
-            pattern = re.compile(".*".join(re.escape(part) for part in line.split("...")) + r"\s*$")
-            at = next((i for i, other in enumerate(rest) if pattern.match(other)), None)
-            if at is None:
-                sys.exit(f"line {number} is not what the commands above it print: {line}")
-            rest = rest[at + 1:]
-            lines += 1
+        line = not_printed(block.printed.text, printed[block.line])
+        if line is not None:
+            sys.exit(f"line {block.printed.line + 1 + line[0]} is not what the commands above it print: {line[1]}")
+        lines += sum(line.strip() not in ("", "...") for line in block.printed.text.splitlines())
     print(f"{len(blocks)} blocks ran, and {lines} lines are as they were printed")
 
 
