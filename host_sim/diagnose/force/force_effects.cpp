@@ -41,6 +41,8 @@ ForceParameter slack_length(const ForceScales& scales) {
           true};
 }
 
+/// ln of what a loose tendon lacks at least: one that has all of its force is not loose.
+constexpr double kLeastDrop = 0.02;
 constexpr double kOfStep = 0.04;  ///< of the time between samples, which times are resolved by
 
 bool has_current(const ForceRecord& record) {
@@ -242,7 +244,7 @@ namespace loose_tendon {
 
 Parameters parameters(const ForceScales& scales) {
   Parameters all{slack_length(scales),
-                 {"slack_log_drop", "1", 0, 5, {0.1}},
+                 {"slack_log_drop", "1", 0, 5, {0.1}, false, false, kLeastDrop},
                  {"slack_friction_share", "1", 0, 2, {1}}};
   all[1].beside = true;
   all[2].beside = true;
@@ -337,7 +339,8 @@ constexpr ForceEffect kEffect{
 namespace zero {
 
 Parameters parameters(const ForceScales& scales) {
-  return {{"load_cell_zero_N", "N", -scales.force_N, scales.force_N, {0.01 * scales.force_N}}};
+  const double most_N = 2 * std::max(scales.force_N, scales.input_N);
+  return {{"load_cell_zero_N", "N", -most_N, most_N, {0.01 * scales.force_N}}};
 }
 
 constexpr ForceEffect kEffect{

@@ -39,7 +39,6 @@ ForceData::ForceData(std::vector<ForceRecord> records) : records_(std::move(reco
     counts_.push_back(static_cast<double>(std::ranges::count(record.used, true)));
     samples_ += counts_.back();
   }
-  gain_weight_N2_ = gain_weight_N2(scales_.input_N * scales_.input_N * samples_);
   settle_turn_over();
   settle_resolution();
 }
@@ -52,21 +51,27 @@ void ForceData::take_scales(const ForceScales& scales) {
   }
 }
 
-/// As sharp as the friction that any drive has shows it.
+/// As sharp as the friction that any drive has shows it, at a gain that is held by what such
+/// friction leaves.
 void ForceData::settle_turn_over() {
   constexpr double kShares[] = {0.002, 0.01, 0.05, 0.15};
   const ForceTerms plain{ForceTerm::preload, ForceTerm::velocity};
   ForceScales best = scales_;
   double least_N2 = std::numeric_limits<double>::infinity();
-  for (const double share : kShares) {
-    ForceScales sharper = scales_;
-    sharper.turn_over_m_s = share * scales_.speed_m_s;
-    take_scales(sharper);
+  const auto plain_N2 = [&] {
     std::vector<double> start;
     for (const ForceParameter& parameter : parameters_of(plain, scales_)) {
       start.push_back(parameter.starts.front());
     }
-    const double square_N2 = fit(plain, std::move(start), kIterations).square_N2;
+    return fit(plain, std::move(start), kIterations).square_N2;
+  };
+  gain_weight_N2_ = gain_weight_N2(scales_.input_N * scales_.input_N * samples_);
+  gain_weight_N2_ = gain_weight_N2(plain_N2());
+  for (const double share : kShares) {
+    ForceScales sharper = scales_;
+    sharper.turn_over_m_s = share * scales_.speed_m_s;
+    take_scales(sharper);
+    const double square_N2 = plain_N2();
     if (square_N2 < least_N2) {
       least_N2 = square_N2;
       best = scales_;
@@ -208,7 +213,19 @@ ForceFit ForceData::fit(const ForceTerms& terms, std::vector<double> start, int 
   best.square_N2 = square_of(terms, best.parameters, fold);
   double damping = 1e-3;
   for (int iteration = 0; iteration < iterations; ++iteration) {
-    const Normal normal = normal_of(terms, best.parameters, fold);
+    Normal normal = normal_of(terms, best.parameters, fold);
+    // What would go beyond its bound stays there, and the others go without it.
+    for (std::size_t k = 0; k < all.size(); ++k) {
+      const auto at = static_cast<Eigen::Index>(k);
+      const double value = best.parameters[k];
+      double& pull = normal.gradient(at);
+      if ((value <= all[k].minimum && pull < 0) || (value >= all[k].maximum && pull > 0)) {
+        pull = 0;
+        normal.matrix.row(at).setZero();
+        normal.matrix.col(at).setZero();
+        normal.matrix(at, at) = 1;
+      }
+    }
     double gained = 0;
     for (int attempt = 0; attempt < kTries && gained == 0; ++attempt) {
       Eigen::MatrixXd damped = normal.matrix;

@@ -297,6 +297,24 @@ TEST(DiagnoseForces, WhatHasNoCauseAndRepeatsIsCorrectedAndStaysUnknown) {
   EXPECT_DOUBLE_EQ(metric(findings, "input_rmse_N", false), findings.correction->before_N);
 }
 
+/// 5 N of load, and a zero that is four times as much: all that drives the joint is off by it.
+TEST(DiagnoseForces, AZeroMayBeLargerThanTheLoad) {
+  const Findings findings = found(measured({.load_N = 7, .offset_N = 20, .preload_N = 15}, 11));
+  EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
+  EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload", "load_cell_zero"));
+  EXPECT_NEAR(estimate(findings, "load_cell_zero_N").value, -20, 1);
+}
+
+/// Under a load that hardly changes, friction that does not depend on it is also one that falls as
+/// it rises, by all that the bounds allow.
+TEST(DiagnoseForces, FrictionUnderAStillLoadIsNotLostBetweenTwoOfItsLaws) {
+  for (unsigned seed = 1; seed <= 3; ++seed) {
+    const Findings findings = found(measured(
+        {.friction = 0, .load_N = 30, .still_N = 150, .gain = 1.3, .preload_N = 60}, seed));
+    EXPECT_THAT(findings.verdict, AnyOf(Verdict::named, Verdict::ambiguous)) << findings.prose;
+  }
+}
+
 TEST(DiagnoseForces, FrictionOfTheLoadIsNotASheathThatGives) {
   Joint joint{.friction = 0.2, .load_exponent = 0.3, .noise_N = 0.1, .gain_scatter = 0.002};
   const Findings falling = found(measured(joint, 9));

@@ -54,6 +54,24 @@ TEST_P(Slack, IsFoundBetweenSamples) {
 
 INSTANTIATE_TEST_SUITE_P(Lengths, Slack, testing::Values(0.0007, 0.002, 0.007, 0.02));
 
+/// Friction of 60 N turns over by 0.05 of the speed, beside 400 N that the gain is 30 % off of.
+TEST(ForceData, HowSharpFrictionTurnsOverIsSeenBesideAGainThatIsOff) {
+  const ForceData data(
+      measured({.still_N = 400, .gain = 1.3, .turn_over_m_s = 0.015, .preload_N = 60}, 5));
+  EXPECT_NEAR(data.scales().speed_m_s, 0.3, 0.05);
+  EXPECT_DOUBLE_EQ(data.scales().turn_over_m_s, 0.05 * data.scales().speed_m_s);
+}
+
+/// b, d and what friction there is of the rest.
+TEST(ForceData, ATendonThatHoldsAllOfItsForceIsNotLoose) {
+  const ForceData data(measured({}, 6));
+  const auto is_loose = [&](double log_drop) {
+    return data.is_physical({{ForceTerm::loose_tendon}, {1, 0.1, 0.002, log_drop, 0.5}, 0}, 0);
+  };
+  EXPECT_FALSE(is_loose(0));
+  EXPECT_TRUE(is_loose(0.05));
+}
+
 /// One sample in fifty is 30 N off, of a joint with 12 N of friction and noise of 0.7 N.
 TEST(WithoutOutliers, SamplesThatAreFarOffHaveNoPart) {
   std::vector<ForceRecord> records = measured({.preload_N = 12}, 3);

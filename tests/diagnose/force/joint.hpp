@@ -16,6 +16,11 @@ struct Joint {
   double friction = 0.02;    ///< of the load, as much at 10 N
   double load_exponent = 0;  ///< by which that falls
   double giving = 0;         ///< of the friction, more of it at twice the load of 28 N
+  double load_N = 40;        ///< amplitude of what turns over
+  double still_N = 0;        ///< load that stays
+  double offset_N = 0;       ///< of the force that drives it
+  double gain = 1;
+  double turn_over_m_s = 1e-3;
   double preload_N = 0;
   double viscous_N_s_m = 0;
   double cogging_N = 0;       ///< not in the catalogue of the forward model
@@ -40,20 +45,22 @@ inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int 
     ForceRecord record;
     record.session = "s" + std::to_string(j);
     record.rotor_known = joint.rotor_known;
-    const double gain = 1 + joint.gain_scatter * normal(engine);
+    const double gain = joint.gain + joint.gain_scatter * normal(engine);
     const double omega = 2 * std::numbers::pi * (0.3 + 0.1 * j);
     for (int i = 0; i < 500; ++i) {
       const double t = 0.01 * i;
       const double x = 0.05 * std::sin(omega * t);
       const double v = 0.05 * omega * std::cos(omega * t);
-      const double load_N = 40 * std::sin(2 * std::numbers::pi * 0.7 * t + j);
+      const double load_N =
+          joint.still_N + joint.load_N * std::sin(2 * std::numbers::pi * 0.7 * t + j);
       const double read_s = joint.jitter_s > 0 ? t + joint.jitter_s * normal(engine) : t;
       const double read_m_s = 0.05 * omega * std::cos(omega * read_s);
       const double of_load_N = joint.friction * 10 *
                                std::pow(std::abs(load_N) / 10, 1 - joint.load_exponent) *
                                (1 + joint.giving * (std::abs(load_N) / 28 - 1));
       const double friction_N =
-          std::tanh(read_m_s / 1e-3) * (of_load_N + joint.preload_N) + joint.viscous_N_s_m * v;
+          std::tanh(read_m_s / joint.turn_over_m_s) * (of_load_N + joint.preload_N) +
+          joint.viscous_N_s_m * v;
       const double spring_N = joint.spring_N * x / 0.05;
       const double drift_N = joint.drift_N * (t / 2.5 - 1);
       const double inertia_N = -joint.moved_kg * omega * omega * x;
@@ -63,11 +70,11 @@ inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int 
       record.position_m.push_back(x);
       record.velocity_m_s.push_back(joint.velocity_reversed ? -v : v);
       record.output_N.push_back(load_N + joint.noise_N * normal(engine));
-      record.output_rate_N_s.push_back(40 * 2 * std::numbers::pi * 0.7 *
+      record.output_rate_N_s.push_back(joint.load_N * 2 * std::numbers::pi * 0.7 *
                                        std::cos(2 * std::numbers::pi * 0.7 * t + j));
       record.input_N.push_back(
           gain * (load_N + friction_N + joint.cogging_N * std::sin(900 * x) + spring_N + shaped_N +
-                  drift_N + inertia_N) +
+                  drift_N + inertia_N + joint.offset_N) +
           joint.noise_N * normal(engine) +
           (joint.relative_noise > 0 ? joint.relative_noise * load_N * normal(engine) : 0));
       record.bend_angle_rad.push_back(std::numbers::pi);
