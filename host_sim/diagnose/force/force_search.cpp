@@ -289,6 +289,18 @@ bool ForceSearch::stays(std::size_t place) const {
          probability_of(one.term, one.gain, data_) >= kNamed;
 }
 
+/// Whether a term is beyond its bounds that is within them in the model.
+bool ForceSearch::leaves_bounds(const ForceFit& fit) const {
+  for (std::size_t i = 0; i < fit.terms.size(); ++i) {
+    const auto same = std::ranges::find(model_.fit.terms, fit.terms[i]);
+    if (!data_.is_physical(fit, i) &&
+        data_.is_physical(model_.fit, static_cast<std::size_t>(same - model_.fit.terms.begin()))) {
+      return true;
+    }
+  }
+  return false;
+}
+
 /// Judges each term, and takes out the one that matters least if it does not stay.
 bool ForceSearch::prune() {
   judged_.assign(model_.fit.terms.size(), {});
@@ -304,8 +316,12 @@ bool ForceSearch::prune() {
                   .gain = data_.gain_of(all[i].held, model_.held, true),
                   .without = all[i].fit};
   }
+  // One of two that are alike takes the place of the other, but not beyond its bounds.
+  const auto by_bounds_and_gain = [&](std::size_t i) {
+    return std::pair(leaves_bounds(all[i].fit), judged_[i].gain.mean);
+  };
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!stays(i) && (!least || judged_[i].gain.z < judged_[*least].gain.z)) {
+    if (!stays(i) && (!least || by_bounds_and_gain(i) < by_bounds_and_gain(*least))) {
       least = i;
     }
   }

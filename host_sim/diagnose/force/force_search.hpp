@@ -82,6 +82,7 @@ class ForceSearch {
   bool prune();
   [[nodiscard]] double not_worse_N2() const;
   [[nodiscard]] bool stays(std::size_t place) const;
+  [[nodiscard]] bool leaves_bounds(const ForceFit& fit) const;
   [[nodiscard]] bool alike(std::size_t place, ForceTerm other, const PairedGain& lost) const;
   static void beside_catalogue(ForceTerm imitated_by, double log_odds, Judged& one);
   bool exchange(bool allowed);
