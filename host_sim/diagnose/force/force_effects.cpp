@@ -157,8 +157,11 @@ constexpr ForceEffect kEffect{
 
 namespace load {
 
+/// A third is the contact of bodies that yield. Friction that rises little as the load does is one
+/// that does not depend on it.
 Parameters parameters(const ForceScales& /*scales*/) {
-  return {{"load_exponent", "1", -1, 1, {0.1}}};
+  constexpr double kMost = 0.7;
+  return {{"load_exponent", "1", -kMost, kMost, {0.1}}};
 }
 
 constexpr ForceEffect kEffect{
@@ -245,7 +248,7 @@ namespace loose_tendon {
 Parameters parameters(const ForceScales& scales) {
   Parameters all{slack_length(scales),
                  {"slack_log_drop", "1", 0, 5, {0.1}, false, false, kLeastDrop},
-                 {"slack_friction_share", "1", 0, 2, {1}}};
+                 {"slack_friction_share", "1", 0, 1, {1}}};
   all[1].beside = true;
   all[2].beside = true;
   return all;

@@ -315,6 +315,15 @@ TEST(DiagnoseForces, FrictionUnderAStillLoadIsNotLostBetweenTwoOfItsLaws) {
   }
 }
 
+/// 30 N, and 1 N that a load of 250 N adds: a law of the load that hardly lets it rise is no other
+/// one.
+TEST(DiagnoseForces, FrictionThatTheLoadDoesNotChangeIsLoadIndependent) {
+  const Findings findings = found(measured(
+      {.friction = 0.005, .load_N = 100, .still_N = 250, .preload_N = 30, .noise_N = 5}, 12));
+  EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
+  EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload"));
+}
+
 TEST(DiagnoseForces, FrictionOfTheLoadIsNotASheathThatGives) {
   Joint joint{.friction = 0.2, .load_exponent = 0.3, .noise_N = 0.1, .gain_scatter = 0.002};
   const Findings falling = found(measured(joint, 9));
