@@ -137,7 +137,7 @@ Parameters parameters(const ForceScales& scales) {
   const double stroke_m = scales.stroke_m;
   return {{"presliding_length_m",
            "m",
-           1e-4 * stroke_m,
+           5e-4 * stroke_m,
            0.5 * stroke_m,
            {0.01 * stroke_m, 0.05 * stroke_m, 0.15 * stroke_m}}};
 }
@@ -276,7 +276,7 @@ Parameters parameters(const ForceScales& scales) {
   const double unit_N_m = scales.force_N / scales.stroke_m;
   return {{"stiffness_N_m",
            "N/m",
-           0.1 * unit_N_m,
+           unit_N_m,
            1e4 * unit_N_m,
            {3 * unit_N_m, 30 * unit_N_m, 300 * unit_N_m}}};
 }

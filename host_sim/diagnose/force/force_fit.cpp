@@ -428,12 +428,15 @@ std::vector<double> ForceData::half_widths(const ForceFit& fit) const {
 bool ForceData::is_physical(const ForceFit& fit, std::size_t term) const {
   const auto values = parameters_at(term, fit.terms, fit.parameters, scales_);
   const auto parameters = parameters_of(fit.terms[term], scales_);
+  constexpr double kNear = 1e-3;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const ForceParameter& parameter = parameters[k];
-    const double margin = 1e-3 * (parameter.maximum - parameter.minimum);
-    const bool lowest = parameter.minimum != 0;
-    const bool at_bound = values[k] > parameter.maximum - margin ||
-                          (lowest && values[k] < parameter.minimum + margin);
+    const double range = parameter.maximum - parameter.minimum;
+    // What lies within a range of many decades is near its lower bound by a share of that.
+    const double lowest =
+        parameter.minimum > 0 ? (1 + kNear) * parameter.minimum : parameter.minimum + kNear * range;
+    const bool at_bound = values[k] > parameter.maximum - kNear * range ||
+                          (parameter.minimum != 0 && values[k] < lowest);
     if ((at_bound && !parameter.chosen && !parameter.beside) ||
         std::abs(values[k]) < parameter.resolved) {
       return false;

@@ -72,6 +72,20 @@ TEST(ForceData, ATendonThatHoldsAllOfItsForceIsNotLoose) {
   EXPECT_TRUE(is_loose(0.05));
 }
 
+/// Bounds go by force over stroke, 28 N / 0.1 m, from 1 to 10,000 of them: a tendon that stretches
+/// by half of its stroke is soft, not at a bound, as is one that hardly does.
+TEST(ForceData, ATendonIsSoftOrStiffWithinBounds) {
+  const ForceData data(measured({}, 7));
+  const double unit_N_m = data.scales().force_N / data.scales().stroke_m;
+  const auto within = [&](double units) {
+    return data.is_physical({{ForceTerm::compliance}, {1, 0.1, units * unit_N_m}, 0}, 0);
+  };
+  EXPECT_FALSE(within(1));
+  EXPECT_TRUE(within(2));
+  EXPECT_TRUE(within(9900));
+  EXPECT_FALSE(within(10000));
+}
+
 /// One sample in fifty is 30 N off, of a joint with 12 N of friction and noise of 0.7 N.
 TEST(WithoutOutliers, SamplesThatAreFarOffHaveNoPart) {
   std::vector<ForceRecord> records = measured({.preload_N = 12}, 3);
