@@ -190,18 +190,21 @@ SessionScatter session_scatter_of(const ForceData& data,
   const boost::math::chi_squared chance(sessions - 1);
   SessionScatter scatter;
   for (Eigen::Index k = 0; k < 2; ++k) {
+    const auto weight_of = [&](const ForceCovariance::Refit& refit) {
+      return 1 / (most[k] * most[k] + refit.variance(k));
+    };
     double weights = 0;
     double sum = 0;
-    double square = 0;
     double squares_N2 = 0;
     for (std::size_t j = 0; j < refits.size(); ++j) {
-      const double weight = 1 / (most[k] * most[k] + refits[j].variance(k));
-      weights += weight;
-      sum += weight * refits[j].value(k);
-      square += weight * refits[j].value(k) * refits[j].value(k);
+      weights += weight_of(refits[j]);
+      sum += weight_of(refits[j]) * refits[j].value(k);
       squares_N2 += data.covariance().squares(j)[k];
     }
-    const double statistic = square - sum * sum / weights;
+    double statistic = 0;
+    for (const ForceCovariance::Refit& refit : refits) {
+      statistic += weight_of(refit) * std::pow(refit.value(k) - sum / weights, 2);
+    }
     const double p =
         std::min(1.0, 2 * boost::math::cdf(boost::math::complement(chance, statistic)));
     scatter.statistic = std::max(scatter.statistic, statistic);

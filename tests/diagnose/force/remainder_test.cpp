@@ -77,6 +77,17 @@ TEST(ForceCovariates, OfSessionsAreThoseThatAllHaveAndThatDiffer) {
   EXPECT_THAT(names_of(force_covariates(one_without), true), ElementsAre("sheath temperature"));
 }
 
+/// All alike to the last bit, where a difference of sums would round to less than nothing.
+TEST(Remainder, SessionsThatAreCopiesDoNotScatter) {
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    std::vector<ForceRecord> records = measured({}, seed, 7);
+    std::fill(records.begin() + 1, records.end(), records.front());
+    const Discrepancy& scatter = against(left_of(std::move(records)), "session");
+    EXPECT_NEAR(scatter.statistic, 0, 1e-12);
+    EXPECT_EQ(scatter.p_after, 1);
+  }
+}
+
 /// Friction at 10 N is 0.2 N; 1 % of the force for each 1000 cycles goes with the life of the
 /// tendon, far above a scatter of 0.2 %.
 TEST(Remainder, ATrendOverTheLifeOfTheTendonIsSeenThere) {
