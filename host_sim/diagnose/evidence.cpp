@@ -25,6 +25,10 @@ constexpr double kMostFriction_sd = 0.02;
 constexpr double kShareOfSize = 0.25;
 constexpr double kShareOfAll = 0.1;
 
+/// Of a logarithm of tension, in eight digits: less than that squared is rounding, which may be
+/// below zero.
+constexpr double kLeastLogTension = 1e-8;
+
 double grid_value(double least, double most, std::size_t i) {
   return least * std::pow(most / least, static_cast<double>(i) / (kGridPoints - 1.0));
 }
@@ -58,7 +62,8 @@ double log_evidence_at(const ScatterPoint& point, const Terms& terms, Index resp
     occam = 2 * Eigen::MatrixXd(cholesky.matrixL()).diagonal().array().log().sum();
   }
   const double left = std::max(
-      all - explained, point.left(response, response) * std::numeric_limits<double>::epsilon());
+      {all - explained, point.left(response, response) * std::numeric_limits<double>::epsilon(),
+       kLeastLogTension * kLeastLogTension * samples});
   return -(point.log_determinants + occam + samples * std::log(left / samples)) / 2;
 }
 

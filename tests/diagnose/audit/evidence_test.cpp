@@ -166,5 +166,13 @@ TEST(Evidence, TheGridHoldsTheScatterOfUsualCampaigns) {
   EXPECT_TRUE(above);
 }
 
+/// Of an input that is the output times a number, gain takes all: what is left is a difference of
+/// sums, and as soon below zero as above it.
+TEST(Evidence, IsFiniteWhereNothingIsLeft) {
+  ScatterPoint exact{.noise = {}, .left = MatrixXd::Identity(kSize, kSize)};
+  exact.left(kResponse, kResponse) = -1e-14;
+  EXPECT_TRUE(std::isfinite(log_evidence({exact}, {}, kResponse, 100)));
+}
+
 }  // namespace
 }  // namespace host_sim::diagnose
