@@ -21,8 +21,12 @@ constexpr int kNominalIterations = 15;
 constexpr int kRounds = 3;  ///< of terms that take the place of others
 
 /// Of what a model leaves and is no noise: an effect that takes off less may imitate a part of
-/// that.
+/// that. Friction of a tendon that pulls alone is nearly all in proportion to its force, and its
+/// effects are more like each other: it takes more, but for one without which the error is a fifth
+/// larger.
 constexpr double kMaterialShare = 0.5;
+constexpr double kMaterialShareAlone = 2;
+constexpr double kLargeGain = 0.18;  ///< of ln rmse
 
 /// Of what is left at all: without an effect that takes off that the error is 2.5 % larger.
 constexpr double kLeastShare = 0.05;
@@ -272,9 +276,10 @@ bool ForceSearch::stays(std::size_t place) const {
   const double least = definition_of(one.term).of == ForceEffect::Of::time
                            ? kReadBetween * data_.noise_left()
                            : kLeastShare;
+  const bool large = !data_.records().front().pulls_alone || one.gain.mean >= kLargeGain;
+  const double share = large ? kMaterialShare : kMaterialShareAlone;
   const auto material = [&](double taken_N2, std::span<const double> noise_N2, double left_N2) {
-    return taken_N2 >= least * std::pow(data_.rmse_N(noise_N2), 2) &&
-           taken_N2 >= kMaterialShare * left_N2;
+    return taken_N2 >= least * std::pow(data_.rmse_N(noise_N2), 2) && taken_N2 >= share * left_N2;
   };
   return told_apart && data_.is_physical(model_.fit, place) &&
          one.gain.plain_N2 > -not_worse_N2() &&
