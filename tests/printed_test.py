@@ -3,7 +3,7 @@
     printed_test.py SOURCE HOST_SIM
 
 It is in a block without a language, where a command is what follows `$ ` (and goes on behind a backslash),
-and in README.md also in a block right behind one of commands. Each line shown has to be one that its command
+and in a block right behind one of commands. Each line shown has to be one that its command
 prints, in the same order, `...` for anything (toolchains/readme.py). Commands run in a folder of their own,
 in which the folders of the sources are; the blocks that need more are left out and counted.
 """
@@ -27,10 +27,9 @@ def shown_in(page, readme):
     for match in CONSOLE.finditer(text):
         parts = COMMAND.split(match[1])
         yield text.count("\n", 0, match.start(1)) + 1, parts[1::2], "\n".join(parts[2::2])
-    if page.name == "README.md":
-        for block in readme.blocks_of(text):
-            if block.printed is not None:
-                yield block.line + 1, readme.commands_of(block.text), block.printed.text
+    for block in readme.blocks_of(text):
+        if block.printed is not None:
+            yield block.line + 1, readme.commands_of(block.text), block.printed.text
 
 
 def main():
