@@ -121,6 +121,7 @@ ForceData ForceData::without_outliers(const ForceFit& fit) const {
       used[i] = used[i] && left[j](static_cast<Eigen::Index>(i)) <= most;
     }
   }
+  inliers.learn_covariance(fit, fit, true);
   return inliers;
 }
 

@@ -108,5 +108,22 @@ TEST(WithoutOutliers, SamplesThatAreFarOffHaveNoPart) {
   EXPECT_NEAR(inliers.finished(all).parameters[2], 12, 0.1);
 }
 
+/// Gains of sessions are 2 % above 1 and 2 % below in turn; only the upper ones have outliers.
+TEST(WithoutOutliers, SessionsThatHadSomeSayNoMoreOfTheGainThanOthers) {
+  std::vector<ForceRecord> records = measured({.noise_N = 0.1}, 4);
+  for (std::size_t j = 0; j < records.size(); ++j) {
+    const bool upper = j % 2 == 0;
+    for (std::size_t i = 0; i < records[j].samples(); ++i) {
+      records[j].input_N[i] *= upper ? 1.02 : 0.98;
+      records[j].input_N[i] += upper && i % 20 == 7 ? 2 : 0;
+    }
+  }
+  ForceData data(records);
+  const ForceFit nominal = data.fit({}, {1, 0.1}, 15);
+  data.learn_covariance(nominal, nominal, false);
+  const ForceData inliers = data.without_outliers(data.finished(nominal));
+  EXPECT_NEAR(inliers.finished(nominal).parameters[0], 1, 0.004);
+}
+
 }  // namespace
 }  // namespace host_sim::diagnose
