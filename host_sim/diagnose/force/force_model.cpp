@@ -61,20 +61,14 @@ class Slip {
 
   /// @param i the next sample
   void go_to(std::size_t i) {
-    const double moved_m = record_.position_m[i] - before_m_;
+    move_by(record_.reversal_m[i] - before_m_);
+    move_by(record_.position_m[i] - record_.reversal_m[i]);
     before_m_ = record_.position_m[i];
     slip_ = kinematics_.turned_over[i];
     if (values_.slack_m > 0) {
-      taken_up_ = std::clamp(taken_up_ + 2 * moved_m / values_.slack_m, -1.0, 1.0);
       slip_ = std::abs(taken_up_) == 1 && taken_up_ * slip_ > 0 ? slip_ : 0;
     }
-    if (values_.loose_m > 0) {
-      taken_up_ = std::clamp(taken_up_ + 2 * moved_m / values_.loose_m, -1.0, 1.0);
-    }
     if (values_.presliding_m > 0) {
-      const double side = moved_m > 0 ? 1 : moved_m < 0 ? -1 : presliding_;
-      presliding_ =
-          side + (presliding_ - side) * std::exp(-std::abs(moved_m) / values_.presliding_m);
       slip_ = presliding_;
     }
   }
@@ -85,6 +79,19 @@ class Slip {
   [[nodiscard]] bool loose() const { return values_.loose_m > 0 && std::abs(taken_up_) < 1; }
 
  private:
+  void move_by(double moved_m) {
+    for (const double play_m : {values_.slack_m, values_.loose_m}) {
+      if (play_m > 0) {
+        taken_up_ = std::clamp(taken_up_ + 2 * moved_m / play_m, -1.0, 1.0);
+      }
+    }
+    if (values_.presliding_m > 0) {
+      const double side = moved_m > 0 ? 1 : moved_m < 0 ? -1 : presliding_;
+      presliding_ =
+          side + (presliding_ - side) * std::exp(-std::abs(moved_m) / values_.presliding_m);
+    }
+  }
+
   const ForceRecord& record_;
   const Kinematics& kinematics_;
   const ForceValues& values_;
@@ -330,8 +337,10 @@ void predict_in_time(const ForceRecord& record, const Kinematics& kinematics,
       // Between slips the input follows the spring; it never leaves what friction holds.
       const auto [low_N, high_N] =
           std::minmax({forward.input_N(i, -1, slip.loose()), forward.input_N(i, 1, slip.loose())});
-      held_N += values.stiffness_N_m * (record.position_m[i] - record.position_m[i - 1]);
-      held_N = std::clamp(held_N, low_N, high_N);
+      for (const double moved_m : {record.reversal_m[i] - record.position_m[i - 1],
+                                   record.position_m[i] - record.reversal_m[i]}) {
+        held_N = std::clamp(held_N + values.stiffness_N_m * moved_m, low_N, high_N);
+      }
     } else {
       held_N = forward.input_N(i, slip.slip(), slip.loose());
     }
@@ -381,6 +390,23 @@ ForceScales scales_of(std::span<const ForceRecord> records) {
           .poses_rad = poses_of(records)};
 }
 
+std::vector<double> reversals_m(const ForceRecord& record) {
+  std::vector<double> reversals = record.position_m;
+  for (std::size_t i = 1; i < reversals.size(); ++i) {
+    const double before_m = record.position_m[i - 1];
+    const double before_m_s = record.velocity_m_s[i - 1];
+    const double after_m_s = record.velocity_m_s[i];
+    if (before_m_s * after_m_s < 0) {
+      const double rising_s =
+          (record.time_s[i] - record.time_s[i - 1]) * before_m_s / (before_m_s - after_m_s);
+      const double turned_m = before_m + before_m_s * rising_s / 2;
+      const auto [low_m, high_m] = std::minmax({before_m, turned_m, reversals[i]});
+      reversals[i] = before_m_s > 0 ? high_m : low_m;
+    }
+  }
+  return reversals;
+}
+
 Kinematics kinematics_of(const ForceRecord& record, const ForceScales& scales) {
   Kinematics kinematics;
   kinematics.turned_over = turned_over(record, scales);
@@ -414,6 +440,7 @@ void predict_input(const ForceRecord& record, const Kinematics& kinematics, cons
                               &behind.stroke_sine, &behind.stroke_cosine}) {
     *channel = read_at(places, *channel);
   }
+  read.reversal_m = reversals_m(read);
   behind.turned_over = turned_over(read, scales);
   predict_in_time(read, behind, values, scales, input_N);
 }

@@ -23,6 +23,7 @@ struct ForceRecord {
   std::vector<double> output_rate_N_s;  ///< d T_out/dt
   std::vector<double> velocity_m_s;
   std::vector<double> position_m;
+  std::vector<double> reversal_m;  ///< where it turned since the sample before; else its position
   std::vector<double> bend_angle_rad;
   std::vector<double> sheath_temperature_C;   ///< empty where no session varies in it
   std::vector<double> winding_temperature_C;  ///< the same
@@ -59,6 +60,10 @@ struct Kinematics {
   std::vector<std::size_t> pose;    ///< the nearest of ForceScales::poses_rad
   std::vector<double> stroke_sine, stroke_cosine;  ///< of its place in the stroke, a turn long
 };
+
+/// Where the motion turns between samples, on the parabola of their speeds, as reversal_m.
+std::vector<double> reversals_m(const ForceRecord& record);
+
 Kinematics kinematics_of(const ForceRecord& record, const ForceScales& scales);
 
 /// Effects of the catalogue that the forward model runs, a law each: an effect may have several.

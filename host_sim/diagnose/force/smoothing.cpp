@@ -78,6 +78,23 @@ void thin(std::vector<T>& values, std::size_t step) {
   values.resize(kept);
 }
 
+/// Of all places since the sample that is kept before one, the farthest beyond both; else its own.
+double reversal_m(const ForceRecord& record, std::size_t before, std::size_t at) {
+  const auto [low_m, high_m] = std::minmax(record.position_m[before], record.position_m[at]);
+  double reversal_m = record.position_m[at];
+  double farthest_m = 0;
+  for (std::size_t i = before + 1; i <= at; ++i) {
+    for (const double place_m : {record.reversal_m[i], record.position_m[i]}) {
+      const double beyond_m = std::max(place_m - high_m, low_m - place_m);
+      if (beyond_m > farthest_m) {
+        farthest_m = beyond_m;
+        reversal_m = place_m;
+      }
+    }
+  }
+  return reversal_m;
+}
+
 }  // namespace
 
 double smooth_output(std::vector<ForceRecord>& records) {
@@ -103,10 +120,13 @@ double smooth_output(std::vector<ForceRecord>& records) {
 
 void thin(ForceRecord& record, std::size_t most) {
   const std::size_t step = std::max<std::size_t>(1, record.samples() / most);
+  for (std::size_t i = step; i < record.samples(); i += step) {
+    record.reversal_m[i] = reversal_m(record, i - step, i);
+  }
   for (auto* values : {&record.time_s, &record.input_N, &record.output_N, &record.output_rate_N_s,
-                       &record.velocity_m_s, &record.position_m, &record.bend_angle_rad,
-                       &record.sheath_temperature_C, &record.winding_temperature_C,
-                       &record.rotor_rad, &record.cycle}) {
+                       &record.velocity_m_s, &record.position_m, &record.reversal_m,
+                       &record.bend_angle_rad, &record.sheath_temperature_C,
+                       &record.winding_temperature_C, &record.rotor_rad, &record.cycle}) {
     thin(*values, step);
   }
   thin(record.used, step);

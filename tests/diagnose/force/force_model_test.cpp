@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
@@ -30,6 +31,7 @@ ForceRecord record(const std::vector<double>& positions_m, double velocity_m_s, 
     record.time_s.push_back(0.1 * static_cast<double>(i));
   }
   record.position_m = positions_m;
+  record.reversal_m = positions_m;
   record.velocity_m_s.assign(samples, velocity_m_s);
   record.output_N.assign(samples, output_N);
   record.output_rate_N_s.assign(samples, 0);
@@ -137,6 +139,53 @@ double along_sheath_N(double output_N, double mu, double exponent, double side) 
     tension_N += rate(middle_N) * pi / kSteps;
   }
   return tension_N;
+}
+
+/// Strokes of 20 mm at 2 Hz, of which each sample in `every` of a millisecond is kept.
+ForceRecord strokes(std::size_t every) {
+  ForceRecord record;
+  record.session = "s";
+  for (std::size_t i = 0; i < 2000; i += every) {
+    const double time_s = 1e-3 * static_cast<double>(i);
+    const double turn = 4 * pi * time_s + 0.3;
+    record.time_s.push_back(time_s);
+    record.position_m.push_back(0.01 * std::sin(turn));
+    record.velocity_m_s.push_back(0.01 * 4 * pi * std::cos(turn));
+    record.output_N.push_back(10);
+  }
+  const std::size_t samples = record.time_s.size();
+  record.output_rate_N_s.assign(samples, 0);
+  record.input_N.assign(samples, 0);
+  record.bend_angle_rad.assign(samples, pi);
+  record.used.assign(samples, true);
+  record.reversal_m = reversals_m(record);
+  return record;
+}
+
+/// By samples 27 ms apart a force is what it is by samples of each millisecond, which come near to
+/// all reversals.
+TEST(ForceModel, MotionTurnsBetweenSamples) {
+  const struct {
+    ForceTerm term;
+    std::vector<double> parameters;
+  } laws[] = {{ForceTerm::presliding, {1, 0.1, 0.002}},
+              {ForceTerm::slack, {1, 0.1, 0.003}},
+              {ForceTerm::loose_tendon, {1, 0.1, 0.003, 0.5, 1}},
+              {ForceTerm::compliance, {1, 0.1, 2000}}};
+  constexpr std::size_t kEvery = 27;
+  const ForceRecord fine = strokes(1);
+  const ForceRecord coarse = strokes(kEvery);
+  for (const auto& [term, parameters] : laws) {
+    std::vector<double> fine_N;
+    std::vector<double> coarse_N;
+    predict_input(fine, kinematics_of(fine, kScales), {term}, kScales, parameters, fine_N);
+    predict_input(coarse, kinematics_of(coarse, kScales), {term}, kScales, parameters, coarse_N);
+    double most_N = 0;
+    for (std::size_t i = 1; i < coarse_N.size(); ++i) {
+      most_N = std::max(most_N, std::abs(coarse_N[i] - fine_N[i * kEvery]));
+    }
+    EXPECT_LT(most_N, 0.1) << definition_of(term).term;
+  }
 }
 
 TEST(ForceModel, FrictionFallsRelativeToTheLoadAlongTheSheath) {

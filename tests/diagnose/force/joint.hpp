@@ -80,6 +80,7 @@ inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int 
       record.bend_angle_rad.push_back(std::numbers::pi);
       record.used.push_back(true);
     }
+    record.reversal_m = reversals_m(record);
     records.push_back(std::move(record));
   }
   return records;

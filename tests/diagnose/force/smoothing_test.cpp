@@ -23,6 +23,8 @@ ForceRecord read(double (*output_N)(double time_s)) {
     record.output_N.push_back(output_N(time_s) + noise(engine));
   }
   record.output_rate_N_s.assign(600, 0);
+  record.position_m.assign(600, 0);
+  record.reversal_m.assign(600, 0);
   record.used.assign(600, true);
   return record;
 }
@@ -86,6 +88,22 @@ TEST(Smoothing, ThinningKeepsEachSoManySamples) {
   ForceRecord other = read(waving_N);
   thin(other, 301);
   EXPECT_EQ(other.samples(), 600U);
+}
+
+/// Of 1, 2, 3, 2, 1, 0, 1, 2 and 3 mm the first and the fourth of each three are kept: the motion
+/// turned at 3 mm between 1 and 2 mm, and at -0.2 mm, before any sample showed it, between 2 and 1.
+TEST(Smoothing, ThinningKeepsWhereTheMotionTurned) {
+  ForceRecord record;
+  for (const double place_m : {1e-3, 2e-3, 3e-3, 2e-3, 1e-3, 0.0, 1e-3, 2e-3, 3e-3}) {
+    record.time_s.push_back(0);
+    record.position_m.push_back(place_m);
+  }
+  record.reversal_m = record.position_m;
+  record.reversal_m[6] = -0.2e-3;
+  record.used.assign(9, true);
+  thin(record, 3);
+  EXPECT_EQ(record.position_m, (std::vector<double>{1e-3, 2e-3, 1e-3}));
+  EXPECT_EQ(record.reversal_m, (std::vector<double>{1e-3, 3e-3, -0.2e-3}));
 }
 
 }  // namespace
