@@ -30,7 +30,7 @@ struct ForceData::Normal {
 };
 
 ForceData::ForceData(std::vector<ForceRecord> records) : records_(std::move(records)) {
-  noise_left_ = smooth_output(records_);
+  noise_left_N2_ = smooth_output(records_);
   for (ForceRecord& record : records_) {
     record.reversal_m = reversals_m(record);
     thin(record, kMostSamples);

@@ -52,8 +52,8 @@ class ForceData {
   [[nodiscard]] const std::vector<Kinematics>& kinematics() const { return kinematics_; }
   [[nodiscard]] double samples() const { return samples_; }
 
-  /// The share of the variance of the output's noise that smoothing has left.
-  [[nodiscard]] double noise_left() const { return noise_left_; }
+  /// The variance of the output's noise that smoothing has left.
+  [[nodiscard]] double noise_left_N2() const { return noise_left_N2_; }
 
   /// From here on gain and friction of sessions scatter as this model leaves them to.
   /// @param with_timing whether samples may have been read sooner or later than their time
@@ -141,7 +141,7 @@ class ForceData {
   ForceScales scales_;
   std::vector<Kinematics> kinematics_;  ///< of each record
   ForceCovariance covariance_;
-  double noise_left_ = 1;
+  double noise_left_N2_ = 0;
   double gain_weight_N2_ = 0;   ///< of the square of ln gain, beside the residuals
   std::vector<double> counts_;  ///< of samples that count, by record
   double resolution_m_ = 0;     ///< standard deviation of a place between samples, of all reversals

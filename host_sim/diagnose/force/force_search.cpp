@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "host_sim/statistics/parallel.hpp"
@@ -28,12 +29,10 @@ constexpr double kMaterialShare = 0.5;
 constexpr double kMaterialShareAlone = 2;
 constexpr double kLargeGain = 0.18;  ///< of ln rmse
 
-/// Of what is left at all: without an effect that takes off that the error is 2.5 % larger.
+/// Of what is left at all: without an effect that takes off that the error is 2.5 % larger. What
+/// reads a channel between its samples takes off noise of the output by that alone, and more than
+/// is left of it.
 constexpr double kLeastShare = 0.05;
-
-/// The same for an effect that reads a channel between its samples, which halves noise that is the
-/// output's alone where both ends have as much.
-constexpr double kReadBetween = 1.0 / 3;
 
 /// Of what an effect takes off, by which its law and one that could be in its place are not told
 /// apart, nor another law of friction beside it from what it leaves.
@@ -273,13 +272,13 @@ bool ForceSearch::stays(std::size_t place) const {
   // Beside the scatter of sessions, or as it is where that takes up nearly all of it: what shifts
   // whole sessions.
   const HeldOut& held = model_.held;
-  const double least = definition_of(one.term).of == ForceEffect::Of::time
-                           ? kReadBetween * data_.noise_left()
-                           : kLeastShare;
   const bool large = !data_.records().front().pulls_alone || one.gain.mean >= kLargeGain;
   const double share = large ? kMaterialShare : kMaterialShareAlone;
   const auto material = [&](double taken_N2, std::span<const double> noise_N2, double left_N2) {
-    return taken_N2 >= least * std::pow(data_.rmse_N(noise_N2), 2) && taken_N2 >= share * left_N2;
+    const double least_N2 = definition_of(one.term).of == ForceEffect::Of::time
+                                ? data_.noise_left_N2()
+                                : kLeastShare * std::pow(data_.rmse_N(noise_N2), 2);
+    return taken_N2 >= std::max(least_N2, share * left_N2);
   };
   return told_apart && data_.is_physical(model_.fit, place) &&
          one.gain.plain_N2 > -not_worse_N2() &&
@@ -317,11 +316,12 @@ bool ForceSearch::prune() {
                   .without = all[i].fit};
   }
   // One of two that are alike takes the place of the other, but not beyond its bounds.
-  const auto by_bounds_and_gain = [&](std::size_t i) {
-    return std::pair(leaves_bounds(all[i].fit), judged_[i].gain.mean);
+  const auto by_what_is_lost = [&](std::size_t i) {
+    const bool certain = probability_of(judged_[i].term, judged_[i].gain, data_) >= kNamed;
+    return std::tuple(leaves_bounds(all[i].fit), certain, judged_[i].gain.mean);
   };
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!stays(i) && (!least || by_bounds_and_gain(i) < by_bounds_and_gain(*least))) {
+    if (!stays(i) && (!least || by_what_is_lost(i) < by_what_is_lost(*least))) {
       least = i;
     }
   }

@@ -99,6 +99,7 @@ double reversal_m(const ForceRecord& record, std::size_t before, std::size_t at)
 
 double smooth_output(std::vector<ForceRecord>& records) {
   constexpr int kSamples[] = {4, 8, 16};
+  constexpr double kOfNeighbours = 35.0 / 18;  // of the noise, 1 + (2 * 4^2 + 2 * 1^2)/6^2
   double least_N2 = off_neighbours(records);
   std::optional<Smoothed> best;
   for (const int samples : kSamples) {
@@ -109,13 +110,13 @@ double smooth_output(std::vector<ForceRecord>& records) {
     }
   }
   if (!best) {
-    return 1;
+    return least_N2 / kOfNeighbours;
   }
   for (std::size_t j = 0; j < records.size(); ++j) {
     records[j].output_N = std::move(best->output_N[j]);
     records[j].output_rate_N_s = std::move(best->rate_N_s[j]);
   }
-  return best->own;
+  return best->own * (1 - best->own) * best->off_N2;
 }
 
 void thin(ForceRecord& record, std::size_t most) {
