@@ -333,12 +333,17 @@ class Report {
     return sessions > 0 ? std::optional(kPercent * sum / sessions) : std::nullopt;
   }
 
+  /// Whether it is one of some causes, by each of which the model gains as much.
+  static bool told_between(const Findings& findings) {
+    return findings.verdict == Verdict::ambiguous && improves(findings.gain);
+  }
+
   /// What the causes leave, and without any the nominal model, gets a correction. A written model
-  /// holds that and what of the causes it can.
+  /// holds that and what of the causes it can; of some that could be each other's it holds one.
   void extend(TensionDiagnosis& diagnosis) {
     Findings& findings = diagnosis.findings;
-    const bool named = findings.verdict == Verdict::named;
-    const ForceSearch::Candidate& by = named ? search_.model() : search_.nominal();
+    const bool by_causes = findings.verdict == Verdict::named || told_between(findings);
+    const ForceSearch::Candidate& by = by_causes ? search_.model() : search_.nominal();
     extended_ = {by.fit, by.held.residuals_N, std::nullopt};
     if (findings.verdict != Verdict::none && !few()) {
       extended_ = corrected(std::move(extended_));
@@ -348,7 +353,7 @@ class Report {
       if (written_term_of(written.fit, i)) {
         ++i;
       } else {
-        written.fit = data_.without(written.fit, i);
+        written.fit = in_a_written_model(written.fit, i);
       }
     }
     if (written.fit.terms != extended_.fit.terms) {
@@ -359,6 +364,9 @@ class Report {
       findings.extensions.push_back(*written_term_of(written.fit, i));
     }
     add_refitted(written.fit, diagnosis);
+    if (told_between(findings) && !findings.extensions.empty()) {
+      findings.prose += either_way_prose(written.fit.terms);
+    }
     if (written.correction) {
       findings.extensions.push_back(
           written_correction(*written.correction, written.fit.parameters[0]));
@@ -375,6 +383,20 @@ class Report {
     if (!findings.extensions.empty()) {
       diagnosis.damage_ratio = damage_ratio();
     }
+  }
+
+  /// With another law in the place of one that no model holds, where that does as well; else
+  /// without it.
+  [[nodiscard]] ForceFit in_a_written_model(const ForceFit& model, std::size_t place) const {
+    const ForceFit without = data_.without(model, place);
+    for (const Judged& one : search_.judged()) {
+      for (const ForceTerm other : one.others) {
+        if (one.term == model.terms[place] && definition_of(other).written != nullptr) {
+          return data_.finished(data_.started(without, std::span(&other, 1), 1).front());
+        }
+      }
+    }
+    return without;
   }
 
   /// Its correction with it, where that gains on sessions that nothing was fitted to.

@@ -84,6 +84,16 @@ std::string imitation_prose(const ForceEffect& effect, const ForceEffect& outsid
       effect.term, effect.id, outside.term, outside.equation);
 }
 
+std::string either_way_prose(const ForceTerms& written) {
+  std::string terms;
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    terms += i == 0 ? "" : i + 1 == written.size() ? " and " : ", ";
+    terms += definition_of(written[i]).term;
+  }
+  return fmt::format(
+      " A model that is written holds {}, by which it predicts as well as by others.", terms);
+}
+
 std::string correction_prose(const Correction& correction) {
   return fmt::format(
       " What is left repeats in sessions that nothing was fitted to: a correction over {} by "

@@ -26,6 +26,10 @@ std::string how_far(const std::vector<Step>& steps);
 /// Why an effect is not named that explains what is there, behind other sentences.
 std::string imitation_prose(const ForceEffect& effect, const ForceEffect& outside);
 
+/// Which of causes that could be each other's a model holds that is written, behind other
+/// sentences.
+std::string either_way_prose(const ForceTerms& written);
+
 /// "A correction ... takes the error ... from ... to ..." behind other sentences.
 std::string correction_prose(const Correction& correction);
 

@@ -347,18 +347,28 @@ bool imitated(const Findings& signatures, const TensionDiagnosis& forces) {
   });
 }
 
-/// Where signatures of ln T do not tell the cause of an error, effects in newtons may; else they
-/// say how far it goes where it has none. What signatures name stands unless that is imitated.
+/// Where signatures of ln T do not tell the cause of an error, effects in newtons may, or between
+/// which it is; else they say how far it goes where it has none. What signatures name stands unless
+/// that is imitated.
 TensionDiagnosis in_newtons_after(TensionDiagnosis signatures, TensionDiagnosis forces) {
   Findings& found = forces.findings;
   const bool withdrawn = imitated(signatures.findings, forces);
   if (signatures.findings.verdict == Verdict::named && !withdrawn) {
     return signatures;
   }
-  if (withdrawn || found.verdict == Verdict::named) {
+  const bool more_is_told =
+      found.verdict == Verdict::named ||
+      (found.verdict == Verdict::ambiguous && signatures.findings.verdict == Verdict::unknown);
+  if (withdrawn || more_is_told) {
     found.invisible = std::move(signatures.findings.invisible);
-    std::ranges::move(signatures.findings.equivalent_sets,
-                      std::back_inserter(found.equivalent_sets));
+    for (std::vector<std::string>& set : signatures.findings.equivalent_sets) {
+      const bool told = std::ranges::any_of(found.equivalent_sets, [&](const auto& other) {
+        return std::ranges::is_permutation(set, other);
+      });
+      if (!told) {
+        found.equivalent_sets.push_back(std::move(set));
+      }
+    }
     found.next_experiment = std::move(signatures.findings.next_experiment);
     return forces;
   }

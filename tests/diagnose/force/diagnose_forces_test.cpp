@@ -133,8 +133,9 @@ TEST(DiagnoseForces, AChannelThatIsLateIsNoLag) {
   EXPECT_NEAR(estimate(findings, "delay_s").value, -0.03, 0.005);  // half a sample
 }
 
-/// All motion goes one way at one speed: friction that the load does not change and a zero of the
-/// load cell are one force.
+/// All motion goes one way at one speed: friction of 8 N that the load does not change and a zero
+/// of the load cell are one force, which gain and friction coefficient can't be for a load that
+/// turns over.
 TEST(DiagnoseForces, WhatIsAsGoodInThePlaceOfACauseIsACandidateToo) {
   std::vector<ForceRecord> records = measured({.noise_N = 0.2}, 6);
   for (ForceRecord& record : records) {
@@ -161,6 +162,12 @@ TEST(DiagnoseForces, WhatIsAsGoodInThePlaceOfACauseIsACandidateToo) {
         << ids[i];
   }
   EXPECT_EQ(findings.credible_set.size(), ids.size() - 1);
+  // By one of them the model is right either way.
+  ASSERT_EQ(findings.extensions.size(), 1U);
+  EXPECT_THAT(ids, Contains(findings.extensions.front().id));
+  EXPECT_LT(metric(findings, "input_rmse_N", true), 0.8);
+  EXPECT_GT(metric(findings, "input_rmse_N", false), 1.5);
+  EXPECT_THAT(findings.prose, HasSubstr("by which it predicts as well"));
 }
 
 TEST(DiagnoseForces, NamesLoadIndependentAndViscousFrictionOfASignedForce) {
