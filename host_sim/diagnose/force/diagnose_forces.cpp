@@ -350,7 +350,7 @@ class Report {
     }
     Extended written = extended_;
     for (std::size_t i = 0; i < written.fit.terms.size();) {
-      if (written_term_of(written.fit, i)) {
+      if (is_writable(written.fit.terms[i])) {
         ++i;
       } else {
         written.fit = in_a_written_model(written.fit, i);
@@ -361,7 +361,10 @@ class Report {
       written = corrected(std::move(written));
     }
     for (std::size_t i = 0; i < written.fit.terms.size(); ++i) {
-      findings.extensions.push_back(*written_term_of(written.fit, i));
+      findings.extensions.push_back(
+          *written_term(written.fit.terms[i],
+                        parameters_at(i, written.fit.terms, written.fit.parameters, data_.scales()),
+                        data_.scales()));
     }
     add_refitted(written.fit, diagnosis);
     if (told_between(findings) && !findings.extensions.empty()) {
@@ -385,15 +388,26 @@ class Report {
     }
   }
 
-  /// With another law in the place of one that no model holds, where that does as well; else
-  /// without it.
+  /// With another law in the place of one that no model holds, of the same effect or of one that
+  /// does as well; else without it.
   [[nodiscard]] ForceFit in_a_written_model(const ForceFit& model, std::size_t place) const {
     const ForceFit without = data_.without(model, place);
-    for (const Judged& one : search_.judged()) {
-      for (const ForceTerm other : one.others) {
-        if (one.term == model.terms[place] && definition_of(other).written != nullptr) {
-          return data_.finished(data_.started(without, std::span(&other, 1), 1).front());
-        }
+    std::vector<ForceTerm> others;
+    for (unsigned i = 0; i < kForceTermCount; ++i) {
+      const auto law = static_cast<ForceTerm>(i);
+      if (definition_of(law).id == definition_of(model.terms[place]).id &&
+          is_shown(law, data_.records())) {
+        others.push_back(law);
+      }
+    }
+    const auto judged = std::ranges::find(search_.judged(), model.terms[place], &Judged::term);
+    if (judged != search_.judged().end()) {
+      others.insert(others.end(), judged->others.begin(), judged->others.end());
+    }
+    std::erase(others, model.terms[place]);
+    for (const ForceTerm other : others) {
+      if (is_writable(other)) {
+        return data_.finished(data_.started(without, std::span(&other, 1), 1).front());
       }
     }
     return without;
@@ -414,15 +428,9 @@ class Report {
     return std::ranges::all_of(data_.records(), &ForceRecord::rotor_known);
   }
 
-  /// The table of a term of a model; none of what a written model cannot hold.
-  [[nodiscard]] std::optional<Extension> written_term_of(const ForceFit& model,
-                                                         std::size_t place) const {
-    if (model.terms[place] == ForceTerm::position && !rotor_known()) {
-      return std::nullopt;
-    }
-    return written_term(model.terms[place],
-                        parameters_at(place, model.terms, model.parameters, data_.scales()),
-                        data_.scales());
+  /// Whether a model that is written can hold a term.
+  [[nodiscard]] bool is_writable(ForceTerm term) const {
+    return definition_of(term).written != nullptr && (term != ForceTerm::position || rotor_known());
   }
 
   void add_refitted(const ForceFit& model, TensionDiagnosis& diagnosis) const {

@@ -155,6 +155,31 @@ constexpr ForceEffect kEffect{
 
 }  // namespace presliding
 
+namespace elastic_presliding {
+
+/// A length that friction turns over by is how far it stretches a tendon of this stiffness.
+Parameters parameters(const ForceScales& scales) {
+  const double unit_N_m = scales.force_N / scales.stroke_m;
+  return {{"presliding_stiffness_N_m",
+           "N/m",
+           unit_N_m,
+           1e4 * unit_N_m,
+           {5 * unit_N_m, 100 * unit_N_m}}};
+}
+
+constexpr ForceEffect kEffect{
+    "presliding",
+    "presliding over a length that grows with friction",
+    "s becomes z, dz/dx = (sgn(dx) - z) k/F, F the friction that is turned over",
+    "short strokes see less friction than long ones, at a high load more so",
+    pulls_alone,
+    parameters,
+    [](Numbers numbers, ForceValues& values) { values.presliding_N_m = numbers[0]; },
+    nullptr,
+    ForceEffect::Of::friction};
+
+}  // namespace elastic_presliding
+
 namespace load {
 
 /// A third is the contact of bodies that yield. Friction that rises little as the load does is one
@@ -609,15 +634,29 @@ constexpr ForceEffect kEffect{
 }  // namespace bent_sensor
 
 /// In order of ForceTerm.
-constexpr std::array<ForceEffect, kForceTermCount> kEffects{
-    preload::kEffect,     velocity::kEffect,       presliding::kEffect,
-    stribeck::kEffect,    load::kEffect,           position::kEffect,
-    slack::kEffect,       loose_tendon::kEffect,   compliance::kEffect,
-    lag::kEffect,         delay::kEffect,          zero::kEffect,
-    temperature::kEffect, wear::kEffect,           run_in::kEffect,
-    bend_angle::kEffect,  current_offset::kEffect, gear_asymmetry::kEffect,
-    torque_gain::kEffect, torque_ripple::kEffect,  giving_sheath::kEffect,
-    bent_sensor::kEffect};
+constexpr std::array<ForceEffect, kForceTermCount> kEffects{preload::kEffect,
+                                                            velocity::kEffect,
+                                                            presliding::kEffect,
+                                                            elastic_presliding::kEffect,
+                                                            stribeck::kEffect,
+                                                            load::kEffect,
+                                                            position::kEffect,
+                                                            slack::kEffect,
+                                                            loose_tendon::kEffect,
+                                                            compliance::kEffect,
+                                                            lag::kEffect,
+                                                            delay::kEffect,
+                                                            zero::kEffect,
+                                                            temperature::kEffect,
+                                                            wear::kEffect,
+                                                            run_in::kEffect,
+                                                            bend_angle::kEffect,
+                                                            current_offset::kEffect,
+                                                            gear_asymmetry::kEffect,
+                                                            torque_gain::kEffect,
+                                                            torque_ripple::kEffect,
+                                                            giving_sheath::kEffect,
+                                                            bent_sensor::kEffect};
 
 }  // namespace
 

@@ -157,7 +157,7 @@ double ForceData::square_of(const ForceTerms& terms, std::span<const double> par
   const double log_gain = std::log(parameters[0]);
   double square_N2 = gain_weight_N2_ * log_gain * log_gain;
   for (std::size_t j = 0; j < records_.size(); ++j) {
-    if (!is_held_out(j, fold)) {
+    if (!is_left_out(j, fold)) {
       const std::vector<double> left_N = residuals_N(j, terms, parameters);
       square_N2 += covariance_.product(j, vector_of(left_N), vector_of(left_N))(0, 0);
     }
@@ -175,12 +175,19 @@ ForceData::Normal ForceData::normal_of(const ForceTerms& terms, std::span<const 
                 .gradient = Eigen::VectorXd::Zero(count),
                 .of_records = {}};
   for (std::size_t j = 0; j < records_.size(); ++j) {
-    if (is_held_out(j, fold)) {
+    if (is_left_out(j, fold)) {
       continue;
     }
     const std::vector<double> at = residuals_N(j, terms, parameters);
     Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(at.size()), count);
-    for (Eigen::Index k = 0; k < count; ++k) {
+    // All that a load cell reads is in proportion to the gain.
+    const bool by_gain = records_[j].input_N_per_A == 0;
+    for (std::size_t i = 0; by_gain && i < at.size(); ++i) {
+      const ForceRecord& of = records_[j];
+      jacobian(static_cast<Eigen::Index>(i), 0) =
+          of.used[i] ? (of.input_N[i] - at[i]) / parameters[0] : 0;
+    }
+    for (Eigen::Index k = by_gain ? 1 : 0; k < count; ++k) {
       const ForceParameter& parameter = all[static_cast<std::size_t>(k)];
       if (parameter.chosen) {
         jacobian.col(k).setZero();
@@ -277,15 +284,16 @@ std::vector<ForceFit> ForceData::started(const ForceFit& from, std::span<const F
       starts.push_back({term, std::move(parameters)});
     }
   }
-  const auto fit_one = [&](std::size_t term, const std::vector<double>& parameters) {
+  const auto fit_one = [&](std::size_t term, const std::vector<double>& parameters, int fold) {
     ForceTerms terms = from.terms;
     terms.push_back(more[term]);
-    return fit(terms, parameters, kFirstIterations);
+    return fit(terms, parameters, kFirstIterations, fold);
   };
   std::vector<ForceFit> tried(starts.size());
   statistics::parallel_for(
       starts.size(),
-      [&](std::size_t i) { tried[i] = fit_one(starts[i].term, starts[i].parameters); }, threads);
+      [&](std::size_t i) { tried[i] = fit_one(starts[i].term, starts[i].parameters, kSome); },
+      threads);
   std::vector<const ForceFit*> best(more.size());
   for (std::size_t i = 0; i < starts.size(); ++i) {
     const ForceFit*& of_term = best[starts[i].term];
@@ -295,7 +303,7 @@ std::vector<ForceFit> ForceData::started(const ForceFit& from, std::span<const F
   }
   std::vector<ForceFit> all(more.size());
   statistics::parallel_for(
-      all.size(), [&](std::size_t term) { all[term] = fit_one(term, best[term]->parameters); },
+      all.size(), [&](std::size_t term) { all[term] = fit_one(term, best[term]->parameters, -1); },
       threads);
   return all;
 }

@@ -60,15 +60,16 @@ class Slip {
         before_m_(record.position_m.front()) {}
 
   /// @param i the next sample
-  void go_to(std::size_t i) {
-    move_by(record_.reversal_m[i] - before_m_);
-    move_by(record_.position_m[i] - record_.reversal_m[i]);
+  /// @param presliding_m the length that friction turns over by there; 0: at once
+  void go_to(std::size_t i, double presliding_m) {
+    move_by(record_.reversal_m[i] - before_m_, presliding_m);
+    move_by(record_.position_m[i] - record_.reversal_m[i], presliding_m);
     before_m_ = record_.position_m[i];
     slip_ = kinematics_.turned_over[i];
     if (values_.slack_m > 0) {
       slip_ = std::abs(taken_up_) == 1 && taken_up_ * slip_ > 0 ? slip_ : 0;
     }
-    if (values_.presliding_m > 0) {
+    if (presliding_m > 0) {
       slip_ = presliding_;
     }
   }
@@ -79,16 +80,15 @@ class Slip {
   [[nodiscard]] bool loose() const { return values_.loose_m > 0 && std::abs(taken_up_) < 1; }
 
  private:
-  void move_by(double moved_m) {
+  void move_by(double moved_m, double presliding_m) {
     for (const double play_m : {values_.slack_m, values_.loose_m}) {
       if (play_m > 0) {
         taken_up_ = std::clamp(taken_up_ + 2 * moved_m / play_m, -1.0, 1.0);
       }
     }
-    if (values_.presliding_m > 0) {
+    if (presliding_m > 0) {
       const double side = moved_m > 0 ? 1 : moved_m < 0 ? -1 : presliding_;
-      presliding_ =
-          side + (presliding_ - side) * std::exp(-std::abs(moved_m) / values_.presliding_m);
+      presliding_ = side + (presliding_ - side) * std::exp(-std::abs(moved_m) / presliding_m);
     }
   }
 
@@ -148,13 +148,7 @@ class Forward {
   /// Input force before the gain, for a friction that is turned over by `slip`.
   /// @param loose whether the drive holds only a part of the force
   [[nodiscard]] double input_N(std::size_t i, double slip, bool loose) const {
-    double output_N = record_.output_N[i] - values_.zero_N;
-    if (values_.bent_share != 0) {
-      output_N *= 1 + values_.bent_share * std::pow(output_N / scales_.force_N, 2);
-    }
-    if (values_.lag_s > 0) {
-      output_N += values_.lag_s * record_.output_rate_N_s[i];
-    }
+    const double output_N = output_of_tendon_N(i);
     const double size_N = std::abs(output_N);
     const double speed_m_s = std::abs(record_.velocity_m_s[i]);
     const double place = by_position_ ? position_factor(i) : 1;
@@ -184,6 +178,16 @@ class Forward {
                                              -kMostLogRatio, kMostLogRatio));
     const double other_N = values_.preload_N * place * warm + values_.viscous_N_s_m * speed_m_s;
     return output_N * ratio + other_N * slip;
+  }
+
+  /// The length that friction turns over by; 0: at once.
+  [[nodiscard]] double presliding_m(std::size_t i) const {
+    if (values_.presliding_N_m == 0) {
+      return values_.presliding_m;
+    }
+    constexpr double kLeast_m = 1e-9;
+    const double friction_N = input_N(i, 1, false) - output_of_tendon_N(i);
+    return std::max(friction_N / values_.presliding_N_m, kLeast_m);
   }
 
   /// What the drive has for a force: as a current shows it, with what is wrong with the motor.
@@ -219,6 +223,18 @@ class Forward {
           values_.harmonics[2 * harmonic - 2] * sine + values_.harmonics[2 * harmonic - 1] * cosine;
     }
     return factor;
+  }
+
+  /// The output force without what is wrong with its sensor.
+  [[nodiscard]] double output_of_tendon_N(std::size_t i) const {
+    double output_N = record_.output_N[i] - values_.zero_N;
+    if (values_.bent_share != 0) {
+      output_N *= 1 + values_.bent_share * std::pow(output_N / scales_.force_N, 2);
+    }
+    if (values_.lag_s > 0) {
+      output_N += values_.lag_s * record_.output_rate_N_s[i];
+    }
+    return output_N;
   }
 
   [[nodiscard]] double age_factor(std::size_t i) const {
@@ -332,7 +348,7 @@ void predict_in_time(const ForceRecord& record, const Kinematics& kinematics,
   Lag lag(-values.lag_s);
   double held_N = 0;
   for (std::size_t i = 0; i < record.samples(); ++i) {
-    slip.go_to(i);
+    slip.go_to(i, forward.presliding_m(i));
     if (values.stiffness_N_m > 0 && i > 0) {
       // Between slips the input follows the spring; it never leaves what friction holds.
       const auto [low_N, high_N] =

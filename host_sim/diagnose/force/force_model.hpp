@@ -72,6 +72,7 @@ enum class ForceTerm : unsigned {
   preload,
   velocity,
   presliding,
+  elastic_presliding,
   stribeck,
   load,
   position,
@@ -92,7 +93,7 @@ enum class ForceTerm : unsigned {
   giving_sheath,
   bent_sensor,
 };
-inline constexpr std::size_t kForceTermCount = 22;
+inline constexpr std::size_t kForceTermCount = 23;
 using ForceTerms = std::vector<ForceTerm>;
 
 /// A parameter with bounds of physics, and what a fit tries to start with.
@@ -121,6 +122,7 @@ struct ForceValues {
   double stribeck_friction = 0;
   double stribeck_velocity_m_s = 1;
   double presliding_m = 0;
+  double presliding_N_m = 0;  ///< of a length that is in proportion to the friction
   double load_exponent = 0;
   std::array<double, 2 * kHarmonics> harmonics{};  ///< sine and cosine of each, of the stroke
   double slack_m = 0;

@@ -15,8 +15,10 @@ namespace {
 constexpr double kOdds = 3;
 constexpr double kAlike = 0.05;
 
-/// One that leaves that of what the effect takes off is not asked on other sessions.
+/// One that leaves that of what the effect takes off is not asked on other sessions, nor fitted any
+/// further where it starts with so much.
 constexpr double kFarOff = 0.5;
+constexpr double kHopeless = 0.9;
 
 constexpr int kNominalIterations = 15;
 constexpr int kRounds = 3;  ///< of terms that take the place of others
@@ -187,13 +189,17 @@ std::vector<ForceTerm> ForceSearch::beside(const ForceTerms& taken) const {
 
 /// The model with one of these more, those that start best and stay within physics, the least
 /// squares first.
-std::vector<ForceSearch::Candidate> ForceSearch::with_each(
-    const ForceFit& from, const std::vector<ForceTerm>& terms) const {
+/// @param most_N2 that a term may start with
+std::vector<ForceSearch::Candidate> ForceSearch::with_each(const ForceFit& from,
+                                                           const std::vector<ForceTerm>& terms,
+                                                           double most_N2) const {
   constexpr std::size_t kFinished = 5;
   const auto by_squares = [](const Candidate& one) { return one.fit.square_N2; };
   std::vector<Candidate> all;
   for (ForceFit& fit : data_.started(from, terms, options_.threads)) {
-    all.push_back({std::move(fit), {}});
+    if (fit.square_N2 <= most_N2) {
+      all.push_back({std::move(fit), {}});
+    }
   }
   std::ranges::sort(all, {}, by_squares);
   all.resize(std::min(all.size(), kFinished));
@@ -226,7 +232,7 @@ void ForceSearch::hold_out(std::vector<Candidate>& all) const {
 /// there.
 bool ForceSearch::grow() {
   constexpr std::size_t kTried = 4;
-  std::vector<Candidate> all = with_each(model_.fit, beside(model_.fit.terms));
+  std::vector<Candidate> all = with_each(model_.fit, beside(model_.fit.terms), HUGE_VAL);
   all.resize(std::min(all.size(), kTried));
   hold_out(all);
   std::erase_if(all, [&](const Candidate& one) {
@@ -267,7 +273,8 @@ bool ForceSearch::stays(std::size_t place) const {
   const Judged& one = judged_[place];
   const bool told_apart = std::ranges::all_of(judged_, [&](const Judged& other) {
     return !both_of(ForceEffect::Of::friction, one.term, other.term) ||
-           one.gain.beside_scatter_N2 >= kLawError * other.gain.beside_scatter_N2;
+           one.gain.beside_scatter_N2 >= kLawError * other.gain.beside_scatter_N2 ||
+           (moves_sessions(one) && one.gain.taken_N2 >= kLawError * other.gain.taken_N2);
   });
   // Beside the scatter of sessions, or as it is where that takes up nearly all of it: what shifts
   // whole sessions.
@@ -391,8 +398,9 @@ std::vector<ForceSearch::Candidate> ForceSearch::in_place_of(std::size_t place) 
       others.push_back(static_cast<ForceTerm>(i));
     }
   }
-  std::vector<Candidate> all = with_each(judged_[place].without, others);
   const double taken_N2 = judged_[place].without.square_N2 - model_.fit.square_N2;
+  std::vector<Candidate> all =
+      with_each(judged_[place].without, others, model_.fit.square_N2 + kHopeless * taken_N2);
   std::erase_if(all, [&](const Candidate& one) {
     return one.fit.square_N2 - model_.fit.square_N2 > kFarOff * taken_N2;
   });

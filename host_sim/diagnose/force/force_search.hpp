@@ -74,7 +74,8 @@ class ForceSearch {
   void learn_covariance(bool with_timing);
   [[nodiscard]] std::vector<ForceTerm> beside(const ForceTerms& taken) const;
   [[nodiscard]] std::vector<Candidate> with_each(const ForceFit& from,
-                                                 const std::vector<ForceTerm>& terms) const;
+                                                 const std::vector<ForceTerm>& terms,
+                                                 double most_N2) const;
   void hold_out(std::vector<Candidate>& all) const;
   bool grow();
   [[nodiscard]] std::vector<Candidate>::iterator first_law_as_good(

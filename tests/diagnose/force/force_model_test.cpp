@@ -121,6 +121,15 @@ TEST(ForceModel, PreslidingTurnsFrictionOverWithTheTravel) {
   EXPECT_NEAR(predicted(record({0, 0.03, 0.02}, -1, 10), terms, {1, 0, 3, 0.01}), 10 + 3 * z, 1e-9);
 }
 
+/// 3 N of friction stretch 300 N/m by 10 mm, 6 N by 20 mm.
+TEST(ForceModel, ATendonThatStretchesTurnsMoreFrictionOverALongerWay) {
+  const ForceTerms terms{ForceTerm::preload, ForceTerm::elastic_presliding};
+  EXPECT_NEAR(predicted(record({0, 0.01}, 1, 10), terms, {1, 0, 3, 300}),
+              10 + 3 * (1 - std::exp(-1)), 1e-9);
+  EXPECT_NEAR(predicted(record({0, 0.01}, 1, 10), terms, {1, 0, 6, 300}),
+              10 + 6 * (1 - std::exp(-0.5)), 1e-9);
+}
+
 TEST(ForceModel, SlackTransmitsNoFrictionUntilItIsTakenUp) {
   const ForceTerms terms{ForceTerm::preload, ForceTerm::slack};
   EXPECT_NEAR(predicted(record({0, 0.05, 0.049}, -1, 10), terms, {1, 0, 3, 0.01}), 10, 1e-9);
@@ -169,6 +178,7 @@ TEST(ForceModel, MotionTurnsBetweenSamples) {
     ForceTerm term;
     std::vector<double> parameters;
   } laws[] = {{ForceTerm::presliding, {1, 0.1, 0.002}},
+              {ForceTerm::elastic_presliding, {1, 0.1, 1500}},
               {ForceTerm::slack, {1, 0.1, 0.003}},
               {ForceTerm::loose_tendon, {1, 0.1, 0.003, 0.5, 1}},
               {ForceTerm::compliance, {1, 0.1, 2000}}};
