@@ -41,8 +41,8 @@ ForceParameter slack_length(const ForceScales& scales) {
           true};
 }
 
-/// ln of what a loose tendon lacks at least: one that has all of its force is not loose.
-constexpr double kLeastDrop = 0.02;
+/// ln of what a loose tendon lacks at least: one that has nearly all of its force is not loose.
+constexpr double kLeastDrop = 0.04;
 constexpr double kOfStep = 0.04;  ///< of the time between samples, which times are resolved by
 
 bool has_current(const ForceRecord& record) {
