@@ -18,6 +18,7 @@
 
 #include "hal/files/input_file.hpp"
 #include "host_sim/campaign/campaign.hpp"
+#include "host_sim/extension/model_file.hpp"
 #include "host_sim/recording/import.hpp"
 #include "tests/diagnose/force/joint.hpp"
 #include "tests/io/support.hpp"
@@ -168,6 +169,43 @@ TEST(DiagnoseForces, WhatIsAsGoodInThePlaceOfACauseIsACandidateToo) {
   EXPECT_LT(metric(findings, "input_rmse_N", true), 0.8);
   EXPECT_GT(metric(findings, "input_rmse_N", false), 1.5);
   EXPECT_THAT(findings.prose, HasSubstr("by which it predicts as well"));
+}
+
+/// A tendon that pulls 25 .. 55 N over a drum, where mu phi is 0.3, and stretches by 1 mm/N.
+std::vector<ForceRecord> over_a_drum(unsigned seed) {
+  std::vector<ForceRecord> records = measured({.load_N = 15, .still_N = 40, .noise_N = 0.1}, seed);
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> noise(0, 0.2);
+  for (std::size_t j = 0; j < records.size(); ++j) {
+    ForceRecord& record = records[j];
+    record.pulls_alone = true;
+    const double omega = 2 * std::numbers::pi * (0.3 + 0.1 * static_cast<double>(j));
+    double z = 0;
+    double before_m = 0;
+    for (std::size_t i = 0; i < record.samples(); ++i) {
+      constexpr int kParts = 20;
+      const double full_N = record.output_N[i] * std::expm1(0.3);
+      for (int part = 1; part <= kParts && i > 0; ++part) {
+        const double x = 0.05 * std::sin(omega * (record.time_s[i] - 0.01 + 0.01 * part / kParts));
+        const double side = x > before_m ? 1 : -1;
+        z = side + (z - side) * std::exp(-std::abs(x - before_m) / (full_N / 1000));
+        before_m = x;
+      }
+      record.input_N[i] = record.output_N[i] * std::exp(0.3 * z) + noise(engine);
+    }
+  }
+  return records;
+}
+
+/// A model that is written has presliding over a length that is always the same: near that of 40 N.
+TEST(DiagnoseForces, WhereNoModelHoldsALawItHoldsAnotherOfTheSameEffect) {
+  const Findings findings = found(over_a_drum(7));
+  EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
+  EXPECT_THAT(ids_of(findings), UnorderedElementsAre("presliding"));
+  EXPECT_NEAR(estimate(findings, "presliding_stiffness_N_m").value, 1000, 50);
+  ASSERT_FALSE(findings.extensions.empty());
+  EXPECT_EQ(findings.extensions.front().id, "presliding");
+  EXPECT_NEAR(value_of(findings.extensions.front(), "presliding_length_m"), 0.014, 0.004);
 }
 
 TEST(DiagnoseForces, NamesLoadIndependentAndViscousFrictionOfASignedForce) {
