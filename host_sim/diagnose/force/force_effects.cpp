@@ -613,6 +613,26 @@ constexpr ForceEffect kEffect{
 
 }  // namespace giving_sheath
 
+namespace one_way_friction {
+
+Parameters parameters(const ForceScales& /*scales*/) {
+  return {{"one_way_share", "1", -0.9, 0.9, {0.1}}};
+}
+
+constexpr ForceEffect kEffect{
+    "one_way_friction",
+    "friction that is larger one way than the other",
+    "all friction (1 + c s)",
+    "",
+    [](const ForceRecord& record) { return !record.pulls_alone; },
+    parameters,
+    [](Numbers numbers, ForceValues& values) { values.one_way_share = numbers[0]; },
+    nullptr,
+    ForceEffect::Of::friction,
+    true};
+
+}  // namespace one_way_friction
+
 namespace bent_sensor {
 
 Parameters parameters(const ForceScales& /*scales*/) {
@@ -633,30 +653,33 @@ constexpr ForceEffect kEffect{
 
 }  // namespace bent_sensor
 
+using Effects = std::array<ForceEffect, kForceTermCount>;
+
 /// In order of ForceTerm.
-constexpr std::array<ForceEffect, kForceTermCount> kEffects{preload::kEffect,
-                                                            velocity::kEffect,
-                                                            presliding::kEffect,
-                                                            elastic_presliding::kEffect,
-                                                            stribeck::kEffect,
-                                                            load::kEffect,
-                                                            position::kEffect,
-                                                            slack::kEffect,
-                                                            loose_tendon::kEffect,
-                                                            compliance::kEffect,
-                                                            lag::kEffect,
-                                                            delay::kEffect,
-                                                            zero::kEffect,
-                                                            temperature::kEffect,
-                                                            wear::kEffect,
-                                                            run_in::kEffect,
-                                                            bend_angle::kEffect,
-                                                            current_offset::kEffect,
-                                                            gear_asymmetry::kEffect,
-                                                            torque_gain::kEffect,
-                                                            torque_ripple::kEffect,
-                                                            giving_sheath::kEffect,
-                                                            bent_sensor::kEffect};
+constexpr Effects kEffects{preload::kEffect,
+                           velocity::kEffect,
+                           presliding::kEffect,
+                           elastic_presliding::kEffect,
+                           stribeck::kEffect,
+                           load::kEffect,
+                           position::kEffect,
+                           slack::kEffect,
+                           loose_tendon::kEffect,
+                           compliance::kEffect,
+                           lag::kEffect,
+                           delay::kEffect,
+                           zero::kEffect,
+                           temperature::kEffect,
+                           wear::kEffect,
+                           run_in::kEffect,
+                           bend_angle::kEffect,
+                           current_offset::kEffect,
+                           gear_asymmetry::kEffect,
+                           torque_gain::kEffect,
+                           torque_ripple::kEffect,
+                           giving_sheath::kEffect,
+                           one_way_friction::kEffect,
+                           bent_sensor::kEffect};
 
 }  // namespace
 

@@ -163,6 +163,8 @@ class Forward {
       warm += values_.temperature_1_K * (record_.sheath_temperature_C[i] - kReference_C);
     }
     double log_ratio = coefficient * warm * angle_rad(i) * slip;
+    const double by_way = 1 + values_.one_way_share * slip;
+    log_ratio *= by_way;
     if (values_.giving_share != 0) {
       log_ratio *= std::max(0.0, 1 + values_.giving_share * (size_N / scales_.force_N - 1));
     }
@@ -177,7 +179,7 @@ class Forward {
     const double ratio = std::exp(std::clamp(along_sheath(side * log_ratio, values_.load_exponent),
                                              -kMostLogRatio, kMostLogRatio));
     const double other_N = values_.preload_N * place * warm + values_.viscous_N_s_m * speed_m_s;
-    return output_N * ratio + other_N * slip;
+    return output_N * ratio + other_N * by_way * slip;
   }
 
   /// The length that friction turns over by; 0: at once.

@@ -91,9 +91,10 @@ enum class ForceTerm : unsigned {
   torque_gain,
   torque_ripple,
   giving_sheath,
+  one_way_friction,
   bent_sensor,
 };
-inline constexpr std::size_t kForceTermCount = 23;
+inline constexpr std::size_t kForceTermCount = 24;
 using ForceTerms = std::vector<ForceTerm>;
 
 /// A parameter with bounds of physics, and what a fit tries to start with.
@@ -145,8 +146,9 @@ struct ForceValues {
   double ripple_sine_A = 0;
   double ripple_cosine_A = 0;
   double ripple_harmonic = 0;
-  double giving_share = 0;  ///< of the bend angle, as the load doubles from ForceScales::force_N
-  double bent_share = 0;    ///< of the output force at ForceScales::force_N, that grows as its cube
+  double giving_share = 0;   ///< of the bend angle, as the load doubles from ForceScales::force_N
+  double one_way_share = 0;  ///< of all friction, more of it one way and less the other
+  double bent_share = 0;  ///< of the output force at ForceScales::force_N, that grows as its cube
 };
 
 /// One law of an effect, with all that is known of it.

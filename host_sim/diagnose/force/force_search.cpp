@@ -394,8 +394,9 @@ std::vector<ForceSearch::Candidate> ForceSearch::in_place_of(std::size_t place) 
   std::vector<ForceTerm> others = beside(judged_[place].without.terms);
   std::erase(others, judged_[place].term);
   for (unsigned i = 0; i < kForceTermCount; ++i) {
-    if (definition_of(static_cast<ForceTerm>(i)).outside) {
-      others.push_back(static_cast<ForceTerm>(i));
+    const auto term = static_cast<ForceTerm>(i);
+    if (definition_of(term).outside && is_shown(term, data_.records())) {
+      others.push_back(term);
     }
   }
   const double taken_N2 = judged_[place].without.square_N2 - model_.fit.square_N2;

@@ -355,6 +355,15 @@ TEST(ForceModel, ASheathThatGivesBendsByTheLoad) {
               -5 * std::exp(-0.1 * 0.9 * pi), 1e-9);
 }
 
+/// 3 N and a fifth more one way, a fifth less the other.
+TEST(ForceModel, FrictionMayBeLargerOneWayThanTheOther) {
+  const ForceTerms terms{ForceTerm::preload, ForceTerm::one_way_friction};
+  EXPECT_NEAR(predicted(record({0, 0.1}, 1, 10), terms, {1, 0, 3, 0.2}), 13.6, 1e-9);
+  EXPECT_NEAR(predicted(record({0, -0.1}, -1, 10), terms, {1, 0, 3, 0.2}), 7.6, 1e-9);
+  EXPECT_NEAR(predicted(record({0, 0.1}, 1, 10), {ForceTerm::one_way_friction}, {1, 0.1, 0.2}),
+              10 * std::exp(0.12 * pi), 1e-9);
+}
+
 TEST(ForceModel, ASensorThatIsNotLinearShowsALargeForceTooSmall) {
   EXPECT_TRUE(definition_of(ForceTerm::bent_sensor).outside);
   // A tenth at the scale of force, four tenths at twice of it, whatever its sign.

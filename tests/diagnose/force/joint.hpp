@@ -23,6 +23,7 @@ struct Joint {
   double turn_over_m_s = 1e-3;
   double preload_N = 0;
   double viscous_N_s_m = 0;
+  double one_way = 0;         ///< of the friction, more of it one way and less the other
   double cogging_N = 0;       ///< not in the catalogue of the forward model
   double noise_N = 0.5;       ///< of either end
   double relative_noise = 0;  ///< of the input, beside that
@@ -58,9 +59,9 @@ inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int 
       const double of_load_N = joint.friction * 10 *
                                std::pow(std::abs(load_N) / 10, 1 - joint.load_exponent) *
                                (1 + joint.giving * (std::abs(load_N) / 28 - 1));
-      const double friction_N =
-          std::tanh(read_m_s / joint.turn_over_m_s) * (of_load_N + joint.preload_N) +
-          joint.viscous_N_s_m * v;
+      const double slip = std::tanh(read_m_s / joint.turn_over_m_s);
+      const double friction_N = slip * (1 + joint.one_way * slip) * (of_load_N + joint.preload_N) +
+                                joint.viscous_N_s_m * v;
       const double spring_N = joint.spring_N * x / 0.05;
       const double drift_N = joint.drift_N * (t / 2.5 - 1);
       const double inertia_N = -joint.moved_kg * omega * omega * x;
