@@ -391,7 +391,7 @@ class Report {
   /// With another law in the place of one that no model holds, of the same effect or of one that
   /// does as well; else without it.
   [[nodiscard]] ForceFit in_a_written_model(const ForceFit& model, std::size_t place) const {
-    const ForceFit without = data_.without(model, place);
+    ForceFit without = data_.without(model, place);
     std::vector<ForceTerm> others;
     for (unsigned i = 0; i < kForceTermCount; ++i) {
       const auto law = static_cast<ForceTerm>(i);
