@@ -82,7 +82,8 @@ TEST(Remainder, SessionsThatAreCopiesDoNotScatter) {
   for (unsigned seed = 1; seed <= 8; ++seed) {
     std::vector<ForceRecord> records = measured({}, seed, 7);
     std::fill(records.begin() + 1, records.end(), records.front());
-    const Discrepancy& scatter = against(left_of(std::move(records)), "session");
+    const ForceRemainder remainder = left_of(std::move(records));
+    const Discrepancy& scatter = against(remainder, "session");
     EXPECT_NEAR(scatter.statistic, 0, 1e-12);
     EXPECT_EQ(scatter.p_after, 1);
   }
