@@ -1,5 +1,7 @@
 #include "host_sim/diagnose/diagnosis.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace host_sim::diagnose {
@@ -80,6 +82,17 @@ bool withdraw_unless_improved(Findings& findings) {
     findings.extensions.clear();
   }
   return withdrawn;
+}
+
+std::string listed(const std::vector<std::string>& items, std::string_view last) {
+  std::string text;
+  for (std::size_t i = 0; i < items.size(); ++i) {
+    if (i > 0) {
+      text += i + 1 == items.size() ? fmt::format(" {} ", last) : ", ";
+    }
+    text += items[i];
+  }
+  return text;
 }
 
 std::string no_gain_prose(const Findings& findings) {

@@ -136,6 +136,10 @@ struct Findings {
 /// @return whether that is so
 bool withdraw_unless_improved(Findings& findings);
 
+/// "a", "a and b", "a, b and c".
+/// @param last the word before the last one
+std::string listed(const std::vector<std::string>& items, std::string_view last);
+
 /// Why nothing was extended, as a sentence behind others; empty where that is not for want of a
 /// gain.
 [[nodiscard]] std::string no_gain_prose(const Findings& findings);

@@ -333,17 +333,14 @@ class Report {
     return sessions > 0 ? std::optional(kPercent * sum / sessions) : std::nullopt;
   }
 
-  /// Whether it is one of some causes, by each of which the model gains as much.
-  static bool told_between(const Findings& findings) {
-    return findings.verdict == Verdict::ambiguous && improves(findings.gain);
-  }
-
   /// What the causes leave, and without any the nominal model, gets a correction. A written model
   /// holds that and what of the causes it can; of some that could be each other's it holds one.
   void extend(TensionDiagnosis& diagnosis) {
     Findings& findings = diagnosis.findings;
-    const bool by_causes = findings.verdict == Verdict::named || told_between(findings);
-    const ForceSearch::Candidate& by = by_causes ? search_.model() : search_.nominal();
+    const bool named = findings.verdict == Verdict::named;
+    // It is one of some causes, by each of which the model gains as much.
+    const bool between = findings.verdict == Verdict::ambiguous && improves(findings.gain);
+    const ForceSearch::Candidate& by = named || between ? search_.model() : search_.nominal();
     extended_ = {by.fit, by.held.residuals_N, std::nullopt};
     if (findings.verdict != Verdict::none && !few()) {
       extended_ = corrected(std::move(extended_));
@@ -367,7 +364,7 @@ class Report {
                         data_.scales()));
     }
     add_refitted(written.fit, diagnosis);
-    if (told_between(findings) && !findings.extensions.empty()) {
+    if (between && !findings.extensions.empty()) {
       findings.prose += either_way_prose(written.fit.terms);
     }
     if (written.correction) {
@@ -407,7 +404,7 @@ class Report {
     std::erase(others, model.terms[place]);
     for (const ForceTerm other : others) {
       if (is_writable(other)) {
-        return data_.finished(data_.started(without, std::span(&other, 1), 1).front());
+        return data_.with(without, other, 1);
       }
     }
     return without;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "host_sim/diagnose/force/force_model.hpp"
 #include "host_sim/extension/model_file.hpp"
@@ -41,6 +42,16 @@ ForceParameter slack_length(const ForceScales& scales) {
           true};
 }
 
+/// k of laws of a tendon that stretches.
+/// @param starts in units of the rms force over the stroke
+ForceParameter stiffness(std::string name, const ForceScales& scales, std::vector<double> starts) {
+  const double unit_N_m = scales.force_N / scales.stroke_m;
+  for (double& start : starts) {
+    start *= unit_N_m;
+  }
+  return {std::move(name), "N/m", unit_N_m, 1e4 * unit_N_m, std::move(starts)};
+}
+
 /// ln of what a loose tendon lacks at least: one that has nearly all of its force is not loose.
 constexpr double kLeastDrop = 0.04;
 constexpr double kOfStep = 0.04;  ///< of the time between samples, which times are resolved by
@@ -51,6 +62,10 @@ bool has_current(const ForceRecord& record) {
 
 bool pulls_alone(const ForceRecord& record) {
   return record.pulls_alone;
+}
+
+bool works_both_ways(const ForceRecord& record) {
+  return !record.pulls_alone;
 }
 
 namespace preload {
@@ -159,12 +174,7 @@ namespace elastic_presliding {
 
 /// A length that friction turns over by is how far it stretches a tendon of this stiffness.
 Parameters parameters(const ForceScales& scales) {
-  const double unit_N_m = scales.force_N / scales.stroke_m;
-  return {{"presliding_stiffness_N_m",
-           "N/m",
-           unit_N_m,
-           1e4 * unit_N_m,
-           {5 * unit_N_m, 100 * unit_N_m}}};
+  return {stiffness("presliding_stiffness_N_m", scales, {5, 100})};
 }
 
 constexpr ForceEffect kEffect{
@@ -260,7 +270,7 @@ constexpr ForceEffect kEffect{
     "backlash",
     "no friction within b of a reversal",
     "the tendon runs free at reversals, and shocks follow",
-    [](const ForceRecord& record) { return !record.pulls_alone; },
+    works_both_ways,
     parameters,
     [](Numbers numbers, ForceValues& values) { values.slack_m = numbers[0]; },
     nullptr,
@@ -298,12 +308,7 @@ constexpr ForceEffect kEffect{"slack",
 namespace compliance {
 
 Parameters parameters(const ForceScales& scales) {
-  const double unit_N_m = scales.force_N / scales.stroke_m;
-  return {{"stiffness_N_m",
-           "N/m",
-           unit_N_m,
-           1e4 * unit_N_m,
-           {3 * unit_N_m, 30 * unit_N_m, 300 * unit_N_m}}};
+  return {stiffness("stiffness_N_m", scales, {3, 30, 300})};
 }
 
 constexpr ForceEffect kEffect{
@@ -624,7 +629,7 @@ constexpr ForceEffect kEffect{
     "friction that is larger one way than the other",
     "all friction (1 + c s)",
     "",
-    [](const ForceRecord& record) { return !record.pulls_alone; },
+    works_both_ways,
     parameters,
     [](Numbers numbers, ForceValues& values) { values.one_way_share = numbers[0]; },
     nullptr,

@@ -83,6 +83,10 @@ class ForceData {
                                               unsigned threads) const;
   /// The same with all iterations, or fewer where it is there before.
   [[nodiscard]] ForceFit finished(const ForceFit& fit) const;
+  /// With one term more and all iterations.
+  [[nodiscard]] ForceFit with(const ForceFit& from, ForceTerm term, unsigned threads) const {
+    return finished(started(from, std::span(&term, 1), threads).front());
+  }
   /// Without one of its terms.
   [[nodiscard]] ForceFit without(const ForceFit& fit, std::size_t place) const;
 

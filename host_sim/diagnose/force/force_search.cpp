@@ -151,11 +151,7 @@ std::vector<ForceSearch::Candidate> ForceSearch::stairs() const {
       stairs.push_back(*added.grown);
     } else {
       all_so_far = false;
-      Candidate next{
-          data_.finished(
-              data_.started(stairs.back().fit, std::span(&added.term, 1), options_.threads)
-                  .front()),
-          {}};
+      Candidate next{data_.with(stairs.back().fit, added.term, options_.threads), {}};
       next.held = data_.held_out(next.fit);
       stairs.push_back(std::move(next));
     }

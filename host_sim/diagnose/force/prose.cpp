@@ -20,29 +20,28 @@ std::string what_is_left(const Remainder& remainder) {
 
 std::string listed(const std::vector<FoundEffect>& effects) {
   constexpr double kPercent = 100;
-  std::string text;
-  for (std::size_t i = 0; i < effects.size(); ++i) {
-    text += i == 0 ? "" : i + 1 == effects.size() ? " and " : ", ";
-    text += fmt::format("{} ({}, {:.1f} %)", effects[i].term, effects[i].id,
-                        kPercent * effects[i].probability);
+  std::vector<std::string> terms;
+  terms.reserve(effects.size());
+  for (const FoundEffect& effect : effects) {
+    terms.push_back(
+        fmt::format("{} ({}, {:.1f} %)", effect.term, effect.id, kPercent * effect.probability));
   }
-  return text;
+  return listed(terms, "and");
 }
 
 std::string how_far(const std::vector<Step>& steps) {
   if (steps.size() < 2) {
     return "";
   }
-  std::string effects;
+  std::vector<std::string> effects;
   for (std::size_t i = 1; i < steps.size(); ++i) {
-    effects += i == 1 ? "" : i + 1 == steps.size() ? " and " : ", ";
-    effects += fmt::format("{} ({})", steps[i].effect.term, steps[i].effect.id);
+    effects.push_back(fmt::format("{} ({})", steps[i].effect.term, steps[i].effect.id));
   }
   return fmt::format(
       " On sessions held out, Capstan friction alone has an error of {:.3g} N of output and {:.3g} "
       "N of input tension; with {} that is {:.3g} N and {:.3g} N.",
-      steps.front().output_rmse_N, steps.front().input_rmse_N, effects, steps.back().output_rmse_N,
-      steps.back().input_rmse_N);
+      steps.front().output_rmse_N, steps.front().input_rmse_N, listed(effects, "and"),
+      steps.back().output_rmse_N, steps.back().input_rmse_N);
 }
 
 std::string verdict_prose(const Findings& findings, std::size_t sessions, double nominal_rmse_N) {
@@ -85,13 +84,14 @@ std::string imitation_prose(const ForceEffect& effect, const ForceEffect& outsid
 }
 
 std::string either_way_prose(const ForceTerms& written) {
-  std::string terms;
-  for (std::size_t i = 0; i < written.size(); ++i) {
-    terms += i == 0 ? "" : i + 1 == written.size() ? " and " : ", ";
-    terms += definition_of(written[i]).term;
+  std::vector<std::string> terms;
+  terms.reserve(written.size());
+  for (const ForceTerm term : written) {
+    terms.emplace_back(definition_of(term).term);
   }
   return fmt::format(
-      " A model that is written holds {}, by which it predicts as well as by others.", terms);
+      " A model that is written holds {}, by which it predicts as well as by others.",
+      listed(terms, "and"));
 }
 
 std::string correction_prose(const Correction& correction) {

@@ -81,18 +81,18 @@ void thin(std::vector<T>& values, std::size_t step) {
 /// Of all places since the sample that is kept before one, the farthest beyond both; else its own.
 double reversal_m(const ForceRecord& record, std::size_t before, std::size_t at) {
   const auto [low_m, high_m] = std::minmax(record.position_m[before], record.position_m[at]);
-  double reversal_m = record.position_m[at];
+  double turned_m = record.position_m[at];
   double farthest_m = 0;
   for (std::size_t i = before + 1; i <= at; ++i) {
     for (const double place_m : {record.reversal_m[i], record.position_m[i]}) {
       const double beyond_m = std::max(place_m - high_m, low_m - place_m);
       if (beyond_m > farthest_m) {
         farthest_m = beyond_m;
-        reversal_m = place_m;
+        turned_m = place_m;
       }
     }
   }
-  return reversal_m;
+  return turned_m;
 }
 
 }  // namespace

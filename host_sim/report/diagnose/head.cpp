@@ -15,19 +15,8 @@ namespace {
 
 using diagnose::DataFindings;
 using diagnose::Findings;
+using diagnose::listed;
 using diagnose::Verdict;
-
-/// "a", "a and b", "a, b and c".
-std::string listed(const std::vector<std::string>& items, std::string_view last) {
-  std::string text;
-  for (std::size_t i = 0; i < items.size(); ++i) {
-    if (i > 0) {
-      text += i + 1 == items.size() ? fmt::format(" {} ", last) : ", ";
-    }
-    text += items[i];
-  }
-  return text;
-}
 
 std::string named(const Findings& findings) {
   std::vector<std::string> terms;

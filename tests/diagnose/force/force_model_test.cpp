@@ -152,23 +152,20 @@ double along_sheath_N(double output_N, double mu, double exponent, double side) 
 
 /// Strokes of 20 mm at 2 Hz, of which each sample in `every` of a millisecond is kept.
 ForceRecord strokes(std::size_t every) {
-  ForceRecord record;
-  record.session = "s";
+  std::vector<double> times_s;
+  std::vector<double> positions_m;
+  std::vector<double> velocities_m_s;
   for (std::size_t i = 0; i < 2000; i += every) {
-    const double time_s = 1e-3 * static_cast<double>(i);
-    const double turn = 4 * pi * time_s + 0.3;
-    record.time_s.push_back(time_s);
-    record.position_m.push_back(0.01 * std::sin(turn));
-    record.velocity_m_s.push_back(0.01 * 4 * pi * std::cos(turn));
-    record.output_N.push_back(10);
+    times_s.push_back(1e-3 * static_cast<double>(i));
+    const double turn = 4 * pi * times_s.back() + 0.3;
+    positions_m.push_back(0.01 * std::sin(turn));
+    velocities_m_s.push_back(0.01 * 4 * pi * std::cos(turn));
   }
-  const std::size_t samples = record.time_s.size();
-  record.output_rate_N_s.assign(samples, 0);
-  record.input_N.assign(samples, 0);
-  record.bend_angle_rad.assign(samples, pi);
-  record.used.assign(samples, true);
-  record.reversal_m = reversals_m(record);
-  return record;
+  ForceRecord moving = record(positions_m, 0, 10);
+  moving.time_s = times_s;
+  moving.velocity_m_s = velocities_m_s;
+  moving.reversal_m = reversals_m(moving);
+  return moving;
 }
 
 /// By samples 27 ms apart a force is what it is by samples of each millisecond, which come near to
