@@ -201,7 +201,9 @@ struct TensionDiagnosis {
   std::vector<ResidualPicture> residuals;
   std::vector<RemainderPicture> remainders;
   std::vector<SessionRefit> session_refits;
-  std::vector<std::string> imitated;  ///< effects that what is outside of the catalogue may be
+  /// Effects that what is outside of the catalogue may be, and of those asked for that nothing is
+  /// seen of.
+  std::vector<std::string> doubted;
   /// Damage of a recording as the nominal model books it over that of the extended one, geometric
   /// mean of the recordings; 1 where nothing was extended.
   double damage_ratio = 1;

@@ -93,7 +93,7 @@ class Report {
                      doubts(data_.records(), search_.model().fit.parameters, nominal_);
     for (const Judged& one : search_.judged()) {
       if (one.imitated_by) {
-        diagnosis.imitated.emplace_back(definition_of(one.term).id);
+        diagnosis.doubted.emplace_back(definition_of(one.term).id);
         findings.prose += imitation_prose(definition_of(one.term), definition_of(*one.imitated_by));
       }
     }
@@ -138,30 +138,42 @@ class Report {
            probability_of(one.term, one.gain, data_) >= kNamed;
   }
 
+  /// Effects that may be all that is wrong, of these odds.
+  struct Set {
+    std::vector<std::string> ids;
+    double odds = 1;
+  };
+
   void add_candidates(Findings& findings) const {
     const std::string rest = findings.verdict == Verdict::none ? "none" : "unknown";
     double all = few() ? 0 : 1;
-    std::vector<std::vector<std::string>> sets(1);
+    std::vector<Set> sets(1);
     for (const Judged& one : search_.judged()) {
       if (findings.verdict == Verdict::named && !stands(one)) {
         continue;
       }
-      all *= probability_of(one.term, one.gain, data_) * one.share /
-             static_cast<double>(1 + one.others.size());
+      double odds = 1;
+      for (const Judged::Other& other : one.others) {
+        odds += std::exp(-other.log_odds);
+      }
+      all *= probability_of(one.term, one.gain, data_) * one.share / odds;
       const std::size_t before = sets.size();
-      for (const ForceTerm other : one.others) {
-        sets.push_back(sets.front());
-        sets.back().emplace_back(definition_of(other).id);
+      for (const Judged::Other& other : one.others) {
+        for (std::size_t i = 0; i < before; ++i) {
+          sets.push_back(sets[i]);
+          sets.back().ids.emplace_back(definition_of(other.term).id);
+          sets.back().odds *= std::exp(-other.log_odds);
+        }
       }
       for (std::size_t i = 0; i < before; ++i) {
-        sets[i].emplace_back(definition_of(one.term).id);
+        sets[i].ids.emplace_back(definition_of(one.term).id);
       }
     }
-    if (!sets.front().empty() && all > 0) {
+    if (!sets.front().ids.empty() && all > 0) {
       add_sets(sets, remainder_.stands ? kOnlyCauses * all : all, findings.candidates);
       if (remainder_.stands) {
-        for (std::vector<std::string>& ids : sets) {
-          ids.push_back(rest);
+        for (Set& set : sets) {
+          set.ids.push_back(rest);
         }
         add_sets(std::move(sets), (1 - kOnlyCauses) * all, findings.candidates);
       }
@@ -175,17 +187,16 @@ class Report {
     findings.credible_set = credible_set_of(findings.candidates);
   }
 
-  /// Of as much probability each: the model, and with one effect in the place of another.
-  static void add_sets(std::vector<std::vector<std::string>> sets, double each,
-                       std::vector<Candidate>& candidates) {
-    for (std::vector<std::string>& ids : sets) {
-      std::ranges::sort(ids);
-      const std::string id = fmt::format("{}", fmt::join(ids, "+"));
+  /// @param first probability of the model itself, which has odds of 1
+  static void add_sets(std::vector<Set> sets, double first, std::vector<Candidate>& candidates) {
+    for (Set& set : sets) {
+      std::ranges::sort(set.ids);
+      const std::string id = fmt::format("{}", fmt::join(set.ids, "+"));
       const auto same = std::ranges::find(candidates, id, &Candidate::id);
       if (same == candidates.end()) {
-        candidates.push_back({id, each});
+        candidates.push_back({id, set.odds * first});
       } else {
-        same->probability += each;  // by another law
+        same->probability += set.odds * first;  // by another law
       }
     }
   }
@@ -228,8 +239,8 @@ class Report {
       found.probability = probability_of(one.term, one.gain, data_);
       if (!one.others.empty()) {
         std::vector<std::string> same{found.id};
-        for (const ForceTerm other : one.others) {
-          same.emplace_back(definition_of(other).id);
+        for (const Judged::Other& other : one.others) {
+          same.emplace_back(definition_of(other.term).id);
         }
         findings.equivalent_sets.push_back(std::move(same));
       }
@@ -399,7 +410,9 @@ class Report {
     }
     const auto judged = std::ranges::find(search_.judged(), model.terms[place], &Judged::term);
     if (judged != search_.judged().end()) {
-      others.insert(others.end(), judged->others.begin(), judged->others.end());
+      for (const Judged::Other& other : judged->others) {
+        others.push_back(other.term);
+      }
     }
     std::erase(others, model.terms[place]);
     for (const ForceTerm other : others) {
@@ -567,11 +580,18 @@ class Report {
 
 TensionDiagnosis diagnose_forces(const std::vector<ForceRecord>& records,
                                  const NominalModel& nominal, const reference::Constants& constants,
-                                 const DiagnoseOptions& options) {
+                                 const DiagnoseOptions& options,
+                                 std::span<const FoundEffect> asked) {
   ForceData data(records);
   ForceSearch search(data, nominal.sheath ? nominal.sheath->friction_coefficient : 0.1, options);
   search.run();
-  return Report(data, search, nominal, constants, options.seed).diagnosis();
+  TensionDiagnosis diagnosis = Report(data, search, nominal, constants, options.seed).diagnosis();
+  for (const FoundEffect& effect : asked) {
+    if (!search.sees(effect.id)) {
+      diagnosis.doubted.push_back(effect.id);
+    }
+  }
+  return diagnosis;
 }
 
 }  // namespace host_sim::diagnose

@@ -55,24 +55,37 @@ void ForceData::take_scales(const ForceScales& scales) {
 /// As sharp as the friction that any drive has shows it, at a gain that is held by what such
 /// friction leaves.
 void ForceData::settle_turn_over() {
-  constexpr double kShares[] = {0.002, 0.01, 0.05, 0.15};
   const ForceTerms plain{ForceTerm::preload, ForceTerm::velocity};
-  ForceScales best = scales_;
-  double least_N2 = std::numeric_limits<double>::infinity();
-  const auto plain_N2 = [&] {
-    std::vector<double> start;
-    for (const ForceParameter& parameter : parameters_of(plain, scales_)) {
-      start.push_back(parameter.starts.front());
-    }
-    return fit(plain, std::move(start), kIterations).square_N2;
-  };
+  std::vector<double> start;
+  for (const ForceParameter& parameter : parameters_of(plain, scales_)) {
+    start.push_back(parameter.starts.front());
+  }
   gain_weight_N2_ = gain_weight_N2(scales_.input_N * scales_.input_N * samples_);
-  gain_weight_N2_ = gain_weight_N2(plain_N2());
+  gain_weight_N2_ = gain_weight_N2(fit(plain, start, kIterations).square_N2);
+  turn_over_by({plain, start, std::numeric_limits<double>::infinity()});
+}
+
+void ForceData::settle_turn_over(const ForceFit& model) {
+  constexpr double kSharper = 0.02;  // of the squares
+  ForceFit settled = fit(model.terms, model.parameters, kIterations);
+  settled.square_N2 *= 1 - kSharper;
+  turn_over_by(settled);
+}
+
+/// @param model with the squares that are to be less
+void ForceData::turn_over_by(const ForceFit& model) {
+  constexpr double kShares[] = {0.002, 0.01, 0.05, 0.15};
+  ForceScales best = scales_;
+  double least_N2 = model.square_N2;
+  const std::size_t count = parameters_of(model.terms, scales_).size();
   for (const double share : kShares) {
     ForceScales sharper = scales_;
     sharper.turn_over_m_s = share * scales_.speed_m_s;
+    if (parameters_of(model.terms, sharper).size() != count) {
+      continue;  // a law of the speed would be taken for it
+    }
     take_scales(sharper);
-    const double square_N2 = plain_N2();
+    const double square_N2 = fit(model.terms, model.parameters, kIterations).square_N2;
     if (square_N2 < least_N2) {
       least_N2 = square_N2;
       best = scales_;
@@ -499,6 +512,8 @@ PairedGain ForceData::gain_of(const HeldOut& before, const HeldOut& after, bool 
   };
   gain.z = normal_of((nested ? slope : slope - kEven) / error);
   gain.log_odds = normal_of((slope - kEven) / error) / error;
+  gain.slope = slope;
+  gain.error = error;
   return gain;
 }
 

@@ -28,6 +28,8 @@ struct HeldOut {
 struct PairedGain {
   double mean = 0;               ///< of ln(rmse_b/rmse_a) over sessions
   double z = 0;                  ///< how surely, in standard errors of a normal distribution
+  double slope = 0;              ///< along what they differ in: 1 where the other is the truth
+  double error = 0;              ///< standard error of the slope
   double log_odds = 0;           ///< of the other model against the one
   double taken_N2 = 0;           ///< that the mean square by the weight of samples is less
   double beside_scatter_N2 = 0;  ///< the same of what gain and friction of sessions leave
@@ -54,6 +56,10 @@ class ForceData {
 
   /// The variance of the output's noise that smoothing has left.
   [[nodiscard]] double noise_left_N2() const { return noise_left_N2_; }
+
+  /// Friction turns over as sharply as a model says that has what else acts at reversals, where
+  /// that is seen to be another way.
+  void settle_turn_over(const ForceFit& model);
 
   /// From here on gain and friction of sessions scatter as this model leaves them to.
   /// @param with_timing whether samples may have been read sooner or later than their time
@@ -138,6 +144,7 @@ class ForceData {
   }
 
   void settle_turn_over();
+  void turn_over_by(const ForceFit& model);
   void take_scales(const ForceScales& scales);
   /// @param square_N2 of the residuals of all sessions
   [[nodiscard]] double gain_weight_N2(double square_N2) const;

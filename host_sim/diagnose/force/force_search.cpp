@@ -36,21 +36,45 @@ constexpr double kLargeGain = 0.18;  ///< of ln rmse
 /// is left of it.
 constexpr double kLeastShare = 0.05;
 
-/// Of what an effect takes off, by which its law and one that could be in its place are not told
-/// apart, nor another law of friction beside it from what it leaves.
+/// The same of what sessions differ in: nothing that happens within one looks like that.
+constexpr double kLeastShareOfSession = 0.003;
+
+/// Of what an effect takes off, by which its law and another law of friction beside it are not told
+/// apart, nor two that shift whole sessions.
 constexpr double kLawError = 0.02;
 
-/// The same of a lag and a delay: how a force turns between samples is known to neither.
+/// The same of a lag and a delay: how a force turns between samples is known to neither, and the
+/// rate that a lag goes by has more noise than the force.
 constexpr double kTimeError = 0.05;
+
+/// Logarithm of how many times nearer to one law than to another they have to be to be told apart.
+constexpr double kNearer = 1.1;
 
 /// Of the squared error of sessions, plain as they are, which scatter: an effect may look worse by
 /// that much, 2 % of the error.
 constexpr double kNotWorse = 0.04;
 
 constexpr double kPrior = 0.05;  ///< of an effect of the catalogue
+constexpr double kMayBe = 0.5;   ///< probability of one that could be in the place of another
+
+/// Of one that another method names, which sees more of what shifts whole sessions.
+constexpr double kExcluded = 0.01;
 
 bool both_of(ForceEffect::Of kind, ForceTerm one, ForceTerm other) {
   return definition_of(one).of == kind && definition_of(other).of == kind;
+}
+
+/// Logarithm of how many times nearer what is left is to one law than to the other, along what they
+/// differ in: it lies between them where neither is the whole truth.
+double nearer_by(const PairedGain& lost) {
+  return std::log(std::max(std::abs(lost.slope), lost.error) /
+                  std::max(std::abs(1 - lost.slope), lost.error));
+}
+
+/// Against a law that could be in the place of another: chance and the laws' own errors both count.
+double log_odds_of(const PairedGain& lost) {
+  const double most = std::min(std::abs(nearer_by(lost)), kOdds);
+  return std::clamp(lost.log_odds, -most, most);
 }
 
 /// Of what an effect takes off, what gain and friction that suit each session leave of it where it
@@ -91,6 +115,9 @@ void ForceSearch::run() {
   constexpr double kOfPruning = 0.1;
   report(0);
   for (int round = 0; round < 2; ++round) {
+    if (round > 0 && !model_.fit.terms.empty()) {
+      data_.settle_turn_over(model_.fit);
+    }
     learn_covariance(round > 0);
     while (model_.fit.terms.size() < kMostForceTerms && grow()) {
     }
@@ -114,6 +141,32 @@ void ForceSearch::leave_out_outliers() {
     model_.fit = inliers_->finished(model_.fit);
     model_.held = data_.held_out(inliers_->fold_fits(model_.fit));
   }
+}
+
+bool ForceSearch::sees(std::string_view effect) const {
+  const auto has_id = [&](ForceTerm term) { return definition_of(term).id == effect; };
+  for (const Judged& one : judged_) {
+    if (has_id(one.term) || std::ranges::any_of(one.others, has_id, &Judged::Other::term)) {
+      return true;
+    }
+  }
+  const std::vector<ForceTerm> shown = beside(model_.fit.terms);
+  const ForceData& fitted_to = model_.fit.terms.empty() ? data_ : *inliers_;
+  for (unsigned i = 0; i < kForceTermCount; ++i) {
+    const auto law = static_cast<ForceTerm>(i);
+    if (!has_id(law) || definition_of(law).outside) {
+      continue;
+    }
+    if (std::ranges::find(shown, law) == shown.end()) {
+      return true;
+    }
+    const ForceFit fit = fitted_to.with(model_.fit, law, options_.threads);
+    const HeldOut held = data_.held_out(fitted_to.fold_fits(fit));
+    if (probability_of(law, data_.gain_of(model_.held, held, true), data_) >= kExcluded) {
+      return true;
+    }
+  }
+  return false;
 }
 
 void ForceSearch::report(double share) const {
@@ -277,10 +330,12 @@ bool ForceSearch::stays(std::size_t place) const {
   const HeldOut& held = model_.held;
   const bool large = !data_.records().front().pulls_alone || one.gain.mean >= kLargeGain;
   const double share = large ? kMaterialShare : kMaterialShareAlone;
+  const bool of_session = definition_of(one.term).of == ForceEffect::Of::session;
+  const double least = of_session ? kLeastShareOfSession : kLeastShare;
   const auto material = [&](double taken_N2, std::span<const double> noise_N2, double left_N2) {
     const double least_N2 = definition_of(one.term).of == ForceEffect::Of::time
                                 ? data_.noise_left_N2()
-                                : kLeastShare * std::pow(data_.rmse_N(noise_N2), 2);
+                                : least * std::pow(data_.rmse_N(noise_N2), 2);
     return taken_N2 >= std::max(least_N2, share * left_N2);
   };
   return told_apart && data_.is_physical(model_.fit, place) &&
@@ -316,7 +371,8 @@ bool ForceSearch::prune() {
   for (std::size_t i = 0; i < all.size(); ++i) {
     judged_[i] = {.term = model_.fit.terms[i],
                   .gain = data_.gain_of(all[i].held, model_.held, true),
-                  .without = all[i].fit};
+                  .without = all[i].fit,
+                  .held_without = all[i].held};
   }
   // One of two that are alike takes the place of the other, but not beyond its bounds.
   const auto by_what_is_lost = [&](std::size_t i) {
@@ -336,15 +392,17 @@ bool ForceSearch::prune() {
 }
 
 /// Whether what is lost by another term in the place of one is too little to say that it is not
-/// that: beside the scatter of sessions, or as it is where the term shifts whole sessions.
+/// that, or as far from the one as from the other: beside the scatter of sessions, or as it is
+/// where the term shifts whole sessions.
 bool ForceSearch::alike(std::size_t place, ForceTerm other, const PairedGain& lost) const {
   const Judged& one = judged_[place];
-  const double law_error = both_of(ForceEffect::Of::time, one.term, other) ? kTimeError : kLawError;
   if (moves_sessions(one)) {
-    return lost.taken_N2 < std::max(kAlike * left_.repeats_N2, law_error * one.gain.taken_N2);
+    return lost.taken_N2 < std::max(kAlike * left_.repeats_N2, kLawError * one.gain.taken_N2);
   }
-  return lost.beside_scatter_N2 <
-         std::max(kAlike * left_.beside_scatter_N2, law_error * one.gain.beside_scatter_N2);
+  const double error = both_of(ForceEffect::Of::time, one.term, other) ? kTimeError : 0;
+  return nearer_by(lost) < kNearer ||
+         lost.beside_scatter_N2 <
+             std::max(kAlike * left_.beside_scatter_N2, error * one.gain.beside_scatter_N2);
 }
 
 /// What is no effect of the catalogue takes no place, but may be as likely as one that has it.
@@ -364,8 +422,10 @@ bool ForceSearch::exchange(bool allowed) {
       const ForceTerm term = judged_[place].term;
       const ForceTerm other = one.fit.terms.back();
       const PairedGain lost = data_.gain_of(one.held, model_.held, false);
-      if (judged_[place].gain.plain_N2 - lost.plain_N2 < -not_worse_N2()) {
-        continue;  // worse than none
+      const PairedGain own = data_.gain_of(judged_[place].held_without, one.held, true);
+      if (judged_[place].gain.plain_N2 - lost.plain_N2 < -not_worse_N2() ||
+          probability_of(other, own, data_) < kMayBe) {
+        continue;  // no better than none
       }
       if (definition_of(other).outside) {
         beside_catalogue(other, lost.log_odds, judged_[place]);
@@ -378,7 +438,7 @@ bool ForceSearch::exchange(bool allowed) {
         return true;
       }
       if (!other_law && (lost.log_odds < kOdds || alike(place, other, lost))) {
-        judged_[place].others.push_back(other);
+        judged_[place].others.push_back({other, log_odds_of(lost)});
       }
     }
   }

@@ -21,7 +21,12 @@ struct Judged {
   ForceTerm term{};
   PairedGain gain;
   ForceFit without;
-  std::vector<ForceTerm> others = {};  ///< that could stand in its place
+  HeldOut held_without;
+  struct Other {
+    ForceTerm term{};
+    double log_odds = 0;  ///< against it
+  };
+  std::vector<Other> others = {};  ///< that could stand in its place
   /// The same of what the catalogue does not have, and the probability that it is not that.
   std::optional<ForceTerm> imitated_by = {};
   double share = 1;
@@ -50,6 +55,10 @@ class ForceSearch {
   [[nodiscard]] double nominal_rmse_N() const { return data_.rmse_N(nominal_.held.plain_N2); }
   [[nodiscard]] double rmse_N() const { return data_.rmse_N(model_.held.plain_N2); }
   [[nodiscard]] const std::vector<Judged>& judged() const { return judged_; }
+
+  /// Whether an effect is in the model, could be in the place of one that is, or is as likely as
+  /// not beside them. One that the records do not show may be there.
+  [[nodiscard]] bool sees(std::string_view effect) const;
 
   /// Of the parameters of the model.
   [[nodiscard]] std::vector<double> half_widths() const {

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <iterator>
+#include <span>
 #include <utility>
 
 #include "hal/files/input_error.hpp"
@@ -333,26 +333,20 @@ TensionDiagnosis nothing_to_see(const RecordedSessions& recorded) {
   return diagnosis;
 }
 
-/// What in newtons is compared with more than the catalogue has.
-bool may_be_imitated(const FoundEffect& effect) {
-  constexpr std::string_view kOfTheForce[] = {"friction_load", "friction_preload",
-                                              "current_offset"};
-  return std::ranges::find(kOfTheForce, effect.id) != std::end(kOfTheForce);
-}
-
-/// Whether the forward model has something outside of the catalogue for what signatures found.
-bool imitated(const Findings& signatures, const TensionDiagnosis& forces) {
+/// Whether the forward model has something outside of the catalogue for what signatures found, or
+/// sees nothing of it.
+bool doubted(const Findings& signatures, const TensionDiagnosis& forces) {
   return std::ranges::any_of(signatures.effects, [&](const FoundEffect& effect) {
-    return std::ranges::find(forces.imitated, effect.id) != forces.imitated.end();
+    return std::ranges::find(forces.doubted, effect.id) != forces.doubted.end();
   });
 }
 
 /// Where signatures of ln T do not tell the cause of an error, effects in newtons may, or between
 /// which it is; else they say how far it goes where it has none. What signatures name stands unless
-/// that is imitated.
+/// that is doubted.
 TensionDiagnosis in_newtons_after(TensionDiagnosis signatures, TensionDiagnosis forces) {
   Findings& found = forces.findings;
-  const bool withdrawn = imitated(signatures.findings, forces);
+  const bool withdrawn = doubted(signatures.findings, forces);
   if (signatures.findings.verdict == Verdict::named && !withdrawn) {
     return signatures;
   }
@@ -415,13 +409,14 @@ TensionDiagnosis diagnose_recorded(const Campaign& campaign, const RecordedSessi
     return force_records(recorded.recordings, recorded.faults, campaign.nominal,
                          !campaign.two_sided);
   };
-  const auto in_newtons = [&](const std::vector<ForceRecord>& all, double from) {
+  const auto in_newtons = [&](const std::vector<ForceRecord>& all, double from,
+                              std::span<const FoundEffect> asked) {
     return diagnose_forces(all, campaign.nominal, constants_of(campaign.nominal),
-                           part_of(options, from, 1));
+                           part_of(options, from, 1), asked);
   };
   if (campaign.two_sided) {
     const std::vector<ForceRecord> all = records();
-    return all.empty() ? nothing_to_see(recorded) : in_newtons(all, 0);
+    return all.empty() ? nothing_to_see(recorded) : in_newtons(all, 0, {});
   }
   if (recorded.sessions.empty()) {
     return nothing_to_see(recorded);
@@ -435,11 +430,13 @@ TensionDiagnosis diagnose_recorded(const Campaign& campaign, const RecordedSessi
   const DiagnoseOptions first = part_of(options, 0, kOfSignatures);
   TensionDiagnosis diagnosis = Diagnoser(campaign, recorded, first).run();
   const Findings& findings = diagnosis.findings;
-  const bool open = findings.verdict == Verdict::unknown ||
-                    findings.verdict == Verdict::ambiguous ||
-                    std::ranges::any_of(findings.effects, may_be_imitated);
-  return open ? in_newtons_after(std::move(diagnosis), in_newtons(records(), kOfSignatures))
-              : diagnosis;
+  if (findings.verdict == Verdict::none) {
+    return diagnosis;
+  }
+  const std::span<const FoundEffect> asked =
+      findings.verdict == Verdict::named ? findings.effects : std::span<const FoundEffect>{};
+  TensionDiagnosis forces = in_newtons(records(), kOfSignatures, asked);
+  return in_newtons_after(std::move(diagnosis), std::move(forces));
 }
 
 TensionDiagnosis diagnose_tension(const Campaign& campaign, const DiagnoseOptions& options) {

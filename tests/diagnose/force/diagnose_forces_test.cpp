@@ -28,6 +28,7 @@ namespace {
 
 using testing::AnyOf;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -134,6 +135,35 @@ TEST(DiagnoseForces, AChannelThatIsLateIsNoLag) {
   EXPECT_NEAR(estimate(findings, "delay_s").value, -0.03, 0.005);  // half a sample
 }
 
+/// The input is read with a lag of 40 ms. Of the smooth load, 40 N at 0.7 Hz, a delay takes off all
+/// of that but (0.04 * 2 pi * 0.7/2)^2 = 0.8 %: too little to say that it is none.
+TEST(DiagnoseForces, OfTwoThatAreNotToldApartTheNearerIsLikelier) {
+  std::vector<ForceRecord> records = measured({.friction = 0, .noise_N = 0.2}, 8);
+  const double share = 1 - std::exp(-0.01 / 0.04);
+  for (ForceRecord& record : records) {
+    double reads_N = record.input_N.front();
+    for (double& input_N : record.input_N) {
+      reads_N += share * (input_N - reads_N);
+      input_N = reads_N;
+    }
+  }
+  const Findings findings = found(records);
+  EXPECT_EQ(findings.verdict, Verdict::ambiguous) << findings.prose;
+  EXPECT_THAT(findings.equivalent_sets,
+              ElementsAre(UnorderedElementsAre("filter_lag", "channel_delay")));
+  ASSERT_GE(findings.candidates.size(), 2U);
+  EXPECT_EQ(findings.candidates[0].id, "filter_lag");
+  EXPECT_GT(findings.candidates[0].probability, 2 * findings.candidates[1].probability);
+}
+
+TEST(DiagnoseForces, WhatIsAskedForIsDoubtedWhereNothingIsSeenOfIt) {
+  std::vector<FoundEffect> asked(2);
+  asked[0].id = "friction_preload";
+  asked[1].id = "friction_position";
+  EXPECT_THAT(diagnose_forces(measured({.preload_N = 12}, 6), nominal(), kWire, {}, asked).doubted,
+              ElementsAre("friction_position"));
+}
+
 /// All motion goes one way at one speed: friction of 8 N that the load does not change and a zero
 /// of the load cell are one force, which gain and friction coefficient can't be for a load that
 /// turns over.
@@ -159,7 +189,7 @@ TEST(DiagnoseForces, WhatIsAsGoodInThePlaceOfACauseIsACandidateToo) {
   EXPECT_THAT(ids, Contains("load_cell_zero"));
   EXPECT_EQ(ids.back(), "unknown");
   for (std::size_t i = 0; i + 1 < ids.size(); ++i) {
-    EXPECT_NEAR(findings.candidates[i].probability, 1.0 / static_cast<double>(ids.size() - 1), 0.01)
+    EXPECT_NEAR(findings.candidates[i].probability, 1.0 / static_cast<double>(ids.size() - 1), 0.1)
         << ids[i];
   }
   EXPECT_EQ(findings.credible_set.size(), ids.size() - 1);
@@ -379,7 +409,7 @@ TEST(DiagnoseForces, FrictionOfTheLoadIsNotASheathThatGives) {
   const TensionDiagnosis giving = diagnose_forces(measured(joint, 9), nominal(), kWire, {});
   EXPECT_EQ(giving.findings.verdict, Verdict::unknown) << giving.findings.prose;
   EXPECT_THAT(ids_of(giving.findings), IsEmpty());
-  EXPECT_THAT(giving.imitated, UnorderedElementsAre("friction_load"));
+  EXPECT_THAT(giving.doubted, UnorderedElementsAre("friction_load"));
   EXPECT_EQ(giving.findings.candidates.front().id, "unknown");
   EXPECT_THAT(giving.findings.prose, HasSubstr("a sheath that bends more or less under load"));
 }
@@ -391,7 +421,7 @@ TEST(DiagnoseForces, FrictionThatIsLargerOneWayIsNoZero) {
   const TensionDiagnosis diagnosis = diagnose_forces(measured(joint, 11), nominal(), kWire, {});
   EXPECT_THAT(ids_of(diagnosis.findings), Not(Contains("load_cell_zero")))
       << diagnosis.findings.prose;
-  EXPECT_THAT(diagnosis.imitated, Contains("load_cell_zero")) << diagnosis.findings.prose;
+  EXPECT_THAT(diagnosis.doubted, Contains("load_cell_zero")) << diagnosis.findings.prose;
 }
 
 /// The top of a sine of 40 N is read a tenth too small.
@@ -407,7 +437,7 @@ TEST(DiagnoseForces, ASensorThatIsNotLinearIsNoFriction) {
   }
   const TensionDiagnosis diagnosis = diagnose_forces(records, nominal(), kWire, {});
   EXPECT_NE(diagnosis.findings.verdict, Verdict::named) << diagnosis.findings.prose;
-  EXPECT_THAT(diagnosis.imitated, Not(IsEmpty())) << diagnosis.findings.prose;
+  EXPECT_THAT(diagnosis.doubted, Not(IsEmpty())) << diagnosis.findings.prose;
   EXPECT_THAT(diagnosis.findings.prose, HasSubstr("a sensor of the output that is not linear"));
 }
 

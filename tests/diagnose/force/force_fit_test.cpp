@@ -15,11 +15,11 @@ namespace host_sim::diagnose {
 namespace {
 
 /// A joint of a stroke of 0.1 m whose friction comes 0.1 .. 7 mm after each reversal.
-ForceData with_slack(double slack_m, unsigned seed) {
+ForceData with_slack(double slack_m, unsigned seed, double noise_N = 0.2) {
   std::vector<ForceRecord> records = measured({.noise_N = 0.01}, seed);
   const ForceScales scales = scales_of(records);
   std::mt19937 engine(seed);
-  std::normal_distribution<double> noise(0, 0.2);
+  std::normal_distribution<double> noise(0, noise_N);
   for (ForceRecord& record : records) {
     predict_input(record, kinematics_of(record, scales), {ForceTerm::slack}, scales,
                   std::vector<double>{1, 0.1, slack_m}, record.input_N);
@@ -60,6 +60,20 @@ TEST(ForceData, HowSharpFrictionTurnsOverIsSeenBesideAGainThatIsOff) {
       measured({.still_N = 400, .gain = 1.3, .turn_over_m_s = 0.015, .preload_N = 60}, 5));
   EXPECT_NEAR(data.scales().speed_m_s, 0.3, 0.05);
   EXPECT_DOUBLE_EQ(data.scales().turn_over_m_s, 0.05 * data.scales().speed_m_s);
+}
+
+/// Friction that comes 1 mm after each reversal seems to turn over slowly, until what keeps it is
+/// in the model.
+TEST(ForceData, HowSharpFrictionTurnsOverIsSettledAnewBesideSlack) {
+  ForceData data = with_slack(0.001, 3, 0.02);
+  const double speed_m_s = data.scales().speed_m_s;
+  EXPECT_DOUBLE_EQ(data.scales().turn_over_m_s, 0.15 * speed_m_s);
+  const ForceFit nominal = data.fit({}, {1, 0.1}, 15);
+  data.settle_turn_over(nominal);
+  EXPECT_DOUBLE_EQ(data.scales().turn_over_m_s, 0.15 * speed_m_s);
+  data.settle_turn_over(
+      data.finished(data.started(nominal, std::array{ForceTerm::slack}, 1).front()));
+  EXPECT_DOUBLE_EQ(data.scales().turn_over_m_s, 0.05 * speed_m_s);
 }
 
 /// b, d and what friction there is of the rest.

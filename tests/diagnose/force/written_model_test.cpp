@@ -186,7 +186,7 @@ void check_gain_of_diagnosis(Campaign campaign) {
   // One of each class of causes that may be in each other's place is written too, and so is what
   // may as well be a law outside of the catalogue: the force is the same by either.
   EXPECT_EQ(model.extensions.size(), findings.effects.size() + findings.equivalent_sets.size() +
-                                         diagnosis.tension->imitated.size() +
+                                         diagnosis.tension->doubted.size() +
                                          (findings.correction ? 1 : 0))
       << text;
 
