@@ -72,8 +72,10 @@ double nearer_by(const PairedGain& lost) {
 }
 
 /// Against a law that could be in the place of another: chance and the laws' own errors both count.
-double log_odds_of(const PairedGain& lost) {
-  const double most = std::min(std::abs(nearer_by(lost)), kOdds);
+/// Of a lag and a delay the noise of the rate says as much.
+double log_odds_of(const PairedGain& lost, ForceTerm one, ForceTerm other) {
+  const double nearer = both_of(ForceEffect::Of::time, one, other) ? 0 : std::abs(nearer_by(lost));
+  const double most = std::min(nearer, kOdds);
   return std::clamp(lost.log_odds, -most, most);
 }
 
@@ -438,7 +440,7 @@ bool ForceSearch::exchange(bool allowed) {
         return true;
       }
       if (!other_law && (lost.log_odds < kOdds || alike(place, other, lost))) {
-        judged_[place].others.push_back({other, log_odds_of(lost)});
+        judged_[place].others.push_back({other, log_odds_of(lost, term, other)});
       }
     }
   }

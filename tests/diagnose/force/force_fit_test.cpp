@@ -62,6 +62,19 @@ TEST(ForceData, HowSharpFrictionTurnsOverIsSeenBesideAGainThatIsOff) {
   EXPECT_DOUBLE_EQ(data.scales().turn_over_m_s, 0.05 * data.scales().speed_m_s);
 }
 
+TEST(ForceData, WhatTheTruthTakesOffIsAllThatIsThere) {
+  const ForceData data = with_slack(0.007, 5, 0.02);
+  const ForceFit nominal = data.fit({}, {1, 0.1}, 15);
+  const HeldOut without = data.held_out(nominal);
+  const HeldOut with =
+      data.held_out(data.finished(data.started(nominal, std::array{ForceTerm::slack}, 1).front()));
+  const PairedGain gain = data.gain_of(without, with, false);
+  EXPECT_NEAR(gain.slope, 1, 0.05);
+  EXPECT_LT(gain.error, 0.05);
+  EXPECT_GT(gain.log_odds, 10);
+  EXPECT_NEAR(data.gain_of(with, without, false).slope, 0, 0.05);
+}
+
 /// Friction that comes 1 mm after each reversal seems to turn over slowly, until what keeps it is
 /// in the model.
 TEST(ForceData, HowSharpFrictionTurnsOverIsSettledAnewBesideSlack) {
