@@ -201,8 +201,8 @@ struct TensionDiagnosis {
   std::vector<ResidualPicture> residuals;
   std::vector<RemainderPicture> remainders;
   std::vector<SessionRefit> session_refits;
-  /// Effects that what is outside of the catalogue may be, and of those asked for that nothing is
-  /// seen of.
+  /// Effects that may be something outside of the catalogue instead, and of those asked for the
+  /// ones that the forward model excludes.
   std::vector<std::string> doubted;
   /// Damage of a recording as the nominal model books it over that of the extended one, geometric
   /// mean of the recordings; 1 where nothing was extended.

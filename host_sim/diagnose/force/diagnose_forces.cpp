@@ -401,8 +401,7 @@ class Report {
   [[nodiscard]] ForceFit in_a_written_model(const ForceFit& model, std::size_t place) const {
     ForceFit without = data_.without(model, place);
     std::vector<ForceTerm> others;
-    for (unsigned i = 0; i < kForceTermCount; ++i) {
-      const auto law = static_cast<ForceTerm>(i);
+    for (const ForceTerm law : kForceTerms) {
       if (definition_of(law).id == definition_of(model.terms[place]).id &&
           is_shown(law, data_.records())) {
         others.push_back(law);

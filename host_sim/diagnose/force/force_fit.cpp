@@ -62,21 +62,19 @@ void ForceData::settle_turn_over() {
   }
   gain_weight_N2_ = gain_weight_N2(scales_.input_N * scales_.input_N * samples_);
   gain_weight_N2_ = gain_weight_N2(fit(plain, start, kIterations).square_N2);
-  turn_over_by({plain, start, std::numeric_limits<double>::infinity()});
+  turn_over_by({plain, start, 0}, std::numeric_limits<double>::infinity());
 }
 
 void ForceData::settle_turn_over(const ForceFit& model) {
   constexpr double kSharper = 0.02;  // of the squares
-  ForceFit settled = fit(model.terms, model.parameters, kIterations);
-  settled.square_N2 *= 1 - kSharper;
-  turn_over_by(settled);
+  const ForceFit settled = fit(model.terms, model.parameters, kIterations);
+  turn_over_by(settled, (1 - kSharper) * settled.square_N2);
 }
 
-/// @param model with the squares that are to be less
-void ForceData::turn_over_by(const ForceFit& model) {
+/// Of the model from its parameters on, where that leaves less than some squares.
+void ForceData::turn_over_by(const ForceFit& model, double least_N2) {
   constexpr double kShares[] = {0.002, 0.01, 0.05, 0.15};
   ForceScales best = scales_;
-  double least_N2 = model.square_N2;
   const std::size_t count = parameters_of(model.terms, scales_).size();
   for (const double share : kShares) {
     ForceScales sharper = scales_;

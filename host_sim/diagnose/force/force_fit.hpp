@@ -144,7 +144,7 @@ class ForceData {
   }
 
   void settle_turn_over();
-  void turn_over_by(const ForceFit& model);
+  void turn_over_by(const ForceFit& model, double least_N2);
   void take_scales(const ForceScales& scales);
   /// @param square_N2 of the residuals of all sessions
   [[nodiscard]] double gain_weight_N2(double square_N2) const;

@@ -95,6 +95,13 @@ enum class ForceTerm : unsigned {
   bent_sensor,
 };
 inline constexpr std::size_t kForceTermCount = 24;
+inline constexpr auto kForceTerms = [] {
+  std::array<ForceTerm, kForceTermCount> all{};
+  for (unsigned i = 0; i < kForceTermCount; ++i) {
+    all[i] = static_cast<ForceTerm>(i);
+  }
+  return all;
+}();
 using ForceTerms = std::vector<ForceTerm>;
 
 /// A parameter with bounds of physics, and what a fit tries to start with.

@@ -47,7 +47,7 @@ constexpr double kLawError = 0.02;
 /// rate that a lag goes by has more noise than the force.
 constexpr double kTimeError = 0.05;
 
-/// Logarithm of how many times nearer to one law than to another they have to be to be told apart.
+/// Least nearer_by() of two laws that are told apart: three times.
 constexpr double kNearer = 1.1;
 
 /// Of the squared error of sessions, plain as they are, which scatter: an effect may look worse by
@@ -60,8 +60,12 @@ constexpr double kMayBe = 0.5;   ///< probability of one that could be in the pl
 /// Of one that another method names, which sees more of what shifts whole sessions.
 constexpr double kExcluded = 0.01;
 
+bool is_of(ForceEffect::Of kind, ForceTerm term) {
+  return definition_of(term).of == kind;
+}
+
 bool both_of(ForceEffect::Of kind, ForceTerm one, ForceTerm other) {
-  return definition_of(one).of == kind && definition_of(other).of == kind;
+  return is_of(kind, one) && is_of(kind, other);
 }
 
 /// Logarithm of how many times nearer what is left is to one law than to the other, along what they
@@ -85,7 +89,7 @@ constexpr double kShift = 0.05;
 constexpr double kShiftOfSession = 0.2;
 
 bool moves_sessions(const Judged& one) {
-  const bool of_session = definition_of(one.term).of == ForceEffect::Of::session;
+  const bool of_session = is_of(ForceEffect::Of::session, one.term);
   return one.gain.beside_scatter_N2 < (of_session ? kShiftOfSession : kShift) * one.gain.taken_N2;
 }
 
@@ -154,9 +158,8 @@ bool ForceSearch::sees(std::string_view effect) const {
   }
   const std::vector<ForceTerm> shown = beside(model_.fit.terms);
   const ForceData& fitted_to = model_.fit.terms.empty() ? data_ : *inliers_;
-  for (unsigned i = 0; i < kForceTermCount; ++i) {
-    const auto law = static_cast<ForceTerm>(i);
-    if (!has_id(law) || definition_of(law).outside) {
+  for (const ForceTerm law : kForceTerms) {
+    if (!has_id(law)) {
       continue;
     }
     if (std::ranges::find(shown, law) == shown.end()) {
@@ -222,8 +225,7 @@ std::vector<ForceSearch::Candidate> ForceSearch::stairs() const {
 /// Laws of effects of which none is taken, and no other that it cannot be beside.
 std::vector<ForceTerm> ForceSearch::beside(const ForceTerms& taken) const {
   std::vector<ForceTerm> terms;
-  for (unsigned i = 0; i < kForceTermCount; ++i) {
-    const auto term = static_cast<ForceTerm>(i);
+  for (const ForceTerm term : kForceTerms) {
     const auto same = [&](ForceTerm one) {
       return definition_of(one).id == definition_of(term).id ||
              both_of(ForceEffect::Of::time, one, term);
@@ -332,10 +334,10 @@ bool ForceSearch::stays(std::size_t place) const {
   const HeldOut& held = model_.held;
   const bool large = !data_.records().front().pulls_alone || one.gain.mean >= kLargeGain;
   const double share = large ? kMaterialShare : kMaterialShareAlone;
-  const bool of_session = definition_of(one.term).of == ForceEffect::Of::session;
-  const double least = of_session ? kLeastShareOfSession : kLeastShare;
+  const double least =
+      is_of(ForceEffect::Of::session, one.term) ? kLeastShareOfSession : kLeastShare;
   const auto material = [&](double taken_N2, std::span<const double> noise_N2, double left_N2) {
-    const double least_N2 = definition_of(one.term).of == ForceEffect::Of::time
+    const double least_N2 = is_of(ForceEffect::Of::time, one.term)
                                 ? data_.noise_left_N2()
                                 : least * std::pow(data_.rmse_N(noise_N2), 2);
     return taken_N2 >= std::max(least_N2, share * left_N2);
@@ -424,10 +426,12 @@ bool ForceSearch::exchange(bool allowed) {
       const ForceTerm term = judged_[place].term;
       const ForceTerm other = one.fit.terms.back();
       const PairedGain lost = data_.gain_of(one.held, model_.held, false);
+      if (judged_[place].gain.plain_N2 - lost.plain_N2 < -not_worse_N2()) {
+        continue;  // worse than none
+      }
       const PairedGain own = data_.gain_of(judged_[place].held_without, one.held, true);
-      if (judged_[place].gain.plain_N2 - lost.plain_N2 < -not_worse_N2() ||
-          probability_of(other, own, data_) < kMayBe) {
-        continue;  // no better than none
+      if (probability_of(other, own, data_) < kMayBe) {
+        continue;  // not there by itself
       }
       if (definition_of(other).outside) {
         beside_catalogue(other, lost.log_odds, judged_[place]);
@@ -451,8 +455,7 @@ bool ForceSearch::exchange(bool allowed) {
 std::vector<ForceSearch::Candidate> ForceSearch::in_place_of(std::size_t place) const {
   std::vector<ForceTerm> others = beside(judged_[place].without.terms);
   std::erase(others, judged_[place].term);
-  for (unsigned i = 0; i < kForceTermCount; ++i) {
-    const auto term = static_cast<ForceTerm>(i);
+  for (const ForceTerm term : kForceTerms) {
     if (definition_of(term).outside && is_shown(term, data_.records())) {
       others.push_back(term);
     }

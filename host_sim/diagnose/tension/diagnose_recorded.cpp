@@ -334,7 +334,7 @@ TensionDiagnosis nothing_to_see(const RecordedSessions& recorded) {
 }
 
 /// Whether the forward model has something outside of the catalogue for what signatures found, or
-/// sees nothing of it.
+/// excludes it.
 bool doubted(const Findings& signatures, const TensionDiagnosis& forces) {
   return std::ranges::any_of(signatures.effects, [&](const FoundEffect& effect) {
     return std::ranges::find(forces.doubted, effect.id) != forces.doubted.end();
