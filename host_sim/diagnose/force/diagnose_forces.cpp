@@ -582,7 +582,8 @@ TensionDiagnosis diagnose_forces(const std::vector<ForceRecord>& records,
                                  const DiagnoseOptions& options,
                                  std::span<const FoundEffect> asked) {
   ForceData data(records);
-  ForceSearch search(data, nominal.sheath ? nominal.sheath->friction_coefficient : 0.1, options);
+  ForceSearch search(data, records, nominal.sheath ? nominal.sheath->friction_coefficient : 0.1,
+                     options);
   search.run();
   TensionDiagnosis diagnosis = Report(data, search, nominal, constants, options.seed).diagnosis();
   for (const FoundEffect& effect : asked) {

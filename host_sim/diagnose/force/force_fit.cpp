@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
 #include <utility>
 
 #include "host_sim/diagnose/force/smoothing.hpp"
@@ -29,19 +30,33 @@ struct ForceData::Normal {
   std::vector<Eigen::VectorXd> of_records;
 };
 
-ForceData::ForceData(std::vector<ForceRecord> records) : records_(std::move(records)) {
+ForceData::ForceData(std::vector<ForceRecord> records) {
+  take_records(std::move(records), kMostSamples);
+  take_scales(scales_of(records_));
+  settle_turn_over();
+  settle_resolution();
+}
+
+ForceData ForceData::as_sampled(std::vector<ForceRecord> records, const ForceFit& nominal,
+                                const ForceFit& model) const {
+  ForceData all = *this;
+  all.take_records(std::move(records), std::numeric_limits<std::size_t>::max());
+  all.take_scales(scales_);
+  all.learn_covariance(nominal, model, true);
+  return all;
+}
+
+void ForceData::take_records(std::vector<ForceRecord> records, std::size_t most) {
+  records_ = std::move(records);
   noise_left_N2_ = smooth_output(records_);
+  counts_.clear();
+  samples_ = 0;
   for (ForceRecord& record : records_) {
     record.reversal_m = reversals_m(record);
-    thin(record, kMostSamples);
-  }
-  take_scales(scales_of(records_));
-  for (const ForceRecord& record : records_) {
+    thin(record, most);
     counts_.push_back(static_cast<double>(std::ranges::count(record.used, true)));
     samples_ += counts_.back();
   }
-  settle_turn_over();
-  settle_resolution();
 }
 
 void ForceData::take_scales(const ForceScales& scales) {
@@ -65,10 +80,12 @@ void ForceData::settle_turn_over() {
   turn_over_by({plain, start, 0}, std::numeric_limits<double>::infinity());
 }
 
-void ForceData::settle_turn_over(const ForceFit& model) {
+bool ForceData::settle_turn_over(const ForceFit& model) {
   constexpr double kSharper = 0.02;  // of the squares
   const ForceFit settled = fit(model.terms, model.parameters, kIterations);
+  const double before_m_s = scales_.turn_over_m_s;
   turn_over_by(settled, (1 - kSharper) * settled.square_N2);
+  return scales_.turn_over_m_s != before_m_s;
 }
 
 /// Of the model from its parameters on, where that leaves less than some squares.
@@ -154,6 +171,34 @@ std::vector<std::vector<double>> ForceData::residuals_N(const ForceFit& fit) con
     all.push_back(residuals_N(j, fit.terms, fit.parameters));
   }
   return all;
+}
+
+double ForceData::noise_taken_N2(const ForceFit& before, const ForceFit& after) const {
+  if (noise_left_N2_ <= 0) {
+    return 0;
+  }
+  std::mt19937 engine(1);
+  std::normal_distribution<double> noise_N(0, std::sqrt(noise_left_N2_));
+  double square_N2 = 0;
+  std::vector<double> once;
+  std::vector<double> again;
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    ForceRecord noisy = records_[j];
+    for (double& output_N : noisy.output_N) {
+      output_N += noise_N(engine);
+    }
+    const auto passed_on_N2 = [&](const ForceFit& by) {
+      predict_input(records_[j], kinematics_[j], by.terms, scales_, by.parameters, once);
+      predict_input(noisy, kinematics_[j], by.terms, scales_, by.parameters, again);
+      double of_record_N2 = 0;
+      for (std::size_t i = 0; i < once.size(); ++i) {
+        of_record_N2 += records_[j].used[i] ? std::pow(again[i] - once[i], 2) : 0;
+      }
+      return of_record_N2;
+    };
+    square_N2 += passed_on_N2(before) - passed_on_N2(after);
+  }
+  return square_N2 / std::max(samples_, 1.0);
 }
 
 /// The gain is near 1, as the nominal model has it, by as much as one session says of it: where the
@@ -467,7 +512,6 @@ bool ForceData::is_physical(const ForceFit& fit, std::size_t term) const {
 }
 
 PairedGain ForceData::gain_of(const HeldOut& before, const HeldOut& after, bool nested) const {
-  constexpr double kEven = 0.5;  // of the slope, where both leave as much
   const double count = static_cast<double>(records_.size());
   PairedGain gain;
   gain.mean = std::max(paired_gain(before.beside_scatter_N2, after.beside_scatter_N2).mean,
@@ -477,7 +521,14 @@ PairedGain ForceData::gain_of(const HeldOut& before, const HeldOut& after, bool 
   };
   gain.beside_scatter_N2 = taken_N2(before.beside_scatter_N2, after.beside_scatter_N2);
   gain.taken_N2 = taken_N2(before.weighted_N2, after.weighted_N2);
-  gain.plain_N2 = taken_N2(before.plain_N2, after.plain_N2);
+  double square_N4 = 0;
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    const double less_N2 = (before.plain_N2[j] - after.plain_N2[j]) * counts_[j] / samples_;
+    gain.plain_N2 += less_N2;
+    square_N4 += less_N2 * less_N2;
+  }
+  gain.plain_error_N2 = std::sqrt(std::max(count * square_N4 - gain.plain_N2 * gain.plain_N2, 0.0) /
+                                  std::max(count - 1, 1.0));
   double along = 0;
   double size = 0;
   std::vector<Eigen::Vector2d> sessions;
@@ -508,8 +559,8 @@ PairedGain ForceData::gain_of(const HeldOut& before, const HeldOut& after, bool 
   const auto normal_of = [&](double t) {
     return std::copysign(std::sqrt(count * std::log1p(t * t / (count - 1))), t);
   };
-  gain.z = normal_of((nested ? slope : slope - kEven) / error);
-  gain.log_odds = normal_of((slope - kEven) / error) / error;
+  gain.z = normal_of((nested ? slope : slope - kEvenSlope) / error);
+  gain.log_odds = normal_of((slope - kEvenSlope) / error) / error;
   gain.slope = slope;
   gain.error = error;
   return gain;

@@ -24,6 +24,9 @@ struct HeldOut {
   std::vector<std::vector<double>> residuals_N;
 };
 
+/// Of PairedGain::slope, where both models leave as much.
+inline constexpr double kEvenSlope = 0.5;
+
 /// How much less one model leaves than another on sessions that neither saw, beside the scatter.
 struct PairedGain {
   double mean = 0;               ///< of ln(rmse_b/rmse_a) over sessions
@@ -34,6 +37,7 @@ struct PairedGain {
   double taken_N2 = 0;           ///< that the mean square by the weight of samples is less
   double beside_scatter_N2 = 0;  ///< the same of what gain and friction of sessions leave
   double plain_N2 = 0;           ///< that the mean square is less, each sample alike
+  double plain_error_N2 = 0;     ///< standard error of that, of sessions that scatter
 
   [[nodiscard]] bool any() const { return taken_N2 > 0 || beside_scatter_N2 > 0; }
 };
@@ -49,17 +53,23 @@ class ForceData {
 
   explicit ForceData(std::vector<ForceRecord> records);
 
+  /// All samples of the same records, beside the scatter that a model leaves.
+  [[nodiscard]] ForceData as_sampled(std::vector<ForceRecord> records, const ForceFit& nominal,
+                                     const ForceFit& model) const;
+
   [[nodiscard]] const std::vector<ForceRecord>& records() const { return records_; }
   [[nodiscard]] const ForceScales& scales() const { return scales_; }
   [[nodiscard]] const std::vector<Kinematics>& kinematics() const { return kinematics_; }
   [[nodiscard]] double samples() const { return samples_; }
 
-  /// The variance of the output's noise that smoothing has left.
-  [[nodiscard]] double noise_left_N2() const { return noise_left_N2_; }
+  /// How much less of the output's noise that smoothing has left a model passes on than another,
+  /// where that is white.
+  [[nodiscard]] double noise_taken_N2(const ForceFit& before, const ForceFit& after) const;
 
   /// Friction turns over as sharply as a model says that has what else acts at reversals, where
   /// that is seen to be another way.
-  void settle_turn_over(const ForceFit& model);
+  /// @returns whether it is
+  bool settle_turn_over(const ForceFit& model);
 
   /// From here on gain and friction of sessions scatter as this model leaves them to.
   /// @param with_timing whether samples may have been read sooner or later than their time
@@ -143,6 +153,7 @@ class ForceData {
                          : is_held_out(record, fold);
   }
 
+  void take_records(std::vector<ForceRecord> records, std::size_t most);
   void settle_turn_over();
   void turn_over_by(const ForceFit& model, double least_N2);
   void take_scales(const ForceScales& scales);

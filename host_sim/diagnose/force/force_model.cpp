@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <numeric>
+#include <optional>
 
 namespace host_sim::diagnose {
 namespace {
@@ -101,14 +102,18 @@ class Slip {
   double presliding_ = 0;
 };
 
-/// A sensor that follows by a first-order lag, exact where the force goes on a line.
+/// A sensor that follows by a first-order lag, exact where the force goes on a line or in one step.
 class Lag {
  public:
   explicit Lag(double lag_s) : lag_s_(lag_s) {}
 
-  double read(double force_N, double time_s) {
+  /// @param since_s the time since the force stepped, after the sample before; none: on a line
+  double read(double force_N, double time_s, std::optional<double> since_s) {
     const double step_s = time_s - before_s_;
-    if (begun_ && step_s > 0) {
+    if (begun_ && step_s > 0 && since_s) {
+      behind_N_ = behind_N_ * std::exp(-step_s / lag_s_) +
+                  (force_N - last_N_) * std::exp(-*since_s / lag_s_);
+    } else if (begun_ && step_s > 0) {
       const double settled_N = lag_s_ * (force_N - last_N_) / step_s;
       behind_N_ = settled_N + (behind_N_ - settled_N) * std::exp(-step_s / lag_s_);
     }
@@ -125,6 +130,16 @@ class Lag {
   double last_N_ = 0;
   double behind_N_ = 0;
 };
+
+/// The time since the motion turned, where it did since the sample before.
+std::optional<double> since_reversal_s(const ForceRecord& record, std::size_t i) {
+  const double before_m_s = record.velocity_m_s[i - 1];
+  const double after_m_s = record.velocity_m_s[i];
+  if (before_m_s * after_m_s >= 0) {
+    return std::nullopt;
+  }
+  return (record.time_s[i] - record.time_s[i - 1]) * after_m_s / (after_m_s - before_m_s);
+}
 
 /// ln(T_in/T_out) of dT/dphi = mu (T/T_0)^-k T, for that of the output's friction all along.
 double along_sheath(double log_ratio, double load_exponent) {
@@ -348,6 +363,8 @@ void predict_in_time(const ForceRecord& record, const Kinematics& kinematics,
   const Forward forward(record, kinematics, values, scales);
   Slip slip(record, kinematics, values);
   Lag lag(-values.lag_s);
+  const bool at_once =
+      values.stiffness_N_m == 0 && values.presliding_m == 0 && values.presliding_N_m == 0;
   double held_N = 0;
   for (std::size_t i = 0; i < record.samples(); ++i) {
     slip.go_to(i, forward.presliding_m(i));
@@ -364,7 +381,8 @@ void predict_in_time(const ForceRecord& record, const Kinematics& kinematics,
     }
     input_N[i] = forward.shown_N(i, held_N);
     if (values.lag_s < 0) {
-      input_N[i] = lag.read(input_N[i], record.time_s[i]);
+      input_N[i] = lag.read(input_N[i], record.time_s[i],
+                            at_once && i > 0 ? since_reversal_s(record, i) : std::nullopt);
     }
   }
 }

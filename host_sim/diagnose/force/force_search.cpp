@@ -1,6 +1,7 @@
 #include "host_sim/diagnose/force/force_search.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 #include <utility>
@@ -21,6 +22,7 @@ constexpr double kFarOff = 0.5;
 constexpr double kHopeless = 0.9;
 
 constexpr int kNominalIterations = 15;
+constexpr int kAnew = 4;    ///< iterations on all samples from where the kept ones have led
 constexpr int kRounds = 3;  ///< of terms that take the place of others
 
 /// Of what a model leaves and is no noise: an effect that takes off less may imitate a part of
@@ -31,21 +33,28 @@ constexpr double kMaterialShare = 0.5;
 constexpr double kMaterialShareAlone = 2;
 constexpr double kLargeGain = 0.18;  ///< of ln rmse
 
-/// Of what is left at all: without an effect that takes off that the error is 2.5 % larger. What
-/// reads a channel between its samples takes off noise of the output by that alone, and more than
-/// is left of it.
+/// Of what is left at all: without an effect that takes off that the error is 2.5 % larger.
 constexpr double kLeastShare = 0.05;
 
-/// The same of what sessions differ in: nothing that happens within one looks like that.
-constexpr double kLeastShareOfSession = 0.003;
+/// The same of what sessions differ in and of when a channel is read: nothing else looks like that.
+constexpr double kLeastShareApart = 0.003;
+
+/// Of the noise that it takes off, as reading a channel between its samples does: so much is known
+/// of how large that is.
+constexpr double kOfNoiseTaken = 2;
 
 /// Of what an effect takes off, by which its law and another law of friction beside it are not told
 /// apart, nor two that shift whole sessions.
 constexpr double kLawError = 0.02;
 
-/// The same of a lag and a delay: how a force turns between samples is known to neither, and the
-/// rate that a lag goes by has more noise than the force.
-constexpr double kTimeError = 0.05;
+/// The same of any two laws, which are one force to that: 3 % of it.
+constexpr double kSameForce = 0.001;
+
+/// The same of a lag and a delay, of the input where all samples are compared: how a force turns
+/// between those is known to neither. At the output the rate that a lag goes by has more noise than
+/// the force besides.
+constexpr double kInputTimeError = 0.01;
+constexpr double kOutputTimeError = 0.05;
 
 /// Least nearer_by() of two laws that are told apart: three times.
 constexpr double kNearer = 1.1;
@@ -53,6 +62,7 @@ constexpr double kNearer = 1.1;
 /// Of the squared error of sessions, plain as they are, which scatter: an effect may look worse by
 /// that much, 2 % of the error.
 constexpr double kNotWorse = 0.04;
+constexpr double kWorse = 2;
 
 constexpr double kPrior = 0.05;  ///< of an effect of the catalogue
 constexpr double kMayBe = 0.5;   ///< probability of one that could be in the place of another
@@ -76,10 +86,8 @@ double nearer_by(const PairedGain& lost) {
 }
 
 /// Against a law that could be in the place of another: chance and the laws' own errors both count.
-/// Of a lag and a delay the noise of the rate says as much.
-double log_odds_of(const PairedGain& lost, ForceTerm one, ForceTerm other) {
-  const double nearer = both_of(ForceEffect::Of::time, one, other) ? 0 : std::abs(nearer_by(lost));
-  const double most = std::min(nearer, kOdds);
+double log_odds_of(const PairedGain& lost) {
+  const double most = std::min(std::abs(nearer_by(lost)), kOdds);
   return std::clamp(lost.log_odds, -most, most);
 }
 
@@ -104,8 +112,10 @@ double probability_of(ForceTerm term, const PairedGain& gain, const ForceData& d
   return gain.z > 0 && gain.any() ? 1 / (1 + std::exp(-log_odds)) : 0;
 }
 
-ForceSearch::ForceSearch(ForceData& data, double friction, const DiagnoseOptions& options)
+ForceSearch::ForceSearch(ForceData& data, std::span<const ForceRecord> records, double friction,
+                         const DiagnoseOptions& options)
     : data_(data),
+      records_(records),
       options_(options),
       covariates_(force_covariates(data.records())),
       nominal_{data.fit({}, {1, friction}, kNominalIterations), {}} {
@@ -121,16 +131,15 @@ void ForceSearch::run() {
   constexpr double kOfPruning = 0.1;
   report(0);
   for (int round = 0; round < 2; ++round) {
-    if (round > 0 && !model_.fit.terms.empty()) {
-      data_.settle_turn_over(model_.fit);
+    if (round == 0 || !settle()) {
+      learn_covariance(round > 0);
     }
-    learn_covariance(round > 0);
     while (model_.fit.terms.size() < kMostForceTerms && grow()) {
     }
     report(kOfGrowing * (round + 1));
   }
   for (int round = 0; round < kRounds; ++round) {
-    while (prune()) {
+    while (prune() || settle()) {
     }
     report(2 * kOfGrowing + kOfPruning * (round + 1));
     if (!exchange(round + 1 < kRounds)) {
@@ -138,6 +147,19 @@ void ForceSearch::run() {
     }
   }
   leave_out_outliers();
+}
+
+/// Settles how sharp friction turns over where the model is another one, as what came or went may
+/// have stood for that.
+/// @returns whether it does otherwise
+bool ForceSearch::settle() {
+  const bool other = !model_.fit.terms.empty() && model_.fit.terms != settled_by_ &&
+                     data_.settle_turn_over(model_.fit);
+  settled_by_ = model_.fit.terms;
+  if (other) {
+    learn_covariance(true);
+  }
+  return other;
 }
 
 /// The model is settled: its parameters are those that outliers have no part in.
@@ -329,22 +351,23 @@ bool ForceSearch::stays(std::size_t place) const {
            one.gain.beside_scatter_N2 >= kLawError * other.gain.beside_scatter_N2 ||
            (moves_sessions(one) && one.gain.taken_N2 >= kLawError * other.gain.taken_N2);
   });
-  // Beside the scatter of sessions, or as it is where that takes up nearly all of it: what shifts
-  // whole sessions.
+  // Beside the scatter of sessions, or as it is where it is of what they differ in, or that scatter
+  // takes up nearly all of it: what shifts whole sessions.
   const HeldOut& held = model_.held;
   const bool large = !data_.records().front().pulls_alone || one.gain.mean >= kLargeGain;
   const double share = large ? kMaterialShare : kMaterialShareAlone;
-  const double least =
-      is_of(ForceEffect::Of::session, one.term) ? kLeastShareOfSession : kLeastShare;
-  const auto material = [&](double taken_N2, std::span<const double> noise_N2, double left_N2) {
-    const double least_N2 = is_of(ForceEffect::Of::time, one.term)
-                                ? data_.noise_left_N2()
-                                : least * std::pow(data_.rmse_N(noise_N2), 2);
-    return taken_N2 >= std::max(least_N2, share * left_N2);
+  const bool of_session = is_of(ForceEffect::Of::session, one.term);
+  const bool of_time = is_of(ForceEffect::Of::time, one.term);
+  const double least = of_session || of_time ? kLeastShareApart : kLeastShare;
+  const double of_noise_N2 =
+      of_time ? kOfNoiseTaken * data_.noise_taken_N2(one.without, model_.fit) : 0;
+  const auto material = [&](double taken_N2, std::span<const double> all_N2, double left_N2) {
+    return taken_N2 >=
+           std::max({least * std::pow(data_.rmse_N(all_N2), 2), of_noise_N2, share * left_N2});
   };
   return told_apart && data_.is_physical(model_.fit, place) &&
-         one.gain.plain_N2 > -not_worse_N2() &&
-         ((moves_sessions(one) &&
+         one.gain.plain_N2 > -not_worse_N2() - kWorse * one.gain.plain_error_N2 &&
+         (((moves_sessions(one) || of_session) &&
            material(one.gain.taken_N2, held.weighted_N2, left_.repeats_N2)) ||
           material(one.gain.beside_scatter_N2, held.beside_scatter_N2, left_.beside_scatter_N2)) &&
          probability_of(one.term, one.gain, data_) >= kNamed;
@@ -395,18 +418,45 @@ bool ForceSearch::prune() {
   return true;
 }
 
-/// Whether what is lost by another term in the place of one is too little to say that it is not
-/// that, or as far from the one as from the other: beside the scatter of sessions, or as it is
-/// where the term shifts whole sessions.
-bool ForceSearch::alike(std::size_t place, ForceTerm other, const PairedGain& lost) const {
-  const Judged& one = judged_[place];
-  if (moves_sessions(one)) {
-    return lost.taken_N2 < std::max(kAlike * left_.repeats_N2, kLawError * one.gain.taken_N2);
-  }
-  const double error = both_of(ForceEffect::Of::time, one.term, other) ? kTimeError : 0;
-  return nearer_by(lost) < kNearer ||
-         lost.beside_scatter_N2 <
-             std::max(kAlike * left_.beside_scatter_N2, error * one.gain.beside_scatter_N2);
+/// Whether what is lost by another term in the place of one is too little to say anything: beside
+/// the scatter of sessions, or as it is where the term shifts whole sessions.
+bool ForceSearch::alike(const Judged& one, const PairedGain& lost) const {
+  return moves_sessions(one)
+             ? lost.taken_N2 < std::max(kAlike * left_.repeats_N2, kLawError * one.gain.taken_N2)
+             : lost.beside_scatter_N2 < std::max(kAlike * left_.beside_scatter_N2,
+                                                 kSameForce * one.gain.beside_scatter_N2);
+}
+
+/// What is lost by another model, which differs from this one between the samples that are kept.
+PairedGain ForceSearch::lost_as_sampled(const ForceFit& other) const {
+  const ForceData all =
+      data_.as_sampled({records_.begin(), records_.end()}, nominal_.fit, model_.fit);
+  const std::array<const ForceFit*, 2> models{&other, &model_.fit};
+  std::array<HeldOut, 2> held;
+  statistics::parallel_for(
+      models.size(),
+      [&](std::size_t i) {
+        held[i] = all.held_out(all.fit(models[i]->terms, models[i]->parameters, kAnew));
+      },
+      options_.threads);
+  return all.gain_of(held[0], held[1], false);
+}
+
+/// What is lost by a lag in the place of a delay or the other way about: nothing is known of that
+/// before they are seen to differ.
+PairedGain ForceSearch::lost_in_time(const Judged& one, const Candidate& other) const {
+  const auto is_of_input = [&](const ForceFit& fit, ForceTerm term) {
+    const auto place = std::ranges::find(fit.terms, term) - fit.terms.begin();
+    return parameters_at(static_cast<std::size_t>(place), fit.terms, fit.parameters, data_.scales())
+               .front() < 0;
+  };
+  const bool of_input =
+      is_of_input(model_.fit, one.term) && is_of_input(other.fit, other.fit.terms.back());
+  const PairedGain lost =
+      of_input ? lost_as_sampled(other.fit) : data_.gain_of(other.held, model_.held, false);
+  const double least_N2 =
+      (of_input ? kInputTimeError : kOutputTimeError) * one.gain.beside_scatter_N2;
+  return std::abs(lost.beside_scatter_N2) < least_N2 ? PairedGain{.slope = kEvenSlope} : lost;
 }
 
 /// What is no effect of the catalogue takes no place, but may be as likely as one that has it.
@@ -425,7 +475,9 @@ bool ForceSearch::exchange(bool allowed) {
     for (Candidate& one : in_place_of(place)) {
       const ForceTerm term = judged_[place].term;
       const ForceTerm other = one.fit.terms.back();
-      const PairedGain lost = data_.gain_of(one.held, model_.held, false);
+      const PairedGain lost = both_of(ForceEffect::Of::time, term, other)
+                                  ? lost_in_time(judged_[place], one)
+                                  : data_.gain_of(one.held, model_.held, false);
       if (judged_[place].gain.plain_N2 - lost.plain_N2 < -not_worse_N2()) {
         continue;  // worse than none
       }
@@ -443,8 +495,10 @@ bool ForceSearch::exchange(bool allowed) {
         model_ = std::move(one);
         return true;
       }
-      if (!other_law && (lost.log_odds < kOdds || alike(place, other, lost))) {
-        judged_[place].others.push_back({other, log_odds_of(lost, term, other)});
+      const bool even = alike(judged_[place], lost);
+      const bool between = !moves_sessions(judged_[place]) && nearer_by(lost) < kNearer;
+      if (!other_law && (even || between || lost.log_odds < kOdds)) {
+        judged_[place].others.push_back({other, even ? 0 : log_odds_of(lost)});
       }
     }
   }

@@ -45,8 +45,10 @@ class ForceSearch {
     HeldOut held;
   };
 
+  /// @param records that the data are of, with all samples; kept by reference
   /// @param friction coefficient that the nominal model starts with
-  ForceSearch(ForceData& data, double friction, const DiagnoseOptions& options);
+  ForceSearch(ForceData& data, std::span<const ForceRecord> records, double friction,
+              const DiagnoseOptions& options);
 
   void run();
 
@@ -79,6 +81,7 @@ class ForceSearch {
   };
 
   void report(double share) const;
+  bool settle();
   void leave_out_outliers();
   void learn_covariance(bool with_timing);
   [[nodiscard]] std::vector<ForceTerm> beside(const ForceTerms& taken) const;
@@ -93,12 +96,15 @@ class ForceSearch {
   [[nodiscard]] double not_worse_N2() const;
   [[nodiscard]] bool stays(std::size_t place) const;
   [[nodiscard]] bool leaves_bounds(const ForceFit& fit) const;
-  [[nodiscard]] bool alike(std::size_t place, ForceTerm other, const PairedGain& lost) const;
+  [[nodiscard]] bool alike(const Judged& one, const PairedGain& lost) const;
+  [[nodiscard]] PairedGain lost_as_sampled(const ForceFit& other) const;
+  [[nodiscard]] PairedGain lost_in_time(const Judged& one, const Candidate& other) const;
   static void beside_catalogue(ForceTerm imitated_by, double log_odds, Judged& one);
   bool exchange(bool allowed);
   [[nodiscard]] std::vector<Candidate> in_place_of(std::size_t place) const;
 
   ForceData& data_;
+  std::span<const ForceRecord> records_;
   const DiagnoseOptions& options_;
   std::vector<ForceCovariate> covariates_;
   std::vector<CovariateBins> bins_;  ///< of each covariate
@@ -107,6 +113,7 @@ class ForceSearch {
   std::vector<Judged> judged_;
   Structure left_;  ///< by the model that they are judged in
   std::vector<Added> added_;
+  ForceTerms settled_by_;  ///< by which friction turns over as it does
   std::optional<ForceData> inliers_;  ///< of the model
 };
 

@@ -366,7 +366,8 @@ TensionDiagnosis in_newtons_after(TensionDiagnosis signatures, TensionDiagnosis 
     found.next_experiment = std::move(signatures.findings.next_experiment);
     return forces;
   }
-  if (signatures.findings.verdict == Verdict::ambiguous) {
+  if (signatures.findings.verdict == Verdict::ambiguous ||
+      signatures.findings.verdict == Verdict::none) {
     return signatures;
   }
   TensionDiagnosis& diagnosis = signatures;
@@ -430,9 +431,6 @@ TensionDiagnosis diagnose_recorded(const Campaign& campaign, const RecordedSessi
   const DiagnoseOptions first = part_of(options, 0, kOfSignatures);
   TensionDiagnosis diagnosis = Diagnoser(campaign, recorded, first).run();
   const Findings& findings = diagnosis.findings;
-  if (findings.verdict == Verdict::none) {
-    return diagnosis;
-  }
   const std::span<const FoundEffect> asked =
       findings.verdict == Verdict::named ? findings.effects : std::span<const FoundEffect>{};
   TensionDiagnosis forces = in_newtons(records(), kOfSignatures, asked);

@@ -89,6 +89,32 @@ TEST(ForceData, HowSharpFrictionTurnsOverIsSettledAnewBesideSlack) {
   EXPECT_DOUBLE_EQ(data.scales().turn_over_m_s, 0.05 * speed_m_s);
 }
 
+/// Of white noise a gain of 1/2 leaves a quarter, and the mean of two samples a half.
+TEST(ForceData, AModelPassesOnNoiseOfTheOutput) {
+  const ForceData data(measured({.friction = 0}, 9));
+  const ForceFit all{{}, {1, 0}, 0};
+  const double three_quarters_N2 = data.noise_taken_N2(all, {{}, {0.5, 0}, 0});
+  EXPECT_GT(three_quarters_N2, 0);
+  EXPECT_NEAR(data.noise_taken_N2(all, {{ForceTerm::delay}, {1, 0, 0.005}, 0}),
+              0.5 / 0.75 * three_quarters_N2, 0.05 * three_quarters_N2);
+  EXPECT_EQ(data.noise_taken_N2(all, all), 0);
+}
+
+/// One session of twelve says by 8 N^2 of its own that it is worse, and the others say nothing: the
+/// mean of 2/3 is as large as its standard error.
+TEST(ForceData, OneSessionThatIsWorseIsNoCertainLoss) {
+  const ForceData data(measured({}, 4));
+  HeldOut before;
+  before.plain_N2.assign(12, 2);
+  before.weighted_N2 = before.beside_scatter_N2 = before.plain_N2;
+  before.residuals_N.assign(12, std::vector<double>(500, 1));
+  HeldOut after = before;
+  after.plain_N2[3] = 10;
+  const PairedGain gain = data.gain_of(before, after, true);
+  EXPECT_NEAR(gain.plain_N2, -8.0 / 12, 1e-9);
+  EXPECT_NEAR(gain.plain_error_N2, 8.0 / 12, 1e-9);
+}
+
 /// b, d and what friction there is of the rest.
 TEST(ForceData, ATendonThatHoldsAllOfItsForceIsNotLoose) {
   const ForceData data(measured({}, 6));

@@ -262,6 +262,18 @@ TEST(ForceModel, AnInputSensorFollowsWithItsLag) {
               1e-9);
 }
 
+/// Friction of 2 N turns from 12 to 8 N where the speed goes through zero, 0.075 s before the
+/// second sample: exp(-1.5) of the step is still to come. Over a length it turns on a line.
+TEST(ForceModel, AnInputSensorFollowsAStepFromWhereTheMotionTurned) {
+  ForceRecord turning = record({0, -0.05}, 1, 10);
+  turning.velocity_m_s[1] = -3;
+  EXPECT_NEAR(predicted(turning, {ForceTerm::preload, ForceTerm::lag}, {1, 0, 2, -0.05}),
+              8 + 4 * std::exp(-1.5), 1e-9);
+  EXPECT_NEAR(predicted(turning, {ForceTerm::preload, ForceTerm::compliance, ForceTerm::lag},
+                        {1, 0, 2, 1e6, -0.05}),
+              8 + 4 / 2.0 * (1 - std::exp(-2)), 1e-6);
+}
+
 TEST(ForceModel, FrictionChangesWithTheCyclesOfTheTendon) {
   ForceRecord old = record({0, 0.1}, 1, 10);
   old.cycle.assign(2, 4000);

@@ -36,6 +36,7 @@ struct Joint {
   double drift_N = 0;   ///< of the input force, from as much below to as much above in 5 s
   double moved_kg = 0;  ///< by the input force
   double jitter_s = 0;  ///< standard deviation of when the friction is read
+  int samples = 500;    ///< of 5 s
 };
 
 inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int sessions = 12) {
@@ -48,8 +49,8 @@ inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int 
     record.rotor_known = joint.rotor_known;
     const double gain = joint.gain + joint.gain_scatter * normal(engine);
     const double omega = 2 * std::numbers::pi * (0.3 + 0.1 * j);
-    for (int i = 0; i < 500; ++i) {
-      const double t = 0.01 * i;
+    for (int i = 0; i < joint.samples; ++i) {
+      const double t = 5.0 * i / joint.samples;
       const double x = 0.05 * std::sin(omega * t);
       const double v = 0.05 * omega * std::cos(omega * t);
       const double load_N =

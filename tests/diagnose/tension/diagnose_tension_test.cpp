@@ -136,6 +136,19 @@ std::string why_invisible(const Findings& findings, std::string_view id) {
   return found == findings.invisible.end() ? "" : found->why;
 }
 
+/// 1 ms where samples are 20 ms apart shows at reversals alone, which signatures leave out.
+TEST_F(DiagnoseTension, WhatOnlyTheForwardModelSeesIsNamed) {
+  const Findings findings =
+      diagnose_tension(make({.hidden = "[effects.filter_lag]\nsensor = \"motor_current\"\n"
+                                       "time_constant_ms = 1.0\n"}),
+                       {})
+          .findings;
+  ASSERT_EQ(findings.verdict, Verdict::named) << findings.prose;
+  ASSERT_EQ(findings.effects.size(), 1U);
+  EXPECT_EQ(findings.effects[0].id, "filter_lag");
+  EXPECT_NEAR(findings.effects[0].parameters.at(0).value, -0.001, 0.0002);
+}
+
 TEST_F(DiagnoseTension, FindsNothingWhereNothingIsHidden) {
   const TensionDiagnosis diagnosis = diagnose_tension(make({}), {});
   const Findings& findings = diagnosis.findings;
