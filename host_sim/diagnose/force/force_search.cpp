@@ -91,6 +91,16 @@ double log_odds_of(const PairedGain& lost) {
   return std::clamp(lost.log_odds, -most, most);
 }
 
+/// What the freedom of a term's parameters counts against it, as a logarithm of odds (Laplace).
+double freedom_of(ForceTerm term, const ForceData& data) {
+  double freedom = 0;
+  for (const ForceParameter& parameter : parameters_of(term, data.scales())) {
+    freedom += parameter.chosen ? std::log(static_cast<double>(parameter.starts.size()))
+                                : std::log(static_cast<double>(data.records().size())) / 2;
+  }
+  return freedom;
+}
+
 /// Of what an effect takes off, what gain and friction that suit each session leave of it where it
 /// moves them as wholes; an effect of what sessions differ in does by what it is.
 constexpr double kShift = 0.05;
@@ -104,11 +114,8 @@ bool moves_sessions(const Judged& one) {
 }  // namespace
 
 double probability_of(ForceTerm term, const PairedGain& gain, const ForceData& data) {
-  double log_odds = gain.z * gain.z / 2 + std::log(kPrior / (1 - kPrior));
-  for (const ForceParameter& parameter : parameters_of(term, data.scales())) {
-    log_odds -= parameter.chosen ? std::log(static_cast<double>(parameter.starts.size()))
-                                 : std::log(static_cast<double>(data.records().size())) / 2;
-  }
+  const double log_odds =
+      gain.z * gain.z / 2 + std::log(kPrior / (1 - kPrior)) - freedom_of(term, data);
   return gain.z > 0 && gain.any() ? 1 / (1 + std::exp(-log_odds)) : 0;
 }
 
@@ -498,7 +505,9 @@ bool ForceSearch::exchange(bool allowed) {
       const bool even = alike(judged_[place], lost);
       const bool between = !moves_sessions(judged_[place]) && nearer_by(lost) < kNearer;
       if (!other_law && (even || between || lost.log_odds < kOdds)) {
-        judged_[place].others.push_back({other, even ? 0 : log_odds_of(lost)});
+        judged_[place].others.push_back(
+            {other,
+             (even ? 0 : log_odds_of(lost)) + freedom_of(other, data_) - freedom_of(term, data_)});
       }
     }
   }
