@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -10,11 +11,6 @@
 
 namespace host_sim::diagnose {
 namespace {
-
-/// Another could be in the place of an effect that is more likely by no more than that, in
-/// logarithms of odds, or takes off no more than that beside it, of what is left and repeats.
-constexpr double kOdds = 3;
-constexpr double kAlike = 0.05;
 
 /// One that leaves that of what the effect takes off is not asked on other sessions, nor fitted any
 /// further where it starts with so much.
@@ -25,99 +21,7 @@ constexpr int kNominalIterations = 15;
 constexpr int kAnew = 4;    ///< iterations on all samples from where the kept ones have led
 constexpr int kRounds = 3;  ///< of terms that take the place of others
 
-/// Of what a model leaves and is no noise: an effect that takes off less may imitate a part of
-/// that. Friction of a tendon that pulls alone is nearly all in proportion to its force, and its
-/// effects are more like each other: it takes more, but for one without which the error is a fifth
-/// larger.
-constexpr double kMaterialShare = 0.5;
-constexpr double kMaterialShareAlone = 2;
-constexpr double kLargeGain = 0.18;  ///< of ln rmse
-
-/// Of what is left at all: without an effect that takes off that the error is 2.5 % larger.
-constexpr double kLeastShare = 0.05;
-
-/// The same of what sessions differ in and of when a channel is read: nothing else looks like that.
-constexpr double kLeastShareApart = 0.003;
-
-/// Of the noise that it takes off, as reading a channel between its samples does: so much is known
-/// of how large that is.
-constexpr double kOfNoiseTaken = 2;
-
-/// Of what an effect takes off, by which its law and another law of friction beside it are not told
-/// apart, nor two that shift whole sessions.
-constexpr double kLawError = 0.02;
-
-/// The same of any two laws, which are one force to that: 3 % of it.
-constexpr double kSameForce = 0.001;
-
-/// The same of a lag and a delay, of the input where all samples are compared: how a force turns
-/// between those is known to neither. At the output the rate that a lag goes by has more noise than
-/// the force besides.
-constexpr double kInputTimeError = 0.01;
-constexpr double kOutputTimeError = 0.05;
-
-/// Least nearer_by() of two laws that are told apart: three times.
-constexpr double kNearer = 1.1;
-
-/// Of the squared error of sessions, plain as they are, which scatter: an effect may look worse by
-/// that much, 2 % of the error.
-constexpr double kNotWorse = 0.04;
-constexpr double kWorse = 2;
-
-constexpr double kPrior = 0.05;  ///< of an effect of the catalogue
-constexpr double kMayBe = 0.5;   ///< probability of one that could be in the place of another
-
-/// Of one that another method names, which sees more of what shifts whole sessions.
-constexpr double kExcluded = 0.01;
-
-bool is_of(ForceEffect::Of kind, ForceTerm term) {
-  return definition_of(term).of == kind;
-}
-
-bool both_of(ForceEffect::Of kind, ForceTerm one, ForceTerm other) {
-  return is_of(kind, one) && is_of(kind, other);
-}
-
-/// Logarithm of how many times nearer what is left is to one law than to the other, along what they
-/// differ in: it lies between them where neither is the whole truth.
-double nearer_by(const PairedGain& lost) {
-  return std::log(std::max(std::abs(lost.slope), lost.error) /
-                  std::max(std::abs(1 - lost.slope), lost.error));
-}
-
-/// Against a law that could be in the place of another: chance and the laws' own errors both count.
-double log_odds_of(const PairedGain& lost) {
-  const double most = std::min(std::abs(nearer_by(lost)), kOdds);
-  return std::clamp(lost.log_odds, -most, most);
-}
-
-/// What the freedom of a term's parameters counts against it, as a logarithm of odds (Laplace).
-double freedom_of(ForceTerm term, const ForceData& data) {
-  double freedom = 0;
-  for (const ForceParameter& parameter : parameters_of(term, data.scales())) {
-    freedom += parameter.chosen ? std::log(static_cast<double>(parameter.starts.size()))
-                                : std::log(static_cast<double>(data.records().size())) / 2;
-  }
-  return freedom;
-}
-
-/// Of what an effect takes off, what gain and friction that suit each session leave of it where it
-/// moves them as wholes; an effect of what sessions differ in does by what it is.
-constexpr double kShift = 0.05;
-constexpr double kShiftOfSession = 0.2;
-
-bool moves_sessions(const Judged& one) {
-  const bool of_session = is_of(ForceEffect::Of::session, one.term);
-  return one.gain.beside_scatter_N2 < (of_session ? kShiftOfSession : kShift) * one.gain.taken_N2;
-}
-
 }  // namespace
-
-double probability_of(ForceTerm term, const PairedGain& gain, const ForceData& data) {
-  const double log_odds =
-      gain.z * gain.z / 2 + std::log(kPrior / (1 - kPrior)) - freedom_of(term, data);
-  return gain.z > 0 && gain.any() ? 1 / (1 + std::exp(-log_odds)) : 0;
-}
 
 ForceSearch::ForceSearch(ForceData& data, std::span<const ForceRecord> records, double friction,
                          const DiagnoseOptions& options)
@@ -196,7 +100,7 @@ bool ForceSearch::sees(std::string_view effect) const {
     }
     const ForceFit fit = fitted_to.with(model_.fit, law, options_.threads);
     const HeldOut held = data_.held_out(fitted_to.fold_fits(fit));
-    if (probability_of(law, data_.gain_of(model_.held, held, true), data_) >= kExcluded) {
+    if (!is_excluded(law, data_.gain_of(model_.held, held, true), data_)) {
       return true;
     }
   }
@@ -346,52 +250,6 @@ std::vector<ForceSearch::Candidate>::iterator ForceSearch::first_law_as_good(
   return first;
 }
 
-double ForceSearch::not_worse_N2() const {
-  return kNotWorse * rmse_N() * rmse_N();
-}
-
-/// Whether a term is certain, material, within the bounds of physics and more than samples resolve.
-bool ForceSearch::stays(std::size_t place) const {
-  const Judged& one = judged_[place];
-  const bool told_apart = std::ranges::all_of(judged_, [&](const Judged& other) {
-    return !both_of(ForceEffect::Of::friction, one.term, other.term) ||
-           one.gain.beside_scatter_N2 >= kLawError * other.gain.beside_scatter_N2 ||
-           (moves_sessions(one) && one.gain.taken_N2 >= kLawError * other.gain.taken_N2);
-  });
-  // Beside the scatter of sessions, or as it is where it is of what they differ in, or that scatter
-  // takes up nearly all of it: what shifts whole sessions.
-  const HeldOut& held = model_.held;
-  const bool large = !data_.records().front().pulls_alone || one.gain.mean >= kLargeGain;
-  const double share = large ? kMaterialShare : kMaterialShareAlone;
-  const bool of_session = is_of(ForceEffect::Of::session, one.term);
-  const bool of_time = is_of(ForceEffect::Of::time, one.term);
-  const double least = of_session || of_time ? kLeastShareApart : kLeastShare;
-  const double of_noise_N2 =
-      of_time ? kOfNoiseTaken * data_.noise_taken_N2(one.without, model_.fit) : 0;
-  const auto material = [&](double taken_N2, std::span<const double> all_N2, double left_N2) {
-    return taken_N2 >=
-           std::max({least * std::pow(data_.rmse_N(all_N2), 2), of_noise_N2, share * left_N2});
-  };
-  return told_apart && data_.is_physical(model_.fit, place) &&
-         one.gain.plain_N2 > -not_worse_N2() - kWorse * one.gain.plain_error_N2 &&
-         (((moves_sessions(one) || of_session) &&
-           material(one.gain.taken_N2, held.weighted_N2, left_.repeats_N2)) ||
-          material(one.gain.beside_scatter_N2, held.beside_scatter_N2, left_.beside_scatter_N2)) &&
-         probability_of(one.term, one.gain, data_) >= kNamed;
-}
-
-/// Whether a term is beyond its bounds that is within them in the model.
-bool ForceSearch::leaves_bounds(const ForceFit& fit) const {
-  for (std::size_t i = 0; i < fit.terms.size(); ++i) {
-    const auto same = std::ranges::find(model_.fit.terms, fit.terms[i]);
-    if (!data_.is_physical(fit, i) &&
-        data_.is_physical(model_.fit, static_cast<std::size_t>(same - model_.fit.terms.begin()))) {
-      return true;
-    }
-  }
-  return false;
-}
-
 /// Judges each term, and takes out the one that matters least if it does not stay.
 bool ForceSearch::prune() {
   judged_.assign(model_.fit.terms.size(), {});
@@ -408,13 +266,14 @@ bool ForceSearch::prune() {
                   .without = all[i].fit,
                   .held_without = all[i].held};
   }
+  const Judgement judgement = this->judgement();
   // One of two that are alike takes the place of the other, but not beyond its bounds.
   const auto by_what_is_lost = [&](std::size_t i) {
     const bool certain = probability_of(judged_[i].term, judged_[i].gain, data_) >= kNamed;
-    return std::tuple(leaves_bounds(all[i].fit), certain, judged_[i].gain.mean);
+    return std::tuple(judgement.leaves_bounds(all[i].fit), certain, judged_[i].gain.mean);
   };
   for (std::size_t i = 0; i < all.size(); ++i) {
-    if (!stays(i) && (!least || by_what_is_lost(i) < by_what_is_lost(*least))) {
+    if (!judgement.stays(i) && (!least || by_what_is_lost(i) < by_what_is_lost(*least))) {
       least = i;
     }
   }
@@ -423,15 +282,6 @@ bool ForceSearch::prune() {
   }
   model_ = std::move(all[*least]);
   return true;
-}
-
-/// Whether what is lost by another term in the place of one is too little to say anything: beside
-/// the scatter of sessions, or as it is where the term shifts whole sessions.
-bool ForceSearch::alike(const Judged& one, const PairedGain& lost) const {
-  return moves_sessions(one)
-             ? lost.taken_N2 < std::max(kAlike * left_.repeats_N2, kLawError * one.gain.taken_N2)
-             : lost.beside_scatter_N2 < std::max(kAlike * left_.beside_scatter_N2,
-                                                 kSameForce * one.gain.beside_scatter_N2);
 }
 
 /// What is lost by another model, which differs from this one between the samples that are kept.
@@ -449,8 +299,7 @@ PairedGain ForceSearch::lost_as_sampled(const ForceFit& other) const {
   return all.gain_of(held[0], held[1], false);
 }
 
-/// What is lost by a lag in the place of a delay or the other way about: nothing is known of that
-/// before they are seen to differ.
+/// What is lost by a lag in the place of a delay, or the other way about.
 PairedGain ForceSearch::lost_in_time(const Judged& one, const Candidate& other) const {
   const auto is_of_input = [&](const ForceFit& fit, ForceTerm term) {
     const auto place = std::ranges::find(fit.terms, term) - fit.terms.begin();
@@ -459,55 +308,38 @@ PairedGain ForceSearch::lost_in_time(const Judged& one, const Candidate& other) 
   };
   const bool of_input =
       is_of_input(model_.fit, one.term) && is_of_input(other.fit, other.fit.terms.back());
-  const PairedGain lost =
-      of_input ? lost_as_sampled(other.fit) : data_.gain_of(other.held, model_.held, false);
-  const double least_N2 =
-      (of_input ? kInputTimeError : kOutputTimeError) * one.gain.beside_scatter_N2;
-  return std::abs(lost.beside_scatter_N2) < least_N2 ? PairedGain{.slope = kEvenSlope} : lost;
-}
-
-/// What is no effect of the catalogue takes no place, but may be as likely as one that has it.
-void ForceSearch::beside_catalogue(ForceTerm imitated_by, double log_odds, Judged& one) {
-  const double share = 1 / (1 + std::exp(-log_odds));
-  if (log_odds < kOdds && share < one.share) {
-    one.share = share;
-    one.imitated_by = imitated_by;
-  }
+  return Judgement::in_time(
+      one, of_input ? lost_as_sampled(other.fit) : data_.gain_of(other.held, model_.held, false),
+      of_input);
 }
 
 /// Finds what could stand in the place of each term. Where that does better it takes the place,
 /// as long as that is allowed, and all are judged anew.
 bool ForceSearch::exchange(bool allowed) {
+  const Judgement judgement = this->judgement();
   for (std::size_t place = 0; place < judged_.size(); ++place) {
+    Judged& judged = judged_[place];
     for (Candidate& one : in_place_of(place)) {
-      const ForceTerm term = judged_[place].term;
       const ForceTerm other = one.fit.terms.back();
-      const PairedGain lost = both_of(ForceEffect::Of::time, term, other)
-                                  ? lost_in_time(judged_[place], one)
+      const PairedGain lost = both_of(ForceEffect::Of::time, judged.term, other)
+                                  ? lost_in_time(judged, one)
                                   : data_.gain_of(one.held, model_.held, false);
-      if (judged_[place].gain.plain_N2 - lost.plain_N2 < -not_worse_N2()) {
-        continue;  // worse than none
-      }
-      const PairedGain own = data_.gain_of(judged_[place].held_without, one.held, true);
-      if (probability_of(other, own, data_) < kMayBe) {
-        continue;  // not there by itself
-      }
-      if (definition_of(other).outside) {
-        beside_catalogue(other, lost.log_odds, judged_[place]);
+      if (judgement.is_worse_than_none(judged, lost) ||
+          !may_be(other, data_.gain_of(judged.held_without, one.held, true), data_)) {
         continue;
       }
-      const bool other_law = definition_of(other).id == definition_of(term).id;
-      if (allowed && lost.log_odds < -kOdds && (!other_law || lost.z < -kSeen)) {
+      if (definition_of(other).outside) {
+        Judgement::beside_catalogue(other, lost, judged);
+        continue;
+      }
+      if (allowed && Judgement::takes_place(judged, other, lost)) {
         added_.push_back({other, std::nullopt});
         model_ = std::move(one);
         return true;
       }
-      const bool even = alike(judged_[place], lost);
-      const bool between = !moves_sessions(judged_[place]) && nearer_by(lost) < kNearer;
-      if (!other_law && (even || between || lost.log_odds < kOdds)) {
-        judged_[place].others.push_back(
-            {other,
-             (even ? 0 : log_odds_of(lost)) + freedom_of(other, data_) - freedom_of(term, data_)});
+      const std::optional<double> log_odds = judgement.log_odds_of(judged, other, lost);
+      if (log_odds && definition_of(other).id != definition_of(judged.term).id) {
+        judged.others.push_back({other, *log_odds});
       }
     }
   }

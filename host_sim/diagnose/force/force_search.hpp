@@ -7,34 +7,11 @@
 
 #include "host_sim/diagnose/diagnosis.hpp"
 #include "host_sim/diagnose/force/force_fit.hpp"
-#include "host_sim/diagnose/force/structure.hpp"
+#include "host_sim/diagnose/force/judgement.hpp"
 
 namespace host_sim::diagnose {
 
 inline constexpr std::size_t kMostForceTerms = 5;
-
-/// What it takes for a search to go on, on sessions that the fit never saw, in standard errors.
-inline constexpr double kSeen = 3;
-
-/// A term in the model, by what the model does without it.
-struct Judged {
-  ForceTerm term{};
-  PairedGain gain;
-  ForceFit without;
-  HeldOut held_without;
-  struct Other {
-    ForceTerm term{};
-    double log_odds = 0;  ///< against it
-  };
-  std::vector<Other> others = {};  ///< that could stand in its place
-  /// The same of what the catalogue does not have, and the probability that it is not that.
-  std::optional<ForceTerm> imitated_by = {};
-  double share = 1;
-};
-
-/// That the effect of a term is there: Laplace, the standard errors of the gain as evidence against
-/// as many parameters, of so many sessions, and of what is tried one by one each as likely before.
-double probability_of(ForceTerm term, const PairedGain& gain, const ForceData& data);
 
 /// Grows a model of the input force by effects of the catalogue as long as they gain on sessions
 /// that the fit never saw, and takes those out again without which it does as well.
@@ -93,13 +70,11 @@ class ForceSearch {
   [[nodiscard]] std::vector<Candidate>::iterator first_law_as_good(
       std::vector<Candidate>& all, std::vector<Candidate>::iterator best) const;
   bool prune();
-  [[nodiscard]] double not_worse_N2() const;
-  [[nodiscard]] bool stays(std::size_t place) const;
-  [[nodiscard]] bool leaves_bounds(const ForceFit& fit) const;
-  [[nodiscard]] bool alike(const Judged& one, const PairedGain& lost) const;
+  [[nodiscard]] Judgement judgement() const {
+    return {data_, model_.fit, model_.held, left_, judged_};
+  }
   [[nodiscard]] PairedGain lost_as_sampled(const ForceFit& other) const;
   [[nodiscard]] PairedGain lost_in_time(const Judged& one, const Candidate& other) const;
-  static void beside_catalogue(ForceTerm imitated_by, double log_odds, Judged& one);
   bool exchange(bool allowed);
   [[nodiscard]] std::vector<Candidate> in_place_of(std::size_t place) const;
 
@@ -113,7 +88,7 @@ class ForceSearch {
   std::vector<Judged> judged_;
   Structure left_;  ///< by the model that they are judged in
   std::vector<Added> added_;
-  ForceTerms settled_by_;  ///< by which friction turns over as it does
+  ForceTerms settled_by_;             ///< by which friction turns over as it does
   std::optional<ForceData> inliers_;  ///< of the model
 };
 

@@ -1,0 +1,201 @@
+#include "host_sim/diagnose/force/judgement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host_sim/diagnose/diagnosis.hpp"
+
+namespace host_sim::diagnose {
+namespace {
+
+/// Another could be in the place of an effect that is more likely by no more than that, in
+/// logarithms of odds, or takes off no more than that beside it, of what is left and repeats.
+constexpr double kOdds = 3;
+constexpr double kAlike = 0.05;
+
+/// Of what a model leaves and is no noise: an effect that takes off less may imitate a part of
+/// that. Friction of a tendon that pulls alone is nearly all in proportion to its force, and its
+/// effects are more like each other: it takes more, but for one without which the error is a fifth
+/// larger.
+constexpr double kMaterialShare = 0.5;
+constexpr double kMaterialShareAlone = 2;
+constexpr double kLargeGain = 0.18;  ///< of ln rmse
+
+/// Of what is left at all: without an effect that takes off that the error is 2.5 % larger.
+constexpr double kLeastShare = 0.05;
+
+/// The same of what sessions differ in and of when a channel is read: nothing else looks like that.
+constexpr double kLeastShareApart = 0.003;
+
+/// Of the noise that it takes off, as reading a channel between its samples does: so much is known
+/// of how large that is.
+constexpr double kOfNoiseTaken = 2;
+
+/// Of what an effect takes off, by which its law and another law of friction beside it are not told
+/// apart, nor two that shift whole sessions.
+constexpr double kLawError = 0.02;
+
+/// The same of any two laws, which are one force to that: 3 % of it.
+constexpr double kSameForce = 0.001;
+
+/// The same of a lag and a delay, of the input where all samples are compared: how a force turns
+/// between those is known to neither. At the output the rate that a lag goes by has more noise than
+/// the force besides.
+constexpr double kInputTimeError = 0.01;
+constexpr double kOutputTimeError = 0.05;
+
+/// Least nearer_by() of two laws that are told apart: three times.
+constexpr double kNearer = 1.1;
+
+/// Of the squared error of sessions, plain as they are, which scatter: an effect may look worse by
+/// that much, 2 % of the error, and by so many standard errors.
+constexpr double kNotWorse = 0.04;
+constexpr double kWorse = 2;
+
+constexpr double kPrior = 0.05;  ///< of an effect of the catalogue
+constexpr double kMayBe = 0.5;   ///< probability of one that could be in the place of another
+
+/// Of one that another method names, which sees more of what shifts whole sessions.
+constexpr double kExcluded = 0.01;
+
+bool is_of(ForceEffect::Of kind, ForceTerm term) {
+  return definition_of(term).of == kind;
+}
+
+/// Logarithm of how many times nearer what is left is to one law than to the other, along what they
+/// differ in: it lies between them where neither is the whole truth.
+double nearer_by(const PairedGain& lost) {
+  return std::log(std::max(std::abs(lost.slope), lost.error) /
+                  std::max(std::abs(1 - lost.slope), lost.error));
+}
+
+/// What the freedom of a term's parameters counts against it, as a logarithm of odds (Laplace).
+double freedom_of(ForceTerm term, const ForceData& data) {
+  double freedom = 0;
+  for (const ForceParameter& parameter : parameters_of(term, data.scales())) {
+    freedom += parameter.chosen ? std::log(static_cast<double>(parameter.starts.size()))
+                                : std::log(static_cast<double>(data.records().size())) / 2;
+  }
+  return freedom;
+}
+
+/// Of what an effect takes off, what gain and friction that suit each session leave of it where it
+/// moves them as wholes; an effect of what sessions differ in does by what it is.
+constexpr double kShift = 0.05;
+constexpr double kShiftOfSession = 0.2;
+
+bool moves_sessions(const Judged& one) {
+  const bool of_session = is_of(ForceEffect::Of::session, one.term);
+  return one.gain.beside_scatter_N2 < (of_session ? kShiftOfSession : kShift) * one.gain.taken_N2;
+}
+
+}  // namespace
+
+bool both_of(ForceEffect::Of kind, ForceTerm one, ForceTerm other) {
+  return is_of(kind, one) && is_of(kind, other);
+}
+
+double probability_of(ForceTerm term, const PairedGain& gain, const ForceData& data) {
+  const double log_odds =
+      gain.z * gain.z / 2 + std::log(kPrior / (1 - kPrior)) - freedom_of(term, data);
+  return gain.z > 0 && gain.any() ? 1 / (1 + std::exp(-log_odds)) : 0;
+}
+
+bool may_be(ForceTerm term, const PairedGain& gain, const ForceData& data) {
+  return probability_of(term, gain, data) >= kMayBe;
+}
+
+bool is_excluded(ForceTerm term, const PairedGain& gain, const ForceData& data) {
+  return probability_of(term, gain, data) < kExcluded;
+}
+
+bool Judgement::stays(std::size_t place) const {
+  const Judged& one = judged_[place];
+  const bool told_apart = std::ranges::all_of(judged_, [&](const Judged& other) {
+    return !both_of(ForceEffect::Of::friction, one.term, other.term) ||
+           one.gain.beside_scatter_N2 >= kLawError * other.gain.beside_scatter_N2 ||
+           (moves_sessions(one) && one.gain.taken_N2 >= kLawError * other.gain.taken_N2);
+  });
+  // Beside the scatter of sessions, or as it is where it is of what they differ in, or that scatter
+  // takes up nearly all of it: what shifts whole sessions.
+  const bool large = !data_.records().front().pulls_alone || one.gain.mean >= kLargeGain;
+  const double share = large ? kMaterialShare : kMaterialShareAlone;
+  const bool of_session = is_of(ForceEffect::Of::session, one.term);
+  const bool of_time = is_of(ForceEffect::Of::time, one.term);
+  const double least = of_session || of_time ? kLeastShareApart : kLeastShare;
+  const double of_noise_N2 =
+      of_time ? kOfNoiseTaken * data_.noise_taken_N2(one.without, model_) : 0;
+  const auto material = [&](double taken_N2, std::span<const double> all_N2, double left_N2) {
+    return taken_N2 >=
+           std::max({least * std::pow(data_.rmse_N(all_N2), 2), of_noise_N2, share * left_N2});
+  };
+  return told_apart && data_.is_physical(model_, place) &&
+         one.gain.plain_N2 > -not_worse_N2() - kWorse * one.gain.plain_error_N2 &&
+         (((moves_sessions(one) || of_session) &&
+           material(one.gain.taken_N2, held_.weighted_N2, left_.repeats_N2)) ||
+          material(one.gain.beside_scatter_N2, held_.beside_scatter_N2, left_.beside_scatter_N2)) &&
+         probability_of(one.term, one.gain, data_) >= kNamed;
+}
+
+bool Judgement::leaves_bounds(const ForceFit& fit) const {
+  for (std::size_t i = 0; i < fit.terms.size(); ++i) {
+    const auto same = std::ranges::find(model_.terms, fit.terms[i]);
+    if (!data_.is_physical(fit, i) &&
+        data_.is_physical(model_, static_cast<std::size_t>(same - model_.terms.begin()))) {
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Whether what is lost by another term in the place of one is too little to say anything: beside
+/// the scatter of sessions, or as it is where the term shifts whole sessions.
+bool Judgement::alike(const Judged& one, const PairedGain& lost) const {
+  return moves_sessions(one)
+             ? lost.taken_N2 < std::max(kAlike * left_.repeats_N2, kLawError * one.gain.taken_N2)
+             : lost.beside_scatter_N2 < std::max(kAlike * left_.beside_scatter_N2,
+                                                 kSameForce * one.gain.beside_scatter_N2);
+}
+
+bool Judgement::is_worse_than_none(const Judged& one, const PairedGain& lost) const {
+  return one.gain.plain_N2 - lost.plain_N2 < -not_worse_N2();
+}
+
+bool Judgement::takes_place(const Judged& one, ForceTerm other, const PairedGain& lost) {
+  const bool other_law = definition_of(other).id == definition_of(one.term).id;
+  return lost.log_odds < -kOdds && (!other_law || lost.z < -kSeen);
+}
+
+std::optional<double> Judgement::log_odds_of(const Judged& one, ForceTerm other,
+                                             const PairedGain& lost) const {
+  const bool even = alike(one, lost);
+  const bool between = !moves_sessions(one) && nearer_by(lost) < kNearer;
+  if (!even && !between && lost.log_odds >= kOdds) {
+    return std::nullopt;
+  }
+  // Chance and the laws' own errors both count.
+  const double most = even ? 0 : std::min(std::abs(nearer_by(lost)), kOdds);
+  return std::clamp(lost.log_odds, -most, most) + freedom_of(other, data_) -
+         freedom_of(one.term, data_);
+}
+
+void Judgement::beside_catalogue(ForceTerm other, const PairedGain& lost, Judged& one) {
+  const double share = 1 / (1 + std::exp(-lost.log_odds));
+  if (lost.log_odds < kOdds && share < one.share) {
+    one.share = share;
+    one.imitated_by = other;
+  }
+}
+
+PairedGain Judgement::in_time(const Judged& one, const PairedGain& lost, bool of_input) {
+  const double error = of_input ? kInputTimeError : kOutputTimeError;
+  return std::abs(lost.beside_scatter_N2) < error * one.gain.beside_scatter_N2
+             ? PairedGain{.slope = kEvenSlope}
+             : lost;
+}
+
+double Judgement::not_worse_N2() const {
+  return kNotWorse * std::pow(data_.rmse_N(held_.plain_N2), 2);
+}
+
+}  // namespace host_sim::diagnose

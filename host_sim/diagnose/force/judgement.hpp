@@ -1,0 +1,87 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "host_sim/diagnose/force/force_fit.hpp"
+#include "host_sim/diagnose/force/structure.hpp"
+
+namespace host_sim::diagnose {
+
+/// What it takes to be seen on sessions that the fit never saw, in standard errors.
+inline constexpr double kSeen = 3;
+
+/// A term in a model, by what the model does without it.
+struct Judged {
+  ForceTerm term{};
+  PairedGain gain;
+  ForceFit without;
+  HeldOut held_without;
+  struct Other {
+    ForceTerm term{};
+    double log_odds = 0;  ///< against it
+  };
+  std::vector<Other> others = {};  ///< that could stand in its place
+  /// The same of what the catalogue does not have, and the probability that it is not that.
+  std::optional<ForceTerm> imitated_by = {};
+  double share = 1;
+};
+
+/// Whether both are laws of such effects.
+bool both_of(ForceEffect::Of kind, ForceTerm one, ForceTerm other);
+
+/// That the effect of a term is there: Laplace, the standard errors of the gain as evidence against
+/// as many parameters, of so many sessions, and of what is tried one by one each as likely before.
+double probability_of(ForceTerm term, const PairedGain& gain, const ForceData& data);
+
+/// That what could be in the place of a cause, or that another method names, is there at all.
+bool may_be(ForceTerm term, const PairedGain& gain, const ForceData& data);
+bool is_excluded(ForceTerm term, const PairedGain& gain, const ForceData& data);
+
+/// What it takes to stay in a model, and what could stand in the place of that.
+class Judgement {
+ public:
+  /// @param judged terms of the model, in order; kept by reference, as all of these
+  Judgement(const ForceData& data, const ForceFit& model, const HeldOut& held,
+            const Structure& left, std::span<const Judged> judged)
+      : data_(data), model_(model), held_(held), left_(left), judged_(judged) {}
+
+  /// Whether a term is certain, material, within the bounds of physics and more than samples
+  /// resolve.
+  [[nodiscard]] bool stays(std::size_t place) const;
+
+  /// Whether a term is beyond its bounds in a model that is within them in this one.
+  [[nodiscard]] bool leaves_bounds(const ForceFit& fit) const;
+
+  /// Whether the error is larger than without any term in the place of one.
+  /// @param lost by another term in that place
+  [[nodiscard]] bool is_worse_than_none(const Judged& one, const PairedGain& lost) const;
+
+  /// Whether another term does better in the place of one.
+  [[nodiscard]] static bool takes_place(const Judged& one, ForceTerm other, const PairedGain& lost);
+
+  /// Against another effect in the place of one; none where it is told that it is not that.
+  [[nodiscard]] std::optional<double> log_odds_of(const Judged& one, ForceTerm other,
+                                                  const PairedGain& lost) const;
+
+  /// What is no effect of the catalogue takes no place, but may be as likely as one that has it.
+  static void beside_catalogue(ForceTerm other, const PairedGain& lost, Judged& one);
+
+  /// What is lost by a lag in the place of a delay, or the other way about: nothing is known of it
+  /// before they are seen to differ.
+  /// @param of_input whether it is the input that is late, and `lost` of all samples
+  [[nodiscard]] static PairedGain in_time(const Judged& one, const PairedGain& lost, bool of_input);
+
+ private:
+  [[nodiscard]] double not_worse_N2() const;
+  [[nodiscard]] bool alike(const Judged& one, const PairedGain& lost) const;
+
+  const ForceData& data_;
+  const ForceFit& model_;
+  const HeldOut& held_;
+  const Structure& left_;
+  std::span<const Judged> judged_;
+};
+
+}  // namespace host_sim::diagnose
