@@ -32,8 +32,10 @@ constexpr double kLeastShareApart = 0.003;
 constexpr double kOfNoiseTaken = 2;
 
 /// Of what an effect takes off, by which its law and another law of friction beside it are not told
-/// apart, nor two that shift whole sessions.
+/// apart, nor two that shift whole sessions; but for one that takes off so many times what is left
+/// with it, as no error of another law would go away whole.
 constexpr double kLawError = 0.02;
+constexpr double kAll = 10;
 
 /// The same of any two laws, which are one force to that: 3 % of it.
 constexpr double kSameForce = 0.001;
@@ -111,11 +113,13 @@ bool is_excluded(ForceTerm term, const PairedGain& gain, const ForceData& data) 
 
 bool Judgement::stays(std::size_t place) const {
   const Judged& one = judged_[place];
-  const bool told_apart = std::ranges::all_of(judged_, [&](const Judged& other) {
-    return !both_of(ForceEffect::Of::friction, one.term, other.term) ||
-           one.gain.beside_scatter_N2 >= kLawError * other.gain.beside_scatter_N2 ||
-           (moves_sessions(one) && one.gain.taken_N2 >= kLawError * other.gain.taken_N2);
-  });
+  const bool told_apart =
+      one.gain.beside_scatter_N2 >= kAll * left_.beside_scatter_N2 ||
+      std::ranges::all_of(judged_, [&](const Judged& other) {
+        return !both_of(ForceEffect::Of::friction, one.term, other.term) ||
+               one.gain.beside_scatter_N2 >= kLawError * other.gain.beside_scatter_N2 ||
+               (moves_sessions(one) && one.gain.taken_N2 >= kLawError * other.gain.taken_N2);
+      });
   // Beside the scatter of sessions, or as it is where it is of what they differ in, or that scatter
   // takes up nearly all of it: what shifts whole sessions.
   const bool large = !data_.records().front().pulls_alone || one.gain.mean >= kLargeGain;

@@ -201,6 +201,18 @@ TEST(DiagnoseForces, OfASmoothForceALagIsAsLikelyAsADelay) {
   EXPECT_NEAR(findings.candidates[1].probability, 0.5, 0.01);
 }
 
+/// Friction that falls with a load of 10 to 90 N by an exponent of 0.5 is nearly a line: little of
+/// it is beside 60 N that do not depend on the load, less than laws err by. Then nothing is left.
+TEST(DiagnoseForces, ASmallLawBesideALargeOneIsNamedWhereNothingElseIsLeft) {
+  Joint joint{
+      .friction = 0.8, .load_exponent = 0.5, .still_N = 50, .preload_N = 60, .noise_N = 0.1};
+  const Findings whole = found(measured(joint, 3));
+  EXPECT_THAT(ids_of(whole), Contains("friction_load")) << whole.prose;
+  joint.cogging_N = 2;
+  const Findings more = found(measured(joint, 3));
+  EXPECT_THAT(ids_of(more), Not(Contains("friction_load"))) << more.prose;
+}
+
 TEST(DiagnoseForces, WhatIsAskedForIsDoubtedWhereNothingIsSeenOfIt) {
   std::vector<FoundEffect> asked(2);
   asked[0].id = "friction_preload";
