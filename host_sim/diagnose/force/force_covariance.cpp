@@ -224,6 +224,14 @@ ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const For
   }
 }
 
+ForceCovariance ForceCovariance::without_scatter() const {
+  ForceCovariance even = *this;
+  std::ranges::fill(even.shrinks_, Eigen::Matrix2d::Zero());
+  even.log_gain_sd_ = 0;
+  even.friction_sd_ = 0;
+  return even;
+}
+
 Eigen::MatrixXd ForceCovariance::product(std::size_t record,
                                          const Eigen::Ref<const Eigen::MatrixXd>& a,
                                          const Eigen::Ref<const Eigen::MatrixXd>& b) const {

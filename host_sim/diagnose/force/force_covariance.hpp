@@ -31,6 +31,9 @@ class ForceCovariance {
                   std::span<const double> parameters,
                   const std::vector<std::vector<double>>& residuals_N, bool with_timing);
 
+  /// The same noise, and no scatter.
+  [[nodiscard]] ForceCovariance without_scatter() const;
+
   /// a' W b of the samples of one record; W is the inverse of the covariance, and in the mean over
   /// all samples 1 where nothing scatters.
   [[nodiscard]] Eigen::MatrixXd product(std::size_t record,

@@ -99,6 +99,8 @@ class ForceData {
                                               unsigned threads) const;
   /// The same with all iterations, or fewer where it is there before.
   [[nodiscard]] ForceFit finished(const ForceFit& fit) const;
+  /// The same where gain and friction of sessions do not scatter.
+  [[nodiscard]] ForceFit finished_without_scatter(const ForceFit& fit) const;
   /// With one term more and all iterations.
   [[nodiscard]] ForceFit with(const ForceFit& from, ForceTerm term, unsigned threads) const {
     return finished(started(from, std::span(&term, 1), threads).front());

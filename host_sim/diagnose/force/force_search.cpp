@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -20,6 +21,10 @@ constexpr double kHopeless = 0.9;
 constexpr int kNominalIterations = 15;
 constexpr int kAnew = 4;    ///< iterations on all samples from where the kept ones have led
 constexpr int kRounds = 3;  ///< of terms that take the place of others
+
+bool is_seen(const PairedGain& gain) {
+  return gain.z >= kSeen && gain.any();
+}
 
 }  // namespace
 
@@ -41,13 +46,20 @@ void ForceSearch::run() {
   constexpr double kOfGrowing = 0.3;
   constexpr double kOfPruning = 0.1;
   report(0);
+  bool grown = false;
   for (int round = 0; round < 2; ++round) {
-    if (round == 0 || !settle()) {
-      learn_covariance(round > 0);
+    with_timing_ = round > 0;
+    if (!settle()) {
+      learn_covariance();
     }
+    grown = false;
     while (model_.fit.terms.size() < kMostForceTerms && grow()) {
+      grown = true;
     }
     report(kOfGrowing * (round + 1));
+  }
+  if (grown) {
+    learn_covariance();
   }
   for (int round = 0; round < kRounds; ++round) {
     while (prune() || settle()) {
@@ -68,7 +80,7 @@ bool ForceSearch::settle() {
                      data_.settle_turn_over(model_.fit);
   settled_by_ = model_.fit.terms;
   if (other) {
-    learn_covariance(true);
+    learn_covariance();
   }
   return other;
 }
@@ -116,8 +128,8 @@ void ForceSearch::report(double share) const {
 /// What was scatter to the nominal model may have a cause by the one that was found. What every
 /// model would leave where the force changes fast is noise only once those are in it that act
 /// there.
-void ForceSearch::learn_covariance(bool with_timing) {
-  data_.learn_covariance(nominal_.fit, model_.fit, with_timing);
+void ForceSearch::learn_covariance() {
+  data_.learn_covariance(nominal_.fit, model_.fit, with_timing_);
   for (Candidate* const one : {&nominal_, &model_}) {
     one->fit = data_.fit(one->fit.terms, one->fit.parameters, kNominalIterations);
     one->held = data_.held_out(one->fit);
@@ -218,13 +230,17 @@ void ForceSearch::hold_out(std::vector<Candidate>& all) const {
 /// there.
 bool ForceSearch::grow() {
   constexpr std::size_t kTried = 4;
-  std::vector<Candidate> all = with_each(model_.fit, beside(model_.fit.terms), HUGE_VAL);
+  std::vector<ForceTerm> terms = beside(model_.fit.terms);
+  const auto of_sessions = std::ranges::stable_partition(
+      terms, [](ForceTerm term) { return !is_of(ForceEffect::Of::session, term); });
+  std::vector<Candidate> all =
+      with_each(model_.fit, {terms.begin(), of_sessions.begin()}, HUGE_VAL);
   all.resize(std::min(all.size(), kTried));
   hold_out(all);
   std::erase_if(all, [&](const Candidate& one) {
-    const PairedGain gain = data_.gain_of(model_.held, one.held, true);
-    return gain.z < kSeen || !gain.any();
+    return !is_seen(data_.gain_of(model_.held, one.held, true));
   });
+  std::ranges::move(with_session_effects(of_sessions), std::back_inserter(all));
   const auto best = std::ranges::min_element(
       all, {}, [&](const Candidate& one) { return data_.rmse_N(one.held.beside_scatter_N2); });
   if (best == all.end()) {
@@ -233,6 +249,30 @@ bool ForceSearch::grow() {
   model_ = std::move(*first_law_as_good(all, best));
   added_.push_back({model_.fit.terms.back(), model_});
   return true;
+}
+
+/// What sessions differ in is a part of what they scatter by until it is in the model: each such
+/// effect is fitted as if nothing scattered, and asked beside what then does.
+std::vector<ForceSearch::Candidate> ForceSearch::with_session_effects(
+    std::span<const ForceTerm> terms) const {
+  std::vector<Candidate> all(terms.size());
+  statistics::parallel_for(
+      terms.size(),
+      [&](std::size_t i) {
+        const ForceFit started = data_.started(model_.fit, terms.subspan(i, 1), 1).front();
+        ForceData data = data_;
+        const ForceFit even = data.finished_without_scatter(started);
+        data.learn_covariance(nominal_.fit, even, with_timing_);
+        const ForceFit with = data.fit(even.terms, even.parameters, kAnew);
+        const ForceFit before = data.fit(model_.fit.terms, model_.fit.parameters, kAnew);
+        if (data.is_physical(with, with.terms.size() - 1) &&
+            is_seen(data.gain_of(data.held_out(before), data.held_out(with), true))) {
+          all[i] = {with, data_.held_out(with)};
+        }
+      },
+      options_.threads);
+  std::erase_if(all, [](const Candidate& one) { return one.fit.terms.empty(); });
+  return all;
 }
 
 /// Of laws of one effect the first one in the catalogue, unless another is seen to be better.

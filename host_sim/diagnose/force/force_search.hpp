@@ -60,13 +60,14 @@ class ForceSearch {
   void report(double share) const;
   bool settle();
   void leave_out_outliers();
-  void learn_covariance(bool with_timing);
+  void learn_covariance();
   [[nodiscard]] std::vector<ForceTerm> beside(const ForceTerms& taken) const;
   [[nodiscard]] std::vector<Candidate> with_each(const ForceFit& from,
                                                  const std::vector<ForceTerm>& terms,
                                                  double most_N2) const;
   void hold_out(std::vector<Candidate>& all) const;
   bool grow();
+  [[nodiscard]] std::vector<Candidate> with_session_effects(std::span<const ForceTerm> terms) const;
   [[nodiscard]] std::vector<Candidate>::iterator first_law_as_good(
       std::vector<Candidate>& all, std::vector<Candidate>::iterator best) const;
   bool prune();
@@ -88,6 +89,7 @@ class ForceSearch {
   std::vector<Judged> judged_;
   Structure left_;  ///< by the model that they are judged in
   std::vector<Added> added_;
+  bool with_timing_ = false;          ///< noise of when samples were read is learned, too
   ForceTerms settled_by_;             ///< by which friction turns over as it does
   std::optional<ForceData> inliers_;  ///< of the model
 };

@@ -60,10 +60,6 @@ constexpr double kMayBe = 0.5;   ///< probability of one that could be in the pl
 /// Of one that another method names, which sees more of what shifts whole sessions.
 constexpr double kExcluded = 0.01;
 
-bool is_of(ForceEffect::Of kind, ForceTerm term) {
-  return definition_of(term).of == kind;
-}
-
 /// Logarithm of how many times nearer what is left is to one law than to the other, along what they
 /// differ in: it lies between them where neither is the whole truth.
 double nearer_by(const PairedGain& lost) {
@@ -92,6 +88,10 @@ bool moves_sessions(const Judged& one) {
 }
 
 }  // namespace
+
+bool is_of(ForceEffect::Of kind, ForceTerm term) {
+  return definition_of(term).of == kind;
+}
 
 bool both_of(ForceEffect::Of kind, ForceTerm one, ForceTerm other) {
   return is_of(kind, one) && is_of(kind, other);

@@ -28,7 +28,8 @@ struct Judged {
   double share = 1;
 };
 
-/// Whether both are laws of such effects.
+/// Whether one, or both, are laws of such effects.
+bool is_of(ForceEffect::Of kind, ForceTerm term);
 bool both_of(ForceEffect::Of kind, ForceTerm one, ForceTerm other);
 
 /// That the effect of a term is there: Laplace, the standard errors of the gain as evidence against
