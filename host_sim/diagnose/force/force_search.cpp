@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -231,16 +230,18 @@ void ForceSearch::hold_out(std::vector<Candidate>& all) const {
 bool ForceSearch::grow() {
   constexpr std::size_t kTried = 4;
   std::vector<ForceTerm> terms = beside(model_.fit.terms);
-  const auto of_sessions = std::ranges::stable_partition(
-      terms, [](ForceTerm term) { return !is_of(ForceEffect::Of::session, term); });
-  std::vector<Candidate> all =
-      with_each(model_.fit, {terms.begin(), of_sessions.begin()}, HUGE_VAL);
+  const auto of_sessions = std::stable_partition(terms.begin(), terms.end(), [](ForceTerm term) {
+    return !is_of(ForceEffect::Of::session, term);
+  });
+  std::vector<Candidate> all = with_each(model_.fit, {terms.begin(), of_sessions}, HUGE_VAL);
   all.resize(std::min(all.size(), kTried));
   hold_out(all);
   std::erase_if(all, [&](const Candidate& one) {
     return !is_seen(data_.gain_of(model_.held, one.held, true));
   });
-  std::ranges::move(with_session_effects(of_sessions), std::back_inserter(all));
+  for (Candidate& one : with_session_effects({of_sessions, terms.end()})) {
+    all.push_back(std::move(one));
+  }
   const auto best = std::ranges::min_element(
       all, {}, [&](const Candidate& one) { return data_.rmse_N(one.held.beside_scatter_N2); });
   if (best == all.end()) {

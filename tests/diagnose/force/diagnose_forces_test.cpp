@@ -213,6 +213,25 @@ TEST(DiagnoseForces, ASmallLawBesideALargeOneIsNamedWhereNothingElseIsLeft) {
   EXPECT_THAT(ids_of(more), Not(Contains("friction_load"))) << more.prose;
 }
 
+/// 12 N of friction at 20 C, 0.6 % more with each kelvin, of sessions at 20 to 42 C that scatter by
+/// 1 %.
+TEST(DiagnoseForces, WhatSessionsDifferInIsNoScatter) {
+  std::mt19937 engine(4);
+  std::normal_distribution<double> scatter(1, 0.01);
+  std::vector<ForceRecord> records;
+  for (unsigned j = 0; j < 12; ++j) {
+    const double temperature_C = 20 + 2 * (5 * j % 12);
+    const double preload_N = 12 * (1 + 0.006 * (temperature_C - 20)) * scatter(engine);
+    records.push_back(measured({.preload_N = preload_N, .noise_N = 0.2}, 20 + j, 1).front());
+    records.back().session = "s" + std::to_string(j);
+    records.back().sheath_temperature_C.assign(records.back().samples(), temperature_C);
+  }
+  const Findings findings = found(records);
+  EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload", "friction_temperature"))
+      << findings.prose;
+  EXPECT_NEAR(estimate(findings, "temperature_coefficient_1_K").value, 0.006, 0.001);
+}
+
 TEST(DiagnoseForces, WhatIsAskedForIsDoubtedWhereNothingIsSeenOfIt) {
   std::vector<FoundEffect> asked(2);
   asked[0].id = "friction_preload";
