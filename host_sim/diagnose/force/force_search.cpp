@@ -45,19 +45,19 @@ void ForceSearch::run() {
   constexpr double kOfGrowing = 0.3;
   constexpr double kOfPruning = 0.1;
   report(0);
-  bool grown = false;
+  bool of_sessions = false;
   for (int round = 0; round < 2; ++round) {
     with_timing_ = round > 0;
     if (!settle()) {
       learn_covariance();
     }
-    grown = false;
+    of_sessions = false;
     while (model_.fit.terms.size() < kMostForceTerms && grow()) {
-      grown = true;
+      of_sessions = of_sessions || is_of(ForceEffect::Of::session, model_.fit.terms.back());
     }
     report(kOfGrowing * (round + 1));
   }
-  if (grown) {
+  if (of_sessions) {
     learn_covariance();
   }
   for (int round = 0; round < kRounds; ++round) {
