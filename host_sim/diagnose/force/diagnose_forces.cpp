@@ -402,8 +402,7 @@ class Report {
     ForceFit without = data_.without(model, place);
     std::vector<ForceTerm> others;
     for (const ForceTerm law : kForceTerms) {
-      if (definition_of(law).id == definition_of(model.terms[place]).id &&
-          is_shown(law, data_.records())) {
+      if (same_effect(law, model.terms[place]) && is_shown(law, data_.records())) {
         others.push_back(law);
       }
     }

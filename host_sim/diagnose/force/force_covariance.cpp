@@ -224,12 +224,10 @@ ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const For
   }
 }
 
-ForceCovariance ForceCovariance::without_scatter() const {
-  ForceCovariance even = *this;
-  std::ranges::fill(even.shrinks_, Eigen::Matrix2d::Zero());
-  even.log_gain_sd_ = 0;
-  even.friction_sd_ = 0;
-  return even;
+void ForceCovariance::forget_scatter() {
+  std::ranges::fill(shrinks_, Eigen::Matrix2d::Zero());
+  log_gain_sd_ = 0;
+  friction_sd_ = 0;
 }
 
 Eigen::MatrixXd ForceCovariance::product(std::size_t record,

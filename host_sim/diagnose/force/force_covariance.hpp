@@ -31,8 +31,8 @@ class ForceCovariance {
                   std::span<const double> parameters,
                   const std::vector<std::vector<double>>& residuals_N, bool with_timing);
 
-  /// The same noise, and no scatter.
-  [[nodiscard]] ForceCovariance without_scatter() const;
+  /// The same noise from here on, and no scatter.
+  void forget_scatter();
 
   /// a' W b of the samples of one record; W is the inverse of the covariance, and in the mean over
   /// all samples 1 where nothing scatters.

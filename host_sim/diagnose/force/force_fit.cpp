@@ -368,12 +368,6 @@ ForceFit ForceData::finished(const ForceFit& from) const {
   return beyond_steps(fit(from.terms, from.parameters, kIterations));
 }
 
-ForceFit ForceData::finished_without_scatter(const ForceFit& from) const {
-  ForceData even = *this;
-  even.covariance_ = covariance_.without_scatter();
-  return even.finished(from);
-}
-
 /// A slope over steps leads into the next valley: the best of those around is taken.
 ForceFit ForceData::beyond_steps(ForceFit best) const {
   constexpr double kFactors[] = {0.5, 0.65, 0.8, 0.9, 0.96, 1.04, 1.1, 1.25, 1.5, 2};

@@ -74,6 +74,8 @@ class ForceData {
   /// From here on gain and friction of sessions scatter as this model leaves them to.
   /// @param with_timing whether samples may have been read sooner or later than their time
   void learn_covariance(const ForceFit& nominal, const ForceFit& model, bool with_timing);
+  /// From here on they do not scatter.
+  void forget_scatter() { covariance_.forget_scatter(); }
   [[nodiscard]] const ForceCovariance& covariance() const { return covariance_; }
 
   /// The same without samples that a model leaves far outside of the others' scatter once gain and
@@ -99,8 +101,6 @@ class ForceData {
                                               unsigned threads) const;
   /// The same with all iterations, or fewer where it is there before.
   [[nodiscard]] ForceFit finished(const ForceFit& fit) const;
-  /// The same where gain and friction of sessions do not scatter.
-  [[nodiscard]] ForceFit finished_without_scatter(const ForceFit& fit) const;
   /// With one term more and all iterations.
   [[nodiscard]] ForceFit with(const ForceFit& from, ForceTerm term, unsigned threads) const {
     return finished(started(from, std::span(&term, 1), threads).front());

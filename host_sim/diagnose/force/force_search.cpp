@@ -21,6 +21,10 @@ constexpr int kNominalIterations = 15;
 constexpr int kAnew = 4;    ///< iterations on all samples from where the kept ones have led
 constexpr int kRounds = 3;  ///< of terms that take the place of others
 
+ForceFit fitted_anew(const ForceData& data, const ForceFit& fit) {
+  return data.fit(fit.terms, fit.parameters, kAnew);
+}
+
 bool is_seen(const PairedGain& gain) {
   return gain.z >= kSeen && gain.any();
 }
@@ -171,8 +175,7 @@ std::vector<ForceTerm> ForceSearch::beside(const ForceTerms& taken) const {
   std::vector<ForceTerm> terms;
   for (const ForceTerm term : kForceTerms) {
     const auto same = [&](ForceTerm one) {
-      return definition_of(one).id == definition_of(term).id ||
-             both_of(ForceEffect::Of::time, one, term);
+      return same_effect(one, term) || both_of(ForceEffect::Of::time, one, term);
     };
     const bool wanted =
         std::ranges::find(options_.without, definition_of(term).id) == options_.without.end();
@@ -262,10 +265,11 @@ std::vector<ForceSearch::Candidate> ForceSearch::with_session_effects(
       [&](std::size_t i) {
         const ForceFit started = data_.started(model_.fit, terms.subspan(i, 1), 1).front();
         ForceData data = data_;
-        const ForceFit even = data.finished_without_scatter(started);
+        data.forget_scatter();
+        const ForceFit even = data.finished(started);
         data.learn_covariance(nominal_.fit, even, with_timing_);
-        const ForceFit with = data.fit(even.terms, even.parameters, kAnew);
-        const ForceFit before = data.fit(model_.fit.terms, model_.fit.parameters, kAnew);
+        const ForceFit with = fitted_anew(data, even);
+        const ForceFit before = fitted_anew(data, model_.fit);
         if (data.is_physical(with, with.terms.size() - 1) &&
             is_seen(data.gain_of(data.held_out(before), data.held_out(with), true))) {
           all[i] = {with, data_.held_out(with)};
@@ -282,8 +286,7 @@ std::vector<ForceSearch::Candidate>::iterator ForceSearch::first_law_as_good(
   auto first = best;
   for (auto one = all.begin(); one != all.end(); ++one) {
     const ForceTerm term = one->fit.terms.back();
-    if (term < first->fit.terms.back() &&
-        definition_of(term).id == definition_of(best->fit.terms.back()).id &&
+    if (term < first->fit.terms.back() && same_effect(term, best->fit.terms.back()) &&
         data_.gain_of(one->held, best->held, false).z < kSeen) {
       first = one;
     }
@@ -332,10 +335,7 @@ PairedGain ForceSearch::lost_as_sampled(const ForceFit& other) const {
   const std::array<const ForceFit*, 2> models{&other, &model_.fit};
   std::array<HeldOut, 2> held;
   statistics::parallel_for(
-      models.size(),
-      [&](std::size_t i) {
-        held[i] = all.held_out(all.fit(models[i]->terms, models[i]->parameters, kAnew));
-      },
+      models.size(), [&](std::size_t i) { held[i] = all.held_out(fitted_anew(all, *models[i])); },
       options_.threads);
   return all.gain_of(held[0], held[1], false);
 }
@@ -378,8 +378,7 @@ bool ForceSearch::exchange(bool allowed) {
         model_ = std::move(one);
         return true;
       }
-      const std::optional<double> log_odds = judgement.log_odds_of(judged, other, lost);
-      if (log_odds && definition_of(other).id != definition_of(judged.term).id) {
+      if (const auto log_odds = judgement.log_odds_of(judged, other, lost)) {
         judged.others.push_back({other, *log_odds});
       }
     }

@@ -97,6 +97,10 @@ bool both_of(ForceEffect::Of kind, ForceTerm one, ForceTerm other) {
   return is_of(kind, one) && is_of(kind, other);
 }
 
+bool same_effect(ForceTerm one, ForceTerm other) {
+  return definition_of(one).id == definition_of(other).id;
+}
+
 double probability_of(ForceTerm term, const PairedGain& gain, const ForceData& data) {
   const double log_odds =
       gain.z * gain.z / 2 + std::log(kPrior / (1 - kPrior)) - freedom_of(term, data);
@@ -166,15 +170,14 @@ bool Judgement::is_worse_than_none(const Judged& one, const PairedGain& lost) co
 }
 
 bool Judgement::takes_place(const Judged& one, ForceTerm other, const PairedGain& lost) {
-  const bool other_law = definition_of(other).id == definition_of(one.term).id;
-  return lost.log_odds < -kOdds && (!other_law || lost.z < -kSeen);
+  return lost.log_odds < -kOdds && (!same_effect(one.term, other) || lost.z < -kSeen);
 }
 
 std::optional<double> Judgement::log_odds_of(const Judged& one, ForceTerm other,
                                              const PairedGain& lost) const {
   const bool even = alike(one, lost);
   const bool between = !moves_sessions(one) && nearer_by(lost) < kNearer;
-  if (!even && !between && lost.log_odds >= kOdds) {
+  if (same_effect(one.term, other) || (!even && !between && lost.log_odds >= kOdds)) {
     return std::nullopt;
   }
   // Chance and the laws' own errors both count.

@@ -32,6 +32,9 @@ struct Judged {
 bool is_of(ForceEffect::Of kind, ForceTerm term);
 bool both_of(ForceEffect::Of kind, ForceTerm one, ForceTerm other);
 
+/// Whether both are laws of one effect.
+bool same_effect(ForceTerm one, ForceTerm other);
+
 /// That the effect of a term is there: Laplace, the standard errors of the gain as evidence against
 /// as many parameters, of so many sessions, and of what is tried one by one each as likely before.
 double probability_of(ForceTerm term, const PairedGain& gain, const ForceData& data);
@@ -62,7 +65,8 @@ class Judgement {
   /// Whether another term does better in the place of one.
   [[nodiscard]] static bool takes_place(const Judged& one, ForceTerm other, const PairedGain& lost);
 
-  /// Against another effect in the place of one; none where it is told that it is not that.
+  /// Against another effect in the place of one; none where it is told that it is not that, or is
+  /// the same.
   [[nodiscard]] std::optional<double> log_odds_of(const Judged& one, ForceTerm other,
                                                   const PairedGain& lost) const;
 

@@ -18,6 +18,7 @@
 
 #include "hal/files/input_file.hpp"
 #include "host_sim/campaign/campaign.hpp"
+#include "host_sim/diagnose/force/smoothing.hpp"
 #include "host_sim/extension/model_file.hpp"
 #include "host_sim/recording/import.hpp"
 #include "tests/diagnose/force/joint.hpp"
@@ -143,18 +144,7 @@ std::vector<ForceRecord> read_late(
       measured({.preload_N = 12, .noise_N = 0.2, .samples = 40000}, 5);
   for (ForceRecord& record : records) {
     read(record.input_N, record.time_s[1]);
-    const auto keep = [&](auto& values) {
-      for (std::size_t i = 0; i * kEach < values.size(); ++i) {
-        values[i] = values[i * kEach];
-      }
-      values.resize(values.size() / kEach);
-    };
-    for (auto* const channel :
-         {&record.time_s, &record.input_N, &record.output_N, &record.output_rate_N_s,
-          &record.velocity_m_s, &record.position_m, &record.reversal_m, &record.bend_angle_rad}) {
-      keep(*channel);
-    }
-    keep(record.used);
+    thin(record, record.samples() / kEach);
   }
   return records;
 }
