@@ -69,7 +69,8 @@ bool improves(const HeldOutGain& gain) {
   const Metric* const density = metric("log_predictive_density");
   const bool denser = density != nullptr && density->after > density->before;
   if (const Metric* const input = metric("input_rmse_N")) {
-    return input->after < input->before || (denser && input->after <= kNotWorse * input->before);
+    const bool not_worse = gain.within_scatter || input->after <= kNotWorse * input->before;
+    return input->after < input->before || (denser && not_worse);
   }
   const Metric* const output = metric("rmse_N");
   return output != nullptr ? output->after < output->before : denser;

@@ -74,11 +74,13 @@ struct Metric {
 struct HeldOutGain {
   std::string held_out_by;  ///< "session", "pose", "level"; empty where nothing was extended
   std::vector<Metric> metrics;
+  /// Whether the error of the input is larger by no more than sessions scatter, if it is.
+  bool within_scatter = false;
 };
 
 /// Whether the error on such data becomes less: of the input tension where that is known, which a
-/// tendon breaks by, or its density larger with an error that is at most 2 % larger, since sessions
-/// scatter and the density takes that into account; else of the output tension; else whether the
+/// tendon breaks by, or its density larger with an error that is at most 2 % larger or within the
+/// scatter, since the density takes that into account; else of the output tension; else whether the
 /// density is larger. What does not gain is no extension, however probable it is.
 [[nodiscard]] bool improves(const HeldOutGain& gain);
 

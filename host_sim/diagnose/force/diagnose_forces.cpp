@@ -308,11 +308,13 @@ class Report {
     const double after = rmse_N(extended.held_N);
     HeldOutGain gain{
         .held_out_by = "session",
-        .metrics = {
-            {"rmse_N", output_rmse_of({search_.nominal().fit, {}, {}}), output_rmse_of(extended)},
-            {"input_rmse_N", before, after},
-            {"log_predictive_density", density(search_.nominal().held.residuals_N),
-             density(extended.held_N)}}};
+        .metrics = {{"rmse_N", output_rmse_of({search_.nominal().fit, {}, {}}),
+                     output_rmse_of(extended)},
+                    {"input_rmse_N", before, after},
+                    {"log_predictive_density", density(search_.nominal().held.residuals_N),
+                     density(extended.held_N)}},
+        .within_scatter =
+            within_scatter(data_.gain_of(search_.nominal().held, search_.model().held, true))};
     const std::optional<double> damage_before =
         damage_error_percent(search_.nominal().held.residuals_N);
     const std::optional<double> damage_after = damage_error_percent(extended.held_N);

@@ -53,7 +53,7 @@ RefitOfSession refit_of(const Eigen::MatrixX2d& directions_N, const Eigen::Vecto
   refit.left_N = residuals_N - directions_N * refit.of.value;
   refit.inflation = inflation_of(refit.left_N);
   const double noise_N2 = (weights.array() * refit.left_N.array().square()).mean();
-  refit.of.variance = inverse.diagonal() * noise_N2 * refit.inflation;
+  refit.of.covariance = inverse * noise_N2 * refit.inflation;
   return refit;
 }
 
@@ -209,7 +209,7 @@ ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const For
   Eigen::Array2d variance = Eigen::Array2d::Zero();
   for (const RefitOfSession& refit : refits) {
     variance += (refit.of.value.array() - mean).square() / (sessions - 1) -
-                refit.of.variance.array() / sessions;
+                refit.of.covariance.diagonal().array() / sessions;
   }
   most_scatter_ = {kMostLogGain, kMostFriction * parameters[1]};
   variance = variance.max(0).min(most_scatter_.square());
@@ -249,11 +249,46 @@ double ForceCovariance::weighted_square(
 
 ForceCovariance::Refit ForceCovariance::refit(
     std::size_t record, const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const {
-  if (record >= along_N_.size()) {
-    return {};
+  return record < along_N_.size() ? refit_of(directions_N(record), weights_[record], residuals_N).of
+                                  : Refit{};
+}
+
+Eigen::VectorXd ForceCovariance::beside_refit(
+    std::size_t record, const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const {
+  return record < along_N_.size()
+             ? refit_of(directions_N(record), weights_[record], residuals_N).left_N
+             : Eigen::VectorXd(residuals_N);
+}
+
+Eigen::MatrixX2d ForceCovariance::directions_N(std::size_t record) const {
+  return weights_[record].cwiseInverse().asDiagonal() * along_N_[record];
+}
+
+double ForceCovariance::log_likelihood_of(std::span<const Refit> refits) const {
+  constexpr int kSteps = 17;
+  constexpr double kLeast = 0.01;  // of the most; each size between is as likely
+  if (!(most_scatter_ > 0).all()) {
+    return 0;
   }
-  const Eigen::VectorXd& weights = weights_[record];
-  return refit_of(weights.cwiseInverse().asDiagonal() * along_N_[record], weights, residuals_N).of;
+  Eigen::Array<double, kSteps, kSteps> of_scatter;
+  const auto share = [](Eigen::Index step) {
+    return std::pow(kLeast, static_cast<double>(step) / (kSteps - 1));
+  };
+  for (Eigen::Index i = 0; i < kSteps; ++i) {
+    for (Eigen::Index k = 0; k < kSteps; ++k) {
+      const Eigen::Array2d variance = (most_scatter_ * Eigen::Array2d(share(i), share(k))).square();
+      double log_likelihood = 0;
+      for (const Refit& refit : refits) {
+        const Eigen::Matrix2d all =
+            refit.covariance + Eigen::Matrix2d(variance.matrix().asDiagonal());
+        log_likelihood -=
+            (refit.value.dot(all.inverse() * refit.value) + std::log(all.determinant())) / 2;
+      }
+      of_scatter(i, k) = log_likelihood;
+    }
+  }
+  const double most = of_scatter.maxCoeff();
+  return most + std::log((of_scatter - most).exp().mean());
 }
 
 Eigen::Array2d ForceCovariance::squares(std::size_t record) const {

@@ -47,11 +47,19 @@ class ForceCovariance {
   /// ln gain and friction coefficient that suit one record, beside those of a model.
   struct Refit {
     Eigen::Vector2d value = Eigen::Vector2d::Zero();
-    Eigen::Vector2d variance = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
   };
   /// @param residuals_N that the model leaves
   [[nodiscard]] Refit refit(std::size_t record,
                             const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const;
+
+  /// What those leave.
+  [[nodiscard]] Eigen::VectorXd beside_refit(
+      std::size_t record, const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const;
+
+  /// ln of how likely it is that a model leaves such gain and friction to sessions, however much of
+  /// that they scatter by.
+  [[nodiscard]] double log_likelihood_of(std::span<const Refit> refits) const;
 
   /// Of one record, the sum of squares of what a unit of ln gain and of friction does to the input
   /// force, by the weight of samples.
@@ -73,6 +81,9 @@ class ForceCovariance {
   [[nodiscard]] double friction_sd() const { return friction_sd_; }
 
  private:
+  /// dT_in/d ln gain and dT_in/d mu.
+  [[nodiscard]] Eigen::MatrixX2d directions_N(std::size_t record) const;
+
   std::vector<Eigen::VectorXd> weights_;
   std::vector<Eigen::MatrixX2d> along_N_;  ///< dT_in/d ln gain and dT_in/d mu, times the weights
   std::vector<Eigen::Matrix2d> shrinks_;

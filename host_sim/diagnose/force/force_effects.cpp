@@ -543,7 +543,8 @@ constexpr ForceEffect kEffect{
     has_current,
     parameters,
     [](Numbers numbers, ForceValues& values) { values.gear_asymmetry = numbers[0]; },
-    written<parameters>};
+    written<parameters>,
+    ForceEffect::Of::session};
 
 }  // namespace gear_asymmetry
 

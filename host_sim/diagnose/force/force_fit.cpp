@@ -21,6 +21,41 @@ constexpr int kFirstIterations = 2;  ///< of each start, and again of the best o
 constexpr double kLogGain = 0.3;
 constexpr int kFoldIterations = 2;  ///< from where all records have led
 
+/// Of one session: what another model takes off, along what is left there and itself.
+struct Regressed {
+  double along = 0;
+  double size = 0;
+};
+
+struct Slope {
+  double value = 0;
+  double error = 0;  ///< standard error; none where sessions show nothing
+};
+
+/// As far as the slope goes without each session (jackknife); without the one that alone shows
+/// anything it is none.
+Slope slope_of(const std::vector<Regressed>& sessions) {
+  constexpr double kLeast = 1e-6;
+  double along = 0;
+  double size = 0;
+  for (const Regressed& session : sessions) {
+    along += session.along;
+    size += session.size;
+  }
+  if (size <= 0) {
+    return {};
+  }
+  const double slope = along / size;
+  double square = 0;
+  for (const Regressed& session : sessions) {
+    const double others = size - session.size;
+    const double without = others > kLeast * size ? (along - session.along) / others : 0;
+    square += std::pow(without - slope, 2);
+  }
+  const auto count = static_cast<double>(sessions.size());
+  return {slope, std::sqrt(std::max(square, 1e-300) * (count - 1) / count)};
+}
+
 }  // namespace
 
 /// Of least squares: J'J, J'r and the gradient of each record.
@@ -424,11 +459,12 @@ std::vector<ForceFit> ForceData::fold_fits(const ForceFit& whole) const {
 }
 
 HeldOut ForceData::held_out(const ForceFit& whole) const {
-  return held_out(fold_fits(whole));
+  return held_out(whole, fold_fits(whole));
 }
 
-HeldOut ForceData::held_out(std::span<const ForceFit> seen) const {
+HeldOut ForceData::held_out(const ForceFit& whole, std::span<const ForceFit> seen) const {
   HeldOut held;
+  std::vector<ForceCovariance::Refit> refits;
   for (std::size_t j = 0; j < records_.size(); ++j) {
     const ForceFit& by = seen[j % kFolds];
     const std::vector<double> left_N = residuals_N(j, by.terms, by.parameters);
@@ -437,7 +473,10 @@ HeldOut ForceData::held_out(std::span<const ForceFit> seen) const {
     held.weighted_N2.push_back(covariance_.weighted_square(j, vector_of(left_N)) / count);
     held.beside_scatter_N2.push_back(
         covariance_.product(j, vector_of(left_N), vector_of(left_N))(0, 0) / count);
+    refits.push_back(
+        covariance_.refit(j, vector_of(residuals_N(j, whole.terms, whole.parameters))));
   }
+  held.log_likelihood = covariance_.log_likelihood_of(refits);
   held.plain_N2 = mean_squares_N2(held.residuals_N);
   return held;
 }
@@ -516,6 +555,7 @@ PairedGain ForceData::gain_of(const HeldOut& before, const HeldOut& after, bool 
   PairedGain gain;
   gain.mean = std::max(paired_gain(before.beside_scatter_N2, after.beside_scatter_N2).mean,
                        std::log(rmse_N(before.plain_N2) / rmse_N(after.plain_N2)));
+  gain.of_sessions = after.log_likelihood - before.log_likelihood;
   const auto taken_N2 = [&](std::span<const double> of_before, std::span<const double> of_after) {
     return std::pow(rmse_N(of_before), 2) - std::pow(rmse_N(of_after), 2);
   };
@@ -529,40 +569,34 @@ PairedGain ForceData::gain_of(const HeldOut& before, const HeldOut& after, bool 
   }
   gain.plain_error_N2 = std::sqrt(std::max(count * square_N4 - gain.plain_N2 * gain.plain_N2, 0.0) /
                                   std::max(count - 1, 1.0));
-  double along = 0;
-  double size = 0;
-  std::vector<Eigen::Vector2d> sessions;
+  std::vector<Regressed> sessions;
+  std::vector<Regressed> within;
   for (std::size_t j = 0; j < records_.size(); ++j) {
     const Eigen::VectorXd left_N = vector_of(before.residuals_N[j]);
     const Eigen::VectorXd taken_N = left_N - vector_of(after.residuals_N[j]);
     const double noise_N2 = std::max(after.beside_scatter_N2[j], 1e-300);
-    sessions.emplace_back(covariance_.product(j, taken_N, left_N)(0, 0) / noise_N2,
-                          covariance_.product(j, taken_N, taken_N)(0, 0) / noise_N2);
-    along += sessions.back()(0);
-    size += sessions.back()(1);
+    sessions.push_back({covariance_.product(j, taken_N, left_N)(0, 0) / noise_N2,
+                        covariance_.product(j, taken_N, taken_N)(0, 0) / noise_N2});
+    const Eigen::VectorXd taken_within_N = covariance_.beside_refit(j, taken_N);
+    gain.moved_N2 += covariance_.weighted_square(j, taken_N) / samples_;
+    gain.within_N2 += covariance_.weighted_square(j, taken_within_N) / samples_;
+    within.push_back({covariance_.product(j, taken_within_N, left_N)(0, 0) / noise_N2,
+                      covariance_.product(j, taken_within_N, taken_within_N)(0, 0) / noise_N2});
   }
-  if (count < 2 || size <= 0) {
+  const Slope slope = slope_of(sessions);
+  if (count < 2 || slope.error <= 0) {
     return gain;
   }
-  const double slope = along / size;
-  // As far as the slope goes without each session (jackknife); without the one that alone shows
-  // anything it is none.
-  double square = 0;
-  for (const Eigen::Vector2d& session : sessions) {
-    constexpr double kLeast = 1e-6;
-    const double others = size - session(1);
-    const double without = others > kLeast * size ? (along - session(0)) / others : 0;
-    square += std::pow(without - slope, 2);
-  }
-  const double error = std::sqrt(std::max(square, 1e-300) * (count - 1) / count);
   // Few sessions say less of how much they scatter: as surely as Student's t.
   const auto normal_of = [&](double t) {
     return std::copysign(std::sqrt(count * std::log1p(t * t / (count - 1))), t);
   };
-  gain.z = normal_of((nested ? slope : slope - kEvenSlope) / error);
-  gain.log_odds = normal_of((slope - kEvenSlope) / error) / error;
-  gain.slope = slope;
-  gain.error = error;
+  gain.z = normal_of((nested ? slope.value : slope.value - kEvenSlope) / slope.error);
+  gain.log_odds = normal_of((slope.value - kEvenSlope) / slope.error) / slope.error;
+  gain.slope = slope.value;
+  gain.error = slope.error;
+  const Slope slope_within = slope_of(within);
+  gain.z_within = slope_within.error > 0 ? normal_of(slope_within.value / slope_within.error) : 0;
   return gain;
 }
 

@@ -22,6 +22,8 @@ struct HeldOut {
   std::vector<double> weighted_N2;        ///< each sample by its noise
   std::vector<double> beside_scatter_N2;  ///< without what gain and friction of the session explain
   std::vector<std::vector<double>> residuals_N;
+  /// Of the gain and friction that sessions have beside the fit to all of them.
+  double log_likelihood = 0;
 };
 
 /// Of PairedGain::slope, where both models leave as much.
@@ -29,15 +31,20 @@ inline constexpr double kEvenSlope = 0.5;
 
 /// How much less one model leaves than another on sessions that neither saw, beside the scatter.
 struct PairedGain {
-  double mean = 0;               ///< of ln(rmse_b/rmse_a) over sessions
-  double z = 0;                  ///< how surely, in standard errors of a normal distribution
-  double slope = 0;              ///< along what they differ in: 1 where the other is the truth
-  double error = 0;              ///< standard error of the slope
-  double log_odds = 0;           ///< of the other model against the one
-  double taken_N2 = 0;           ///< that the mean square by the weight of samples is less
-  double beside_scatter_N2 = 0;  ///< the same of what gain and friction of sessions leave
-  double plain_N2 = 0;           ///< that the mean square is less, each sample alike
-  double plain_error_N2 = 0;     ///< standard error of that, of sessions that scatter
+  double mean = 0;         ///< of ln(rmse_b/rmse_a) over sessions
+  double z = 0;            ///< how surely, in standard errors of a normal distribution
+  double slope = 0;        ///< along what they differ in: 1 where the other is the truth
+  double error = 0;        ///< standard error of the slope
+  double log_odds = 0;     ///< of the other model against the one
+  double of_sessions = 0;  ///< gain of the log likelihood of what moves sessions as wholes
+  double within_N2 = 0;    ///< of moved_N2, what gain and friction that suit each session leave
+  double z_within = 0;     ///< z of that
+  double taken_N2 = 0;     ///< that the mean square by the weight of samples is less
+  double moved_N2 = 0;     ///< mean square of what they differ by, by that weight
+  double beside_scatter_N2 =
+      0;  ///< that the mean square is less of what gain and friction of sessions leave
+  double plain_N2 = 0;        ///< that the mean square is less, each sample alike
+  double plain_error_N2 = 0;  ///< standard error of that, of sessions that scatter
 
   [[nodiscard]] bool any() const { return taken_N2 > 0 || beside_scatter_N2 > 0; }
 };
@@ -117,7 +124,7 @@ class ForceData {
 
   [[nodiscard]] HeldOut held_out(const ForceFit& fit) const;
   /// @param seen fold_fits() of a fit
-  [[nodiscard]] HeldOut held_out(std::span<const ForceFit> seen) const;
+  [[nodiscard]] HeldOut held_out(const ForceFit& fit, std::span<const ForceFit> seen) const;
 
   /// What the other model takes off a session is regressed on what is left there: sessions count by
   /// how much the models differ in them. Of the truth the slope is 1.

@@ -25,8 +25,8 @@ ForceFit fitted_anew(const ForceData& data, const ForceFit& fit) {
   return data.fit(fit.terms, fit.parameters, kAnew);
 }
 
-bool is_seen(const PairedGain& gain) {
-  return gain.z >= kSeen && gain.any();
+bool is_seen(ForceTerm term, const PairedGain& gain) {
+  return 2 * evidence_of(term, gain) >= kSeen * kSeen && gain.any();
 }
 
 }  // namespace
@@ -55,17 +55,18 @@ void ForceSearch::run() {
     if (!settle()) {
       learn_covariance();
     }
-    of_sessions = false;
-    while (model_.fit.terms.size() < kMostForceTerms && grow()) {
-      of_sessions = of_sessions || is_of(ForceEffect::Of::session, model_.fit.terms.back());
-    }
+    of_sessions = grow_on();
     report(kOfGrowing * (round + 1));
   }
   if (of_sessions) {
     learn_covariance();
   }
   for (int round = 0; round < kRounds; ++round) {
-    while (prune() || settle()) {
+    if (reduce()) {
+      if (grow_on()) {
+        learn_covariance();
+      }
+      reduce();
     }
     report(2 * kOfGrowing + kOfPruning * (round + 1));
     if (!exchange(round + 1 < kRounds)) {
@@ -73,6 +74,30 @@ void ForceSearch::run() {
     }
   }
   leave_out_outliers();
+}
+
+/// Grows as long as that gains.
+/// @returns whether by anything that sessions differ in
+bool ForceSearch::grow_on() {
+  bool of_sessions = false;
+  while (model_.fit.terms.size() < kMostForceTerms && grow()) {
+    of_sessions = of_sessions || is_of(ForceEffect::Of::session, model_.fit.terms.back());
+  }
+  return of_sessions;
+}
+
+/// Takes out what does not stay.
+/// @returns whether friction turns over otherwise then, which may have hidden others
+bool ForceSearch::reduce() {
+  bool settled = false;
+  bool other = true;
+  while (other) {
+    const bool less = prune();
+    const bool anew = !less && settle();
+    settled = settled || anew;
+    other = less || anew;
+  }
+  return settled;
 }
 
 /// Settles how sharp friction turns over where the model is another one, as what came or went may
@@ -93,7 +118,7 @@ void ForceSearch::leave_out_outliers() {
   inliers_ = data_.without_outliers(model_.fit);
   if (!model_.fit.terms.empty()) {
     model_.fit = inliers_->finished(model_.fit);
-    model_.held = data_.held_out(inliers_->fold_fits(model_.fit));
+    model_.held = data_.held_out(model_.fit, inliers_->fold_fits(model_.fit));
   }
 }
 
@@ -114,7 +139,7 @@ bool ForceSearch::sees(std::string_view effect) const {
       return true;
     }
     const ForceFit fit = fitted_to.with(model_.fit, law, options_.threads);
-    const HeldOut held = data_.held_out(fitted_to.fold_fits(fit));
+    const HeldOut held = data_.held_out(fit, fitted_to.fold_fits(fit));
     if (!is_excluded(law, data_.gain_of(model_.held, held, true), data_)) {
       return true;
     }
@@ -224,7 +249,7 @@ void ForceSearch::hold_out(std::vector<Candidate>& all) const {
       },
       options_.threads);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    all[i].held = data_.held_out(seen[i]);
+    all[i].held = data_.held_out(all[i].fit, seen[i]);
   }
 }
 
@@ -240,13 +265,18 @@ bool ForceSearch::grow() {
   all.resize(std::min(all.size(), kTried));
   hold_out(all);
   std::erase_if(all, [&](const Candidate& one) {
-    return !is_seen(data_.gain_of(model_.held, one.held, true));
+    return !is_seen(one.fit.terms.back(), data_.gain_of(model_.held, one.held, true));
   });
-  for (Candidate& one : with_session_effects({of_sessions, terms.end()})) {
-    all.push_back(std::move(one));
-  }
-  const auto best = std::ranges::min_element(
+  auto best = std::ranges::min_element(
       all, {}, [&](const Candidate& one) { return data_.rmse_N(one.held.beside_scatter_N2); });
+  if (all.empty()) {
+    all = with_session_effects({of_sessions, terms.end()});
+    best = std::ranges::max_element(all, {}, [&](const Candidate& one) {
+      const ForceTerm term = one.fit.terms.back();
+      return evidence_of(term, data_.gain_of(model_.held, one.held, true)) -
+             freedom_of(term, data_);
+    });
+  }
   if (best == all.end()) {
     return false;
   }
@@ -271,7 +301,8 @@ std::vector<ForceSearch::Candidate> ForceSearch::with_session_effects(
         const ForceFit with = fitted_anew(data, even);
         const ForceFit before = fitted_anew(data, model_.fit);
         if (data.is_physical(with, with.terms.size() - 1) &&
-            is_seen(data.gain_of(data.held_out(before), data.held_out(with), true))) {
+            is_seen(with.terms.back(),
+                    data.gain_of(data.held_out(before), data.held_out(with), true))) {
           all[i] = {with, data_.held_out(with)};
         }
       },

@@ -66,10 +66,12 @@ class ForceSearch {
                                                  const std::vector<ForceTerm>& terms,
                                                  double most_N2) const;
   void hold_out(std::vector<Candidate>& all) const;
+  bool grow_on();
   bool grow();
   [[nodiscard]] std::vector<Candidate> with_session_effects(std::span<const ForceTerm> terms) const;
   [[nodiscard]] std::vector<Candidate>::iterator first_law_as_good(
       std::vector<Candidate>& all, std::vector<Candidate>::iterator best) const;
+  bool reduce();
   bool prune();
   [[nodiscard]] Judgement judgement() const {
     return {data_, model_.fit, model_.held, left_, judged_};

@@ -67,24 +67,28 @@ double nearer_by(const PairedGain& lost) {
                   std::max(std::abs(1 - lost.slope), lost.error));
 }
 
-/// What the freedom of a term's parameters counts against it, as a logarithm of odds (Laplace).
-double freedom_of(ForceTerm term, const ForceData& data) {
-  double freedom = 0;
-  for (const ForceParameter& parameter : parameters_of(term, data.scales())) {
-    freedom += parameter.chosen ? std::log(static_cast<double>(parameter.starts.size()))
-                                : std::log(static_cast<double>(data.records().size())) / 2;
-  }
-  return freedom;
-}
-
 /// Of what an effect takes off, what gain and friction that suit each session leave of it where it
 /// moves them as wholes; an effect of what sessions differ in does by what it is.
 constexpr double kShift = 0.05;
 constexpr double kShiftOfSession = 0.2;
 
+/// What an effect takes off: of what sessions differ in what it moves them by, as their scatter is
+/// left with it and hides what is taken off.
+double taken_N2(const Judged& one) {
+  return is_of(ForceEffect::Of::session, one.term) ? std::max(one.gain.taken_N2, one.gain.moved_N2)
+                                                   : one.gain.taken_N2;
+}
+
 bool moves_sessions(const Judged& one) {
   const bool of_session = is_of(ForceEffect::Of::session, one.term);
-  return one.gain.beside_scatter_N2 < (of_session ? kShiftOfSession : kShift) * one.gain.taken_N2;
+  return one.gain.beside_scatter_N2 < (of_session ? kShiftOfSession : kShift) * taken_N2(one);
+}
+
+/// Of two effects of what sessions differ in: what is seen of it within sessions, or by how they
+/// scatter.
+double log_odds_between_sessions(const PairedGain& lost, bool even) {
+  return even || std::abs(lost.of_sessions) > std::abs(lost.log_odds) ? lost.of_sessions
+                                                                      : lost.log_odds;
 }
 
 }  // namespace
@@ -101,10 +105,28 @@ bool same_effect(ForceTerm one, ForceTerm other) {
   return definition_of(one).id == definition_of(other).id;
 }
 
+double evidence_of(ForceTerm term, const PairedGain& gain) {
+  const auto half_square = [](double z) { return z > 0 ? z * z / 2 : 0; };
+  if (!is_of(ForceEffect::Of::session, term)) {
+    return half_square(gain.z);
+  }
+  const bool within = gain.within_N2 >= kShift * gain.moved_N2;
+  return gain.of_sessions + (within ? half_square(gain.z_within) : 0);
+}
+
+double freedom_of(ForceTerm term, const ForceData& data) {
+  double freedom = 0;
+  for (const ForceParameter& parameter : parameters_of(term, data.scales())) {
+    freedom += parameter.chosen ? std::log(static_cast<double>(parameter.starts.size()))
+                                : std::log(static_cast<double>(data.records().size())) / 2;
+  }
+  return freedom;
+}
+
 double probability_of(ForceTerm term, const PairedGain& gain, const ForceData& data) {
-  const double log_odds =
-      gain.z * gain.z / 2 + std::log(kPrior / (1 - kPrior)) - freedom_of(term, data);
-  return gain.z > 0 && gain.any() ? 1 / (1 + std::exp(-log_odds)) : 0;
+  const double evidence = evidence_of(term, gain);
+  const double log_odds = evidence + std::log(kPrior / (1 - kPrior)) - freedom_of(term, data);
+  return evidence > 0 && gain.any() ? 1 / (1 + std::exp(-log_odds)) : 0;
 }
 
 bool may_be(ForceTerm term, const PairedGain& gain, const ForceData& data) {
@@ -115,6 +137,10 @@ bool is_excluded(ForceTerm term, const PairedGain& gain, const ForceData& data) 
   return probability_of(term, gain, data) < kExcluded;
 }
 
+bool within_scatter(const PairedGain& gain) {
+  return gain.plain_N2 > -kWorse * gain.plain_error_N2;
+}
+
 bool Judgement::stays(std::size_t place) const {
   const Judged& one = judged_[place];
   const bool told_apart =
@@ -122,7 +148,7 @@ bool Judgement::stays(std::size_t place) const {
       std::ranges::all_of(judged_, [&](const Judged& other) {
         return !both_of(ForceEffect::Of::friction, one.term, other.term) ||
                one.gain.beside_scatter_N2 >= kLawError * other.gain.beside_scatter_N2 ||
-               (moves_sessions(one) && one.gain.taken_N2 >= kLawError * other.gain.taken_N2);
+               (moves_sessions(one) && taken_N2(one) >= kLawError * other.gain.taken_N2);
       });
   // Beside the scatter of sessions, or as it is where it is of what they differ in, or that scatter
   // takes up nearly all of it: what shifts whole sessions.
@@ -133,14 +159,14 @@ bool Judgement::stays(std::size_t place) const {
   const double least = of_session || of_time ? kLeastShareApart : kLeastShare;
   const double of_noise_N2 =
       of_time ? kOfNoiseTaken * data_.noise_taken_N2(one.without, model_) : 0;
-  const auto material = [&](double taken_N2, std::span<const double> all_N2, double left_N2) {
-    return taken_N2 >=
+  const auto material = [&](double less_N2, std::span<const double> all_N2, double left_N2) {
+    return less_N2 >=
            std::max({least * std::pow(data_.rmse_N(all_N2), 2), of_noise_N2, share * left_N2});
   };
   return told_apart && data_.is_physical(model_, place) &&
          one.gain.plain_N2 > -not_worse_N2() - kWorse * one.gain.plain_error_N2 &&
          (((moves_sessions(one) || of_session) &&
-           material(one.gain.taken_N2, held_.weighted_N2, left_.repeats_N2)) ||
+           material(taken_N2(one), held_.weighted_N2, left_.repeats_N2)) ||
           material(one.gain.beside_scatter_N2, held_.beside_scatter_N2, left_.beside_scatter_N2)) &&
          probability_of(one.term, one.gain, data_) >= kNamed;
 }
@@ -160,7 +186,7 @@ bool Judgement::leaves_bounds(const ForceFit& fit) const {
 /// the scatter of sessions, or as it is where the term shifts whole sessions.
 bool Judgement::alike(const Judged& one, const PairedGain& lost) const {
   return moves_sessions(one)
-             ? lost.taken_N2 < std::max(kAlike * left_.repeats_N2, kLawError * one.gain.taken_N2)
+             ? lost.taken_N2 < std::max(kAlike * left_.repeats_N2, kLawError * taken_N2(one))
              : lost.beside_scatter_N2 < std::max(kAlike * left_.beside_scatter_N2,
                                                  kSameForce * one.gain.beside_scatter_N2);
 }
@@ -170,20 +196,29 @@ bool Judgement::is_worse_than_none(const Judged& one, const PairedGain& lost) co
 }
 
 bool Judgement::takes_place(const Judged& one, ForceTerm other, const PairedGain& lost) {
-  return lost.log_odds < -kOdds && (!same_effect(one.term, other) || lost.z < -kSeen);
+  const double log_odds = both_of(ForceEffect::Of::session, one.term, other)
+                              ? log_odds_between_sessions(lost, false)
+                              : lost.log_odds;
+  return log_odds < -kOdds && (!same_effect(one.term, other) || lost.z < -kSeen);
 }
 
 std::optional<double> Judgement::log_odds_of(const Judged& one, ForceTerm other,
                                              const PairedGain& lost) const {
   const bool even = alike(one, lost);
+  const double of_freedom = freedom_of(other, data_) - freedom_of(one.term, data_);
+  if (both_of(ForceEffect::Of::session, one.term, other)) {
+    const double log_odds = log_odds_between_sessions(lost, even) + of_freedom;
+    return same_effect(one.term, other) || log_odds >= kOdds
+               ? std::nullopt
+               : std::optional(std::max(log_odds, -kOdds));
+  }
   const bool between = !moves_sessions(one) && nearer_by(lost) < kNearer;
   if (same_effect(one.term, other) || (!even && !between && lost.log_odds >= kOdds)) {
     return std::nullopt;
   }
   // Chance and the laws' own errors both count.
   const double most = even ? 0 : std::min(std::abs(nearer_by(lost)), kOdds);
-  return std::clamp(lost.log_odds, -most, most) + freedom_of(other, data_) -
-         freedom_of(one.term, data_);
+  return std::clamp(lost.log_odds, -most, most) + of_freedom;
 }
 
 void Judgement::beside_catalogue(ForceTerm other, const PairedGain& lost, Judged& one) {

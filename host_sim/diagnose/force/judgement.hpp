@@ -35,13 +35,23 @@ bool both_of(ForceEffect::Of kind, ForceTerm one, ForceTerm other);
 /// Whether both are laws of one effect.
 bool same_effect(ForceTerm one, ForceTerm other);
 
-/// That the effect of a term is there: Laplace, the standard errors of the gain as evidence against
-/// as many parameters, of so many sessions, and of what is tried one by one each as likely before.
+/// For a term, as a logarithm of odds: the standard errors of the gain, of what sessions differ in
+/// those within sessions and the likelihood of what they differ by.
+double evidence_of(ForceTerm term, const PairedGain& gain);
+
+/// What the freedom of a term's parameters counts against it, as a logarithm of odds (Laplace).
+double freedom_of(ForceTerm term, const ForceData& data);
+
+/// That the effect of a term is there: Laplace, evidence against as many parameters, of so many
+/// sessions, and of what is tried one by one each as likely before.
 double probability_of(ForceTerm term, const PairedGain& gain, const ForceData& data);
 
 /// That what could be in the place of a cause, or that another method names, is there at all.
 bool may_be(ForceTerm term, const PairedGain& gain, const ForceData& data);
 bool is_excluded(ForceTerm term, const PairedGain& gain, const ForceData& data);
+
+/// Whether the error is larger, sample by sample, by no more than sessions scatter.
+bool within_scatter(const PairedGain& gain);
 
 /// What it takes to stay in a model, and what could stand in the place of that.
 class Judgement {

@@ -191,7 +191,7 @@ SessionScatter session_scatter_of(const ForceData& data,
   SessionScatter scatter;
   for (Eigen::Index k = 0; k < 2; ++k) {
     const auto weight_of = [&](const ForceCovariance::Refit& refit) {
-      return 1 / (most[k] * most[k] + refit.variance(k));
+      return 1 / (most[k] * most[k] + refit.covariance(k, k));
     };
     double weights = 0;
     double sum = 0;

@@ -222,6 +222,36 @@ TEST(DiagnoseForces, WhatSessionsDifferInIsNoScatter) {
   EXPECT_NEAR(estimate(findings, "temperature_coefficient_1_K").value, 0.006, 0.001);
 }
 
+/// Friction of 18 sessions that scatters by 4 %, and their gain by 2 %, which is as much of the
+/// force: 15 of them at 20 and three at 60 C.
+std::vector<ForceRecord> warm_sessions(double of_temperature_1_K, unsigned seed) {
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> scatter(1, 0.04);
+  std::vector<ForceRecord> records;
+  for (unsigned j = 0; j < 18; ++j) {
+    const double temperature_C = j % 6 == 3 ? 60 : 20;
+    const double friction = 0.1 * (1 + of_temperature_1_K * (temperature_C - 20)) * scatter(engine);
+    records.push_back(measured({.friction = friction,
+                                .load_N = 20,
+                                .still_N = 50,
+                                .noise_N = 0.3,
+                                .gain_scatter = 0.02},
+                               100 * seed + j, 1)
+                          .front());
+    records.back().session = "s" + std::to_string(j);
+    records.back().sheath_temperature_C.assign(records.back().samples(), temperature_C);
+  }
+  return records;
+}
+
+TEST(DiagnoseForces, WhatMovesSessionsIsNamedBesideTheirScatter) {
+  for (const unsigned seed : {5U, 6U, 7U}) {
+    const Findings findings = found(warm_sessions(0.005, seed));
+    EXPECT_THAT(ids_of(findings), ElementsAre("friction_temperature")) << findings.prose;
+    EXPECT_THAT(ids_of(found(warm_sessions(0, seed))), IsEmpty());
+  }
+}
+
 TEST(DiagnoseForces, WhatIsAskedForIsDoubtedWhereNothingIsSeenOfIt) {
   std::vector<FoundEffect> asked(2);
   asked[0].id = "friction_preload";

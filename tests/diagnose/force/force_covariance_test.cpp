@@ -66,6 +66,58 @@ TEST(ForceCovariance, AGainOfTheSessionCostsLittleAndAllElseAsMuchAsBefore) {
               data.covariance().product(3, other, gain)(0, 0), 1e-12);
 }
 
+/// Refits that are known exactly, of 20 sessions: one half above and the other below zero.
+std::vector<ForceCovariance::Refit> refits(double log_gain, double friction) {
+  std::vector<ForceCovariance::Refit> all;
+  for (int j = 0; j < 20; ++j) {
+    const double sign = j % 2 == 0 ? 1 : -1;
+    all.push_back(
+        {Eigen::Vector2d(sign * log_gain, sign * friction), 1e-16 * Eigen::Matrix2d::Identity()});
+  }
+  return all;
+}
+
+/// Whatever they scatter by: a tenth of it is ten times as likely for each session, which is
+/// 20 ln 10.
+TEST(ForceCovariance, SessionsThatScatterLessAreMoreLikely) {
+  const ForceCovariance covariance = learned({.gain_scatter = 0.01}, 7).covariance();
+  const Eigen::Array2d most = covariance.most_scatter();
+  const auto log_likelihood = [&](double of_gain, double of_friction) {
+    return covariance.log_likelihood_of(refits(of_gain * most[0], of_friction * most[1]));
+  };
+  EXPECT_NEAR(log_likelihood(0.3, 0.05) - log_likelihood(0.3, 0.5), 20 * std::log(10), 0.01);
+  EXPECT_NEAR(log_likelihood(0.05, 0.3) - log_likelihood(0.5, 0.3), 20 * std::log(10), 0.01);
+  std::vector<ForceCovariance::Refit> all = refits(0.3 * most[0], 0.2 * most[1]);
+  const double before = covariance.log_likelihood_of(all);
+  std::ranges::reverse(all);
+  EXPECT_NEAR(covariance.log_likelihood_of(all), before, 1e-9);
+}
+
+/// Known ten times worse than anything scatters, it is the normal density of each: 2 sigma off in
+/// one direction of one session takes exp(-2).
+TEST(ForceCovariance, SessionsOfWhichLittleIsKnownAreAsLikelyAsThatSays) {
+  const ForceCovariance covariance = learned({.gain_scatter = 0.01}, 7).covariance();
+  const Eigen::Array2d sd = 10 * covariance.most_scatter();
+  std::vector<ForceCovariance::Refit> all(
+      5, {Eigen::Vector2d::Zero(), sd.square().matrix().asDiagonal()});
+  const double before = covariance.log_likelihood_of(all);
+  all[3].value(1) = 2 * sd[1];
+  EXPECT_NEAR(covariance.log_likelihood_of(all) - before, -2, 0.02);
+}
+
+/// What gain and friction do of a session is none of what they leave.
+TEST(ForceCovariance, ARefitLeavesNothingOfItself) {
+  const ForceData data = learned({.gain_scatter = 0.01}, 8);
+  const Eigen::Map<const Eigen::VectorXd> force_N = vector_of(data.records()[2].output_N);
+  const Eigen::VectorXd other = drawn(data.records()[2], 9);
+  const ForceCovariance& covariance = data.covariance();
+  EXPECT_LT(covariance.beside_refit(2, 0.03 * force_N).norm(), 0.05 * 0.03 * force_N.norm());
+  EXPECT_LT((covariance.beside_refit(2, other + 0.03 * force_N) - covariance.beside_refit(2, other))
+                .norm(),
+            0.05 * 0.03 * force_N.norm());
+  EXPECT_GT(covariance.beside_refit(2, other).norm(), 0.9 * other.norm());
+}
+
 /// Noise of 5 % beside 0.1 N: at 40 N a sample says (2 N / 0.1 N)^2 less than near zero.
 TEST(ForceCovariance, ASampleCountsByItsNoise) {
   const ForceData data = learned({.noise_N = 0.1, .relative_noise = 0.05, .gain_scatter = 0.01}, 6);
