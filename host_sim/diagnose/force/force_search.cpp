@@ -61,15 +61,20 @@ void ForceSearch::run() {
   if (of_sessions) {
     learn_covariance();
   }
+  bool exchanged = false;
   for (int round = 0; round < kRounds; ++round) {
-    if (reduce()) {
+    if (exchanged) {
+      learn_covariance();
+    }
+    if (reduce() || exchanged) {
       if (grow_on()) {
         learn_covariance();
       }
       reduce();
     }
     report(2 * kOfGrowing + kOfPruning * (round + 1));
-    if (!exchange(round + 1 < kRounds)) {
+    exchanged = exchange(round + 1 < kRounds);
+    if (!exchanged) {
       break;
     }
   }

@@ -116,19 +116,34 @@ std::vector<double> difference(std::vector<double> one, const std::vector<double
   return one;
 }
 
+constexpr double kMoreFriction = 0.01;
+
+SynthPlan rougher_than(SynthPlan plan) {
+  plan.model.sheath->friction_coefficient += kMoreFriction;
+  return plan;
+}
+
 double visibility(const Scenario& scenario, const std::string& id) {
   const SynthPlan noisy = host_sim::synth::parse_synth_plan(scenario.plan, "blind plan");
   const SynthPlan all = silent(scenario);
   const SynthPlan fewer = without(all, id);
+  const SynthPlan rougher = rougher_than(fewer);
   Information information = Information::Zero();
   for (const Setting& setting : host_sim::synth::settings_of(*all.recordings, scenario.seed)) {
-    const Channels with = session_channels(all, setting, {}, scenario.seed);
+    const auto ratio = [&](const SynthPlan& plan) {
+      return log_ratio(session_channels(plan, setting, {}, scenario.seed), scenario.input);
+    };
     const Channels base = session_channels(fewer, setting, {}, scenario.seed);
-    information += session_information(
-        difference(log_ratio(with, scenario.input), log_ratio(base, scenario.input)),
-        signed_bend_rad(base),
-        {noise_sources(noisy.noise, base, scenario.input), noisy.scatter.log_gain_sd,
-         noisy.scatter.friction_sd});
+    const std::vector<double> without_it = log_ratio(base, scenario.input);
+    const std::vector<double> trace = difference(ratio(all), without_it);
+    const std::vector<double> by_friction = difference(ratio(rougher), without_it);
+    Eigen::MatrixX3d columns(static_cast<Eigen::Index>(trace.size()), 3);
+    for (std::size_t i = 0; i < trace.size(); ++i) {
+      columns.row(static_cast<Eigen::Index>(i)) << trace[i], 1, by_friction[i] / kMoreFriction;
+    }
+    information +=
+        session_information(columns, {noise_sources(noisy.noise, base, scenario.input),
+                                      noisy.scatter.log_gain_sd, noisy.scatter.friction_sd});
   }
   return sigmas_of(information);
 }
@@ -290,12 +305,10 @@ Information signed_information(const SignedSessions& sessions, const Disturbance
 }
 
 double signed_visibility(const Scenario& scenario, const std::string& id) {
-  constexpr double kMoreFriction = 0.01;
   const SynthPlan noisy = host_sim::synth::parse_synth_plan(scenario.plan, "blind plan");
   const SynthPlan all = silent(scenario);
   const SynthPlan fewer = without(all, id);
-  SynthPlan rougher = fewer;
-  rougher.model.sheath->friction_coefficient += kMoreFriction;
+  const SynthPlan rougher = rougher_than(fewer);
   const Disturbance scatter{{}, noisy.scatter.log_gain_sd, noisy.scatter.friction_sd};
   Information information = Information::Zero();
   for (const Setting& setting : host_sim::synth::settings_of(*all.recordings, scenario.seed)) {
@@ -332,16 +345,6 @@ std::vector<double> signed_bend_rad(const Channels& channels) {
     result[i] = direction * bend_deg[i] * std::numbers::pi / 180;
   }
   return result;
-}
-
-Information session_information(const std::vector<double>& trace,
-                                const std::vector<double>& signed_bend_rad,
-                                const Disturbance& disturbance) {
-  Eigen::MatrixX3d columns(static_cast<Eigen::Index>(trace.size()), 3);
-  for (std::size_t i = 0; i < trace.size(); ++i) {
-    columns.row(static_cast<Eigen::Index>(i)) << trace[i], 1, -signed_bend_rad[i];
-  }
-  return session_information(columns, disturbance);
 }
 
 Information session_information(const Eigen::MatrixX3d& columns, const Disturbance& disturbance) {

@@ -40,16 +40,10 @@ std::vector<NoiseSource> noise_sources(const host_sim::synth::Noise& noise,
 /// Information on three coefficients: of the effect's trace, gain and friction coefficient.
 using Information = Eigen::Matrix3d;
 
-/// The information of one session: X' V^-1 X, with the columns trace, 1 and -phi s, and with
-/// V = R + gain_sd^2 1 1' + friction_sd^2 (phi s)(phi s)', R of the sum of all noise.
-/// @param trace of each sample, the effect at its true size
-/// @param signed_bend_rad phi s of each sample
-Information session_information(const std::vector<double>& trace,
-                                const std::vector<double>& signed_bend_rad,
-                                const Disturbance& disturbance);
-
-/// The same of columns that are worked out already: the effect's trace, and what a session's gain
-/// and friction coefficient do to each sample.
+/// The information of one session: X' V^-1 X, and V = R + gain_sd^2 g g' + friction_sd^2 f f', R
+/// of the sum of all noise.
+/// @param columns X: of each sample the trace of the effect at its true size, and what a unit of
+///   the session's gain (g) and of its friction coefficient (f) do beside everything else
 Information session_information(const Eigen::MatrixX3d& columns, const Disturbance& disturbance);
 
 /// Size of the effect over the standard deviation of its estimate: the square root of what is left

@@ -14,25 +14,35 @@ Disturbance one_source(double sd, double gain_sd = 0, double friction_sd = 0) {
   return {{{std::vector<double>(4, sd), 0}}, gain_sd, friction_sd};
 }
 
+/// A gain moves all samples alike, and friction against the bend.
+Information information_of(const std::vector<double>& trace,
+                           const std::vector<double>& signed_bend_rad,
+                           const Disturbance& disturbance) {
+  Eigen::MatrixX3d columns(static_cast<Eigen::Index>(trace.size()), 3);
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    columns.row(static_cast<Eigen::Index>(i)) << trace[i], 1, -signed_bend_rad[i];
+  }
+  return session_information(columns, disturbance);
+}
+
 const std::vector<double> kBend{1, 1, -1, -1};
 const std::vector<double> kApart{0.2, -0.2, 0.2, -0.2};  // orthogonal to 1 and to the bend
 
 TEST(SessionInformation, OfWhiteNoiseIsTheSumOfSquares) {
-  const Information information = session_information(kApart, kBend, one_source(0.1));
+  const Information information = information_of(kApart, kBend, one_source(0.1));
   EXPECT_NEAR(information(0, 0), 4 * 0.04 / 0.01, 1e-9);
   EXPECT_NEAR(sigmas_of(information), 4, 1e-9);
 }
 
 TEST(SessionInformation, WhatGainAndFrictionTakeUpIsInvisible) {
-  const Information information =
-      session_information({0.5, 0.5, -0.1, -0.1}, kBend, one_source(0.1));
+  const Information information = information_of({0.5, 0.5, -0.1, -0.1}, kBend, one_source(0.1));
   EXPECT_NEAR(sigmas_of(information), 0, 1e-5);
 }
 
 // V^-1 of two samples is [[1, -rho], [-rho, 1]] / (sd^2 (1 - rho^2)): 1 / 0.75 for (1, 0), and
 // 2 (1 - 0.5) / 0.75 for (1, 1).
 TEST(SessionInformation, CorrelatedNoise) {
-  const Information information = session_information({1, 0}, {1, 1}, {{{{1, 1}, 0.5}}, 0, 0});
+  const Information information = information_of({1, 0}, {1, 1}, {{{{1, 1}, 0.5}}, 0, 0});
   EXPECT_NEAR(information(0, 0), 4.0 / 3, 1e-9);
   EXPECT_NEAR(information(1, 1), 4.0 / 3, 1e-9);
 }
@@ -41,13 +51,13 @@ TEST(SessionInformation, CorrelatedNoise) {
 TEST(SessionInformation, SourcesAddUp) {
   const Disturbance both{
       {{std::vector<double>(4, 0.3), 0}, {std::vector<double>(4, 0.4), 0}}, 0, 0};
-  EXPECT_NEAR(session_information(kApart, kBend, both)(0, 0), 4 * 0.04 / 0.25, 1e-9);
+  EXPECT_NEAR(information_of(kApart, kBend, both)(0, 0), 4 * 0.04 / 0.25, 1e-9);
 }
 
 // V of correlations 0.6 and -0.2 is [[2, 0.4], [0.4, 2]], whose inverse is [[2, -0.4], ..] / 3.84.
 TEST(SessionInformation, SourcesOfUnlikeCorrelation) {
   const Disturbance both{{{{1, 1}, 0.6}, {{1, 1}, -0.2}}, 0, 0};
-  const Information information = session_information({1, 0}, {1, 1}, both);
+  const Information information = information_of({1, 0}, {1, 1}, both);
   EXPECT_NEAR(information(0, 0), 2 / 3.84, 1e-9);
   EXPECT_NEAR(information(0, 1), 1.6 / 3.84, 1e-9);
   EXPECT_NEAR(information(1, 1), 3.2 / 3.84, 1e-9);
@@ -56,7 +66,7 @@ TEST(SessionInformation, SourcesOfUnlikeCorrelation) {
 // V of sds 1 and 2 and a correlation of 0.5 is [[1, 1], [1, 4]], whose inverse is
 // [[4, -1], [-1, 1]] / 3.
 TEST(SessionInformation, SamplesOfUnlikeNoise) {
-  const Information information = session_information({1, 0}, {1, 1}, {{{{1, 2}, 0.5}}, 0, 0});
+  const Information information = information_of({1, 0}, {1, 1}, {{{{1, 2}, 0.5}}, 0, 0});
   EXPECT_NEAR(information(0, 0), 4.0 / 3, 1e-9);
   EXPECT_NEAR(information(0, 1), 1, 1e-9);
   EXPECT_NEAR(information(1, 1), 1, 1e-9);
@@ -91,13 +101,13 @@ TEST(NoiseSources, AreThoseOfBothEnds) {
 
 // A session's mean of four samples of sd 0.1, and a scatter of 0.05: 1 / (0.0025 + 0.0025).
 TEST(SessionInformation, ScatterOfSessionsBoundsTheGain) {
-  const Information information = session_information(kApart, kBend, one_source(0.1, 0.05));
+  const Information information = information_of(kApart, kBend, one_source(0.1, 0.05));
   EXPECT_NEAR(information(1, 1), 200, 1e-6);
   EXPECT_NEAR(information(0, 0), 16, 1e-6);
 }
 
 TEST(SessionInformation, ScatterOfFrictionBoundsFriction) {
-  const Information information = session_information(kApart, kBend, one_source(0.1, 0, 0.05));
+  const Information information = information_of(kApart, kBend, one_source(0.1, 0, 0.05));
   EXPECT_NEAR(information(2, 2), 200, 1e-6);
 }
 
@@ -116,6 +126,16 @@ TEST(Visibility, OfWearByHand) {
   const auto found = visibility_of(small_scenario());
   ASSERT_EQ(found.size(), 1U);
   EXPECT_NEAR(found[0], trace, 0.01 * trace);
+}
+
+// Friction of each session scatters by 0.015, beside which noise says nothing: -0.015, 0 and 0.015
+// are sqrt(2) of that, and as many where friction comes 2 mm after each reversal.
+TEST(Visibility, OfWearIsThatOfFrictionBesideWhateverItDoes) {
+  Scenario scenario = small_scenario();
+  scenario.plan += "[scatter]\nfriction_sd = 0.015\n";
+  EXPECT_NEAR(visibility_of(scenario).at(0), std::sqrt(2.0), 0.02);
+  scenario.plan += "[effects.presliding]\nlength_mm = 2.0\n";
+  EXPECT_NEAR(visibility_of(scenario).at(0), std::sqrt(2.0), 0.02);
 }
 
 TEST(Visibility, HalvesWithTwiceTheNoise) {
