@@ -277,14 +277,20 @@ double ForceCovariance::log_likelihood_of(std::span<const Refit> refits) const {
   for (Eigen::Index i = 0; i < kSteps; ++i) {
     for (Eigen::Index k = 0; k < kSteps; ++k) {
       const Eigen::Array2d variance = (most_scatter_ * Eigen::Array2d(share(i), share(k))).square();
+      Eigen::Matrix2d weights = Eigen::Matrix2d::Zero();
+      Eigen::Vector2d sum = Eigen::Vector2d::Zero();
       double log_likelihood = 0;
       for (const Refit& refit : refits) {
         const Eigen::Matrix2d all =
             refit.covariance + Eigen::Matrix2d(variance.matrix().asDiagonal());
-        log_likelihood -=
-            (refit.value.dot(all.inverse() * refit.value) + std::log(all.determinant())) / 2;
+        const Eigen::Matrix2d weight = all.inverse();
+        weights += weight;
+        sum += weight * refit.value;
+        log_likelihood -= (refit.value.dot(weight * refit.value) + std::log(all.determinant())) / 2;
       }
-      of_scatter(i, k) = log_likelihood;
+      // Their mean is that of the model: any is as likely.
+      of_scatter(i, k) =
+          log_likelihood + (sum.dot(weights.inverse() * sum) - std::log(weights.determinant())) / 2;
     }
   }
   const double most = of_scatter.maxCoeff();

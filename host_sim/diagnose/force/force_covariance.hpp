@@ -57,8 +57,8 @@ class ForceCovariance {
   [[nodiscard]] Eigen::VectorXd beside_refit(
       std::size_t record, const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const;
 
-  /// ln of how likely it is that a model leaves such gain and friction to sessions, however much of
-  /// that they scatter by.
+  /// ln of how likely it is that a model leaves such gain and friction to sessions, whatever their
+  /// mean and however much of them is scatter.
   [[nodiscard]] double log_likelihood_of(std::span<const Refit> refits) const;
 
   /// Of one record, the sum of squares of what a unit of ln gain and of friction does to the input
