@@ -31,20 +31,19 @@ inline constexpr double kEvenSlope = 0.5;
 
 /// How much less one model leaves than another on sessions that neither saw, beside the scatter.
 struct PairedGain {
-  double mean = 0;         ///< of ln(rmse_b/rmse_a) over sessions
-  double z = 0;            ///< how surely, in standard errors of a normal distribution
-  double slope = 0;        ///< along what they differ in: 1 where the other is the truth
-  double error = 0;        ///< standard error of the slope
-  double log_odds = 0;     ///< of the other model against the one
-  double of_sessions = 0;  ///< gain of the log likelihood of what moves sessions as wholes
-  double within_N2 = 0;    ///< of moved_N2, what gain and friction that suit each session leave
-  double z_within = 0;     ///< z of that
-  double taken_N2 = 0;     ///< that the mean square by the weight of samples is less
-  double moved_N2 = 0;     ///< mean square of what they differ by, by that weight
-  double beside_scatter_N2 =
-      0;  ///< that the mean square is less of what gain and friction of sessions leave
-  double plain_N2 = 0;        ///< that the mean square is less, each sample alike
-  double plain_error_N2 = 0;  ///< standard error of that, of sessions that scatter
+  double mean = 0;               ///< of ln(rmse_b/rmse_a) over sessions
+  double z = 0;                  ///< how surely, in standard errors of a normal distribution
+  double slope = 0;              ///< along what they differ in: 1 where the other is the truth
+  double error = 0;              ///< standard error of the slope
+  double log_odds = 0;           ///< of the other model against the one
+  double of_sessions = 0;        ///< gain of HeldOut::log_likelihood
+  double moved_N2 = 0;           ///< mean square of what they differ by, by weight of samples
+  double within_N2 = 0;          ///< the same of what gain and friction of each session leave
+  double z_within = 0;           ///< z of that
+  double taken_N2 = 0;           ///< that the mean square by the weight of samples is less
+  double beside_scatter_N2 = 0;  ///< the same of what gain and friction of sessions leave
+  double plain_N2 = 0;           ///< that the mean square is less, each sample alike
+  double plain_error_N2 = 0;     ///< standard error of that, of sessions that scatter
 
   [[nodiscard]] bool any() const { return taken_N2 > 0 || beside_scatter_N2 > 0; }
 };

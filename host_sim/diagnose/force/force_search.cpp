@@ -409,7 +409,7 @@ bool ForceSearch::exchange(bool allowed) {
         Judgement::beside_catalogue(other, lost, judged);
         continue;
       }
-      if (allowed && Judgement::takes_place(judged, other, lost)) {
+      if (allowed && judgement.takes_place(judged, other, lost)) {
         added_.push_back({other, std::nullopt});
         model_ = std::move(one);
         return true;

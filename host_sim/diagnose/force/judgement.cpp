@@ -84,13 +84,6 @@ bool moves_sessions(const Judged& one) {
   return one.gain.beside_scatter_N2 < (of_session ? kShiftOfSession : kShift) * taken_N2(one);
 }
 
-/// Of two effects of what sessions differ in: what is seen of it within sessions, or by how they
-/// scatter.
-double log_odds_between_sessions(const PairedGain& lost, bool even) {
-  return even || std::abs(lost.of_sessions) > std::abs(lost.log_odds) ? lost.of_sessions
-                                                                      : lost.log_odds;
-}
-
 }  // namespace
 
 bool is_of(ForceEffect::Of kind, ForceTerm term) {
@@ -195,30 +188,41 @@ bool Judgement::is_worse_than_none(const Judged& one, const PairedGain& lost) co
   return one.gain.plain_N2 - lost.plain_N2 < -not_worse_N2();
 }
 
-bool Judgement::takes_place(const Judged& one, ForceTerm other, const PairedGain& lost) {
+bool Judgement::takes_place(const Judged& one, ForceTerm other, const PairedGain& lost) const {
   const double log_odds = both_of(ForceEffect::Of::session, one.term, other)
-                              ? log_odds_between_sessions(lost, false)
+                              ? log_odds_between_sessions(one, other, lost)
                               : lost.log_odds;
   return log_odds < -kOdds && (!same_effect(one.term, other) || lost.z < -kSeen);
 }
 
+double Judgement::of_freedom(const Judged& one, ForceTerm other) const {
+  return freedom_of(other, data_) - freedom_of(one.term, data_);
+}
+
+/// By what is seen of them within sessions, or by how those scatter.
+double Judgement::log_odds_between_sessions(const Judged& one, ForceTerm other,
+                                            const PairedGain& lost) const {
+  const bool by_scatter = alike(one, lost) || std::abs(lost.of_sessions) > std::abs(lost.log_odds);
+  return (by_scatter ? lost.of_sessions : lost.log_odds) + of_freedom(one, other);
+}
+
 std::optional<double> Judgement::log_odds_of(const Judged& one, ForceTerm other,
                                              const PairedGain& lost) const {
-  const bool even = alike(one, lost);
-  const double of_freedom = freedom_of(other, data_) - freedom_of(one.term, data_);
-  if (both_of(ForceEffect::Of::session, one.term, other)) {
-    const double log_odds = log_odds_between_sessions(lost, even) + of_freedom;
-    return same_effect(one.term, other) || log_odds >= kOdds
-               ? std::nullopt
-               : std::optional(std::max(log_odds, -kOdds));
+  if (same_effect(one.term, other)) {
+    return std::nullopt;
   }
+  if (both_of(ForceEffect::Of::session, one.term, other)) {
+    const double log_odds = log_odds_between_sessions(one, other, lost);
+    return log_odds < kOdds ? std::optional(std::max(log_odds, -kOdds)) : std::nullopt;
+  }
+  const bool even = alike(one, lost);
   const bool between = !moves_sessions(one) && nearer_by(lost) < kNearer;
-  if (same_effect(one.term, other) || (!even && !between && lost.log_odds >= kOdds)) {
+  if (!even && !between && lost.log_odds >= kOdds) {
     return std::nullopt;
   }
   // Chance and the laws' own errors both count.
   const double most = even ? 0 : std::min(std::abs(nearer_by(lost)), kOdds);
-  return std::clamp(lost.log_odds, -most, most) + of_freedom;
+  return std::clamp(lost.log_odds, -most, most) + of_freedom(one, other);
 }
 
 void Judgement::beside_catalogue(ForceTerm other, const PairedGain& lost, Judged& one) {

@@ -73,7 +73,7 @@ class Judgement {
   [[nodiscard]] bool is_worse_than_none(const Judged& one, const PairedGain& lost) const;
 
   /// Whether another term does better in the place of one.
-  [[nodiscard]] static bool takes_place(const Judged& one, ForceTerm other, const PairedGain& lost);
+  [[nodiscard]] bool takes_place(const Judged& one, ForceTerm other, const PairedGain& lost) const;
 
   /// Against another effect in the place of one; none where it is told that it is not that, or is
   /// the same.
@@ -91,6 +91,9 @@ class Judgement {
  private:
   [[nodiscard]] double not_worse_N2() const;
   [[nodiscard]] bool alike(const Judged& one, const PairedGain& lost) const;
+  [[nodiscard]] double of_freedom(const Judged& one, ForceTerm other) const;
+  [[nodiscard]] double log_odds_between_sessions(const Judged& one, ForceTerm other,
+                                                 const PairedGain& lost) const;
 
   const ForceData& data_;
   const ForceFit& model_;
