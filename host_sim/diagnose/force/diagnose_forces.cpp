@@ -289,7 +289,7 @@ class Report {
                                 data_.half_widths(stairs_[i].fit));
         step.effect.probability =
             probability_of(stairs_[i].fit.terms.back(),
-                           data_.gain_of(stairs_[i - 1].held, stairs_[i].held, true), data_);
+                           paired_gain(data_, stairs_[i - 1].held, stairs_[i].held, true), data_);
         for (std::size_t j = 0; j < before_N2.size(); ++j) {
           step.sessions_better += stairs_[i].held.beside_scatter_N2[j] < before_N2[j] ? 1 : 0;
         }
@@ -314,7 +314,7 @@ class Report {
                     {"log_predictive_density", density(search_.nominal().held.residuals_N),
                      density(extended.held_N)}},
         .within_scatter =
-            within_scatter(data_.gain_of(search_.nominal().held, search_.model().held, true))};
+            within_scatter(paired_gain(data_, search_.nominal().held, search_.model().held, true))};
     const std::optional<double> damage_before =
         damage_error_percent(search_.nominal().held.residuals_N);
     const std::optional<double> damage_after = damage_error_percent(extended.held_N);

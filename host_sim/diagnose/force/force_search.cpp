@@ -145,7 +145,7 @@ bool ForceSearch::sees(std::string_view effect) const {
     }
     const ForceFit fit = fitted_to.with(model_.fit, law, options_.threads);
     const HeldOut held = data_.held_out(fit, fitted_to.fold_fits(fit));
-    if (!is_excluded(law, data_.gain_of(model_.held, held, true), data_)) {
+    if (!is_excluded(law, paired_gain(data_, model_.held, held, true), data_)) {
       return true;
     }
   }
@@ -270,7 +270,7 @@ bool ForceSearch::grow() {
   all.resize(std::min(all.size(), kTried));
   hold_out(all);
   std::erase_if(all, [&](const Candidate& one) {
-    return !is_seen(one.fit.terms.back(), data_.gain_of(model_.held, one.held, true));
+    return !is_seen(one.fit.terms.back(), paired_gain(data_, model_.held, one.held, true));
   });
   auto best = std::ranges::min_element(
       all, {}, [&](const Candidate& one) { return data_.rmse_N(one.held.beside_scatter_N2); });
@@ -278,7 +278,7 @@ bool ForceSearch::grow() {
     all = with_session_effects({of_sessions, terms.end()});
     best = std::ranges::max_element(all, {}, [&](const Candidate& one) {
       const ForceTerm term = one.fit.terms.back();
-      return evidence_of(term, data_.gain_of(model_.held, one.held, true)) -
+      return evidence_of(term, paired_gain(data_, model_.held, one.held, true)) -
              freedom_of(term, data_);
     });
   }
@@ -307,7 +307,7 @@ std::vector<ForceSearch::Candidate> ForceSearch::with_session_effects(
         const ForceFit before = fitted_anew(data, model_.fit);
         if (data.is_physical(with, with.terms.size() - 1) &&
             is_seen(with.terms.back(),
-                    data.gain_of(data.held_out(before), data.held_out(with), true))) {
+                    paired_gain(data, data.held_out(before), data.held_out(with), true))) {
           all[i] = {with, data_.held_out(with)};
         }
       },
@@ -323,7 +323,7 @@ std::vector<ForceSearch::Candidate>::iterator ForceSearch::first_law_as_good(
   for (auto one = all.begin(); one != all.end(); ++one) {
     const ForceTerm term = one->fit.terms.back();
     if (term < first->fit.terms.back() && same_effect(term, best->fit.terms.back()) &&
-        data_.gain_of(one->held, best->held, false).z < kSeen) {
+        paired_gain(data_, one->held, best->held, false).z < kSeen) {
       first = one;
     }
   }
@@ -342,7 +342,7 @@ bool ForceSearch::prune() {
   std::optional<std::size_t> least;
   for (std::size_t i = 0; i < all.size(); ++i) {
     judged_[i] = {.term = model_.fit.terms[i],
-                  .gain = data_.gain_of(all[i].held, model_.held, true),
+                  .gain = paired_gain(data_, all[i].held, model_.held, true),
                   .without = all[i].fit,
                   .held_without = all[i].held};
   }
@@ -373,7 +373,7 @@ PairedGain ForceSearch::lost_as_sampled(const ForceFit& other) const {
   statistics::parallel_for(
       models.size(), [&](std::size_t i) { held[i] = all.held_out(fitted_anew(all, *models[i])); },
       options_.threads);
-  return all.gain_of(held[0], held[1], false);
+  return paired_gain(all, held[0], held[1], false);
 }
 
 /// What is lost by a lag in the place of a delay, or the other way about.
@@ -386,7 +386,8 @@ PairedGain ForceSearch::lost_in_time(const Judged& one, const Candidate& other) 
   const bool of_input =
       is_of_input(model_.fit, one.term) && is_of_input(other.fit, other.fit.terms.back());
   return Judgement::in_time(
-      one, of_input ? lost_as_sampled(other.fit) : data_.gain_of(other.held, model_.held, false),
+      one,
+      of_input ? lost_as_sampled(other.fit) : paired_gain(data_, other.held, model_.held, false),
       of_input);
 }
 
@@ -400,9 +401,9 @@ bool ForceSearch::exchange(bool allowed) {
       const ForceTerm other = one.fit.terms.back();
       const PairedGain lost = both_of(ForceEffect::Of::time, judged.term, other)
                                   ? lost_in_time(judged, one)
-                                  : data_.gain_of(one.held, model_.held, false);
+                                  : paired_gain(data_, one.held, model_.held, false);
       if (judgement.is_worse_than_none(judged, lost) ||
-          !may_be(other, data_.gain_of(judged.held_without, one.held, true), data_)) {
+          !may_be(other, paired_gain(data_, judged.held_without, one.held, true), data_)) {
         continue;
       }
       if (definition_of(other).outside) {

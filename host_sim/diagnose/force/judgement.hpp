@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host_sim/diagnose/force/force_fit.hpp"
+#include "host_sim/diagnose/force/paired_gain.hpp"
 #include "host_sim/diagnose/force/structure.hpp"
 
 namespace host_sim::diagnose {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host_sim/diagnose/force/force_fit.hpp"
+#include "host_sim/diagnose/force/paired_gain.hpp"
 #include "tests/diagnose/force/joint.hpp"
 
 namespace host_sim::diagnose {
@@ -189,18 +190,18 @@ class GainOf : public testing::Test {
 TEST_F(GainOf, IsAsSureWhereFewSessionsShowAnEffect) {
   // As sure as twelve sessions and three can be, in standard errors of a normal distribution: t is
   // beyond 50, and sqrt(12 ln(1 + 50^2/11)) is 8.1.
-  EXPECT_GT(data.gain_of(left(kSessions, 1), left(kSessions, 0), true).z, 8);
-  EXPECT_GT(data.gain_of(left(3, 1), left(3, 0), true).z, 5);
+  EXPECT_GT(paired_gain(data, left(kSessions, 1), left(kSessions, 0), true).z, 8);
+  EXPECT_GT(paired_gain(data, left(3, 1), left(3, 0), true).z, 5);
 }
 
 /// What one session alone shows is as uncertain as that session.
 TEST_F(GainOf, IsNotSureWhereOneSessionAloneShowsIt) {
-  EXPECT_LT(data.gain_of(left(1, 1), left(1, 0), true).z, 2);
+  EXPECT_LT(paired_gain(data, left(1, 1), left(1, 0), true).z, 2);
 }
 
 TEST_F(GainOf, TurnsRoundWithTheModels) {
-  const PairedGain gain = data.gain_of(left(kSessions, 1), left(kSessions, 0), false);
-  const PairedGain loss = data.gain_of(left(kSessions, 0), left(kSessions, 1), false);
+  const PairedGain gain = paired_gain(data, left(kSessions, 1), left(kSessions, 0), false);
+  const PairedGain loss = paired_gain(data, left(kSessions, 0), left(kSessions, 1), false);
   EXPECT_GT(gain.mean, 1.5);
   EXPECT_LT(loss.mean, -1.5);
   EXPECT_LT(loss.z, -7);
@@ -216,15 +217,15 @@ TEST_F(GainOf, TurnsRoundWithTheModels) {
 /// one it is surely there, and not surely better than one that has the other half.
 TEST_F(GainOf, ANestedModelIsTestedAgainstNothingAndAnotherAgainstEvenOdds) {
   const HeldOut half = left(kSessions, 0.5);
-  EXPECT_GT(data.gain_of(left(kSessions, 1), half, true).z, 8);
-  EXPECT_NEAR(data.gain_of(left(kSessions, 1), half, false).taken_N2, 0.375, 0.02);
-  EXPECT_NEAR(data.gain_of(half, left(kSessions, -0.5), false).z, 0, 4);
-  EXPECT_GT(data.gain_of(half, left(kSessions, -0.5), true).z, 4);
+  EXPECT_GT(paired_gain(data, left(kSessions, 1), half, true).z, 8);
+  EXPECT_NEAR(paired_gain(data, left(kSessions, 1), half, false).taken_N2, 0.375, 0.02);
+  EXPECT_NEAR(paired_gain(data, half, left(kSessions, -0.5), false).z, 0, 4);
+  EXPECT_GT(paired_gain(data, half, left(kSessions, -0.5), true).z, 4);
 }
 
 TEST_F(GainOf, IsNoneWhereBothLeaveAsMuch) {
-  EXPECT_EQ(data.gain_of(left(5, 1), left(5, 1), false).z, 0);
-  EXPECT_LT(std::abs(data.gain_of(left(kSessions, 1), left(kSessions, -1), false).z), 4);
+  EXPECT_EQ(paired_gain(data, left(5, 1), left(5, 1), false).z, 0);
+  EXPECT_LT(std::abs(paired_gain(data, left(kSessions, 1), left(kSessions, -1), false).z), 4);
 }
 
 TEST(ForceCovariance, WhatAGainDoesIsTakenOutOfResidualsAndAllElseStays) {

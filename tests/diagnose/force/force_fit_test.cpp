@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "host_sim/diagnose/force/paired_gain.hpp"
 #include "tests/diagnose/force/joint.hpp"
 
 namespace host_sim::diagnose {
@@ -70,11 +71,11 @@ TEST(ForceData, WhatTheTruthTakesOffIsAllThatIsThere) {
   const HeldOut without = data.held_out(nominal);
   const HeldOut with =
       data.held_out(data.finished(data.started(nominal, std::array{ForceTerm::slack}, 1).front()));
-  const PairedGain gain = data.gain_of(without, with, false);
+  const PairedGain gain = paired_gain(data, without, with, false);
   EXPECT_NEAR(gain.slope, 1, 0.05);
   EXPECT_LT(gain.error, 0.05);
   EXPECT_GT(gain.log_odds, 10);
-  EXPECT_NEAR(data.gain_of(with, without, false).slope, 0, 0.05);
+  EXPECT_NEAR(paired_gain(data, with, without, false).slope, 0, 0.05);
 }
 
 /// Friction that comes 1 mm after each reversal seems to turn over slowly, until what keeps it is
@@ -112,7 +113,7 @@ TEST(ForceData, OneSessionThatIsWorseIsNoCertainLoss) {
   before.residuals_N.assign(12, std::vector<double>(500, 1));
   HeldOut after = before;
   after.plain_N2[3] = 10;
-  const PairedGain gain = data.gain_of(before, after, true);
+  const PairedGain gain = paired_gain(data, before, after, true);
   EXPECT_NEAR(gain.plain_N2, -8.0 / 12, 1e-9);
   EXPECT_NEAR(gain.plain_error_N2, 8.0 / 12, 1e-9);
 }
@@ -169,7 +170,7 @@ TEST(ForceData, WhatMovesSessionsIsSeenByHowTheyScatter) {
     const ForceFit nominal = data.fit({}, {1, 0.03}, 15);
     data.learn_covariance(nominal, nominal, false);
     const ForceFit fit = data.with(nominal, ForceTerm::temperature, 1);
-    const PairedGain gain = data.gain_of(data.held_out(nominal), data.held_out(fit), true);
+    const PairedGain gain = paired_gain(data, data.held_out(nominal), data.held_out(fit), true);
     EXPECT_NEAR(gain.of_sessions, -17.5 * std::log(warm.left()), 0.15 * gain.of_sessions);
     EXPECT_LT(gain.within_N2, 0.02 * gain.moved_N2);
   }

@@ -19,6 +19,9 @@ TEST(Gain, IsOneOfTheErrorElseOfTheDensity) {
       improves({"session", {{"log_predictive_density", 2, 3}, {"input_rmse_N", 1.5, 1.52}}}));
   EXPECT_FALSE(
       improves({"session", {{"log_predictive_density", 2, 3}, {"input_rmse_N", 1.5, 1.54}}}));
+  const std::vector<Metric> scattered{{"log_predictive_density", 2, 3}, {"input_rmse_N", 1.5, 1.6}};
+  EXPECT_TRUE(improves({"session", scattered, true}));
+  EXPECT_FALSE(improves({"session", {{"log_predictive_density", 3, 2}, scattered[1]}, true}));
   EXPECT_TRUE(improves({"session", {{"rmse_N", 1.5, 1.6}, {"input_rmse_N", 1.5, 1.4}}}));
   EXPECT_FALSE(
       improves({"session", {{"log_predictive_density", 3, 2}, {"input_rmse_N", 1.5, 1.52}}}));
