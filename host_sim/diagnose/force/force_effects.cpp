@@ -543,8 +543,7 @@ constexpr ForceEffect kEffect{
     has_current,
     parameters,
     [](Numbers numbers, ForceValues& values) { values.gear_asymmetry = numbers[0]; },
-    written<parameters>,
-    ForceEffect::Of::session};
+    written<parameters>};
 
 }  // namespace gear_asymmetry
 
