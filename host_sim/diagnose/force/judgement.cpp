@@ -130,8 +130,8 @@ bool is_excluded(ForceTerm term, const PairedGain& gain, const ForceData& data) 
   return probability_of(term, gain, data) < kExcluded;
 }
 
-bool within_scatter(const PairedGain& gain) {
-  return gain.plain_N2 > -kWorse * gain.plain_error_N2;
+bool within_scatter(const PairedGain& gain, double allowed_N2) {
+  return gain.plain_N2 > -allowed_N2 - kWorse * gain.plain_error_N2;
 }
 
 bool Judgement::stays(std::size_t place) const {
@@ -157,7 +157,7 @@ bool Judgement::stays(std::size_t place) const {
            std::max({least * std::pow(data_.rmse_N(all_N2), 2), of_noise_N2, share * left_N2});
   };
   return told_apart && data_.is_physical(model_, place) &&
-         one.gain.plain_N2 > -not_worse_N2() - kWorse * one.gain.plain_error_N2 &&
+         within_scatter(one.gain, not_worse_N2()) &&
          (((moves_sessions(one) || of_session) &&
            material(taken_N2(one), held_.weighted_N2, left_.repeats_N2)) ||
           material(one.gain.beside_scatter_N2, held_.beside_scatter_N2, left_.beside_scatter_N2)) &&

@@ -51,8 +51,8 @@ double probability_of(ForceTerm term, const PairedGain& gain, const ForceData& d
 bool may_be(ForceTerm term, const PairedGain& gain, const ForceData& data);
 bool is_excluded(ForceTerm term, const PairedGain& gain, const ForceData& data);
 
-/// Whether the error is larger, sample by sample, by no more than sessions scatter.
-bool within_scatter(const PairedGain& gain);
+/// Whether the error is larger, sample by sample, by no more than is allowed and sessions scatter.
+bool within_scatter(const PairedGain& gain, double allowed_N2 = 0);
 
 /// What it takes to stay in a model, and what could stand in the place of that.
 class Judgement {

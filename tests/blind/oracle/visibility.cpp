@@ -116,38 +116,6 @@ std::vector<double> difference(std::vector<double> one, const std::vector<double
   return one;
 }
 
-constexpr double kMoreFriction = 0.01;
-
-SynthPlan rougher_than(SynthPlan plan) {
-  plan.model.sheath->friction_coefficient += kMoreFriction;
-  return plan;
-}
-
-double visibility(const Scenario& scenario, const std::string& id) {
-  const SynthPlan noisy = host_sim::synth::parse_synth_plan(scenario.plan, "blind plan");
-  const SynthPlan all = silent(scenario);
-  const SynthPlan fewer = without(all, id);
-  const SynthPlan rougher = rougher_than(fewer);
-  Information information = Information::Zero();
-  for (const Setting& setting : host_sim::synth::settings_of(*all.recordings, scenario.seed)) {
-    const auto ratio = [&](const SynthPlan& plan) {
-      return log_ratio(session_channels(plan, setting, {}, scenario.seed), scenario.input);
-    };
-    const Channels base = session_channels(fewer, setting, {}, scenario.seed);
-    const std::vector<double> without_it = log_ratio(base, scenario.input);
-    const std::vector<double> trace = difference(ratio(all), without_it);
-    const std::vector<double> by_friction = difference(ratio(rougher), without_it);
-    Eigen::MatrixX3d columns(static_cast<Eigen::Index>(trace.size()), 3);
-    for (std::size_t i = 0; i < trace.size(); ++i) {
-      columns.row(static_cast<Eigen::Index>(i)) << trace[i], 1, by_friction[i] / kMoreFriction;
-    }
-    information +=
-        session_information(columns, {noise_sources(noisy.noise, base, scenario.input),
-                                      noisy.scatter.log_gain_sd, noisy.scatter.friction_sd});
-  }
-  return sigmas_of(information);
-}
-
 using host_sim::synth::Channels;
 using host_sim::synth::Setting;
 using host_sim::synth::SynthPlan;
@@ -274,15 +242,30 @@ double slope_of(const std::vector<double>& input_end, const std::vector<double>&
          std::inner_product(output.begin(), output.end(), output.begin(), 0.0);
 }
 
+constexpr double kMoreFriction = 0.01;
+
 /// The sessions of one setting with the effect, without it, and without it with more friction.
-struct SignedSessions {
+struct Sessions {
   Channels with, base, more;
-  double more_friction;
 };
+
+/// In logarithms a gain moves all samples alike.
+Information log_information(const Sessions& sessions, Disturbance disturbance,
+                            const host_sim::synth::Noise& noise, Input input) {
+  const std::vector<double> base = log_ratio(sessions.base, input);
+  const std::vector<double> trace = difference(log_ratio(sessions.with, input), base);
+  const std::vector<double> by_friction = difference(log_ratio(sessions.more, input), base);
+  Eigen::MatrixX3d columns(static_cast<Eigen::Index>(trace.size()), 3);
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    columns.row(static_cast<Eigen::Index>(i)) << trace[i], 1, by_friction[i] / kMoreFriction;
+  }
+  disturbance.noise = noise_sources(noise, sessions.base, input);
+  return session_information(columns, disturbance);
+}
 
 /// Of signed forces there is no logarithm: the trace is what the effect does to the force at the
 /// drive beyond what it does to that at the load.
-Information signed_information(const SignedSessions& sessions, const Disturbance& scatter,
+Information signed_information(const Sessions& sessions, Disturbance disturbance,
                                const host_sim::synth::Noise& noise, Input input) {
   const auto& output = sessions.base[hal::files::kOutputTensionColumn];
   const auto& input_end = at_drive(sessions.base, input);
@@ -293,9 +276,8 @@ Information signed_information(const SignedSessions& sessions, const Disturbance
     const double moved_output_N = sessions.with[hal::files::kOutputTensionColumn][i] - output[i];
     const double by_friction = at_drive(sessions.more, input)[i] - input_end[i];
     columns.row(static_cast<Eigen::Index>(i)) << moved - slope * moved_output_N, input_end[i],
-        by_friction / sessions.more_friction;
+        by_friction / kMoreFriction;
   }
-  Disturbance disturbance = scatter;
   const auto& time_s = sessions.base[hal::files::kTime];
   add_sources(noise.output, noise.output.absolute_N, noise.jitter_s, output, time_s,
               std::vector<double>(output.size(), std::abs(slope)), disturbance.noise);
@@ -304,20 +286,22 @@ Information signed_information(const SignedSessions& sessions, const Disturbance
   return session_information(columns, disturbance);
 }
 
-double signed_visibility(const Scenario& scenario, const std::string& id) {
+double visibility(const Scenario& scenario, const std::string& id) {
   const SynthPlan noisy = host_sim::synth::parse_synth_plan(scenario.plan, "blind plan");
   const SynthPlan all = silent(scenario);
   const SynthPlan fewer = without(all, id);
-  const SynthPlan rougher = rougher_than(fewer);
+  SynthPlan rougher = fewer;
+  rougher.model.sheath->friction_coefficient += kMoreFriction;
   const Disturbance scatter{{}, noisy.scatter.log_gain_sd, noisy.scatter.friction_sd};
+  const auto information_of =
+      scenario.design == Design::two_sided ? signed_information : log_information;
   Information information = Information::Zero();
   for (const Setting& setting : host_sim::synth::settings_of(*all.recordings, scenario.seed)) {
     const auto session = [&](const SynthPlan& plan) {
       return session_channels(plan, setting, {}, scenario.seed);
     };
-    information +=
-        signed_information({session(all), session(fewer), session(rougher), kMoreFriction}, scatter,
-                           noisy.noise, scenario.input);
+    information += information_of({session(all), session(fewer), session(rougher)}, scatter,
+                                  noisy.noise, scenario.input);
   }
   return sigmas_of(information);
 }
@@ -396,9 +380,8 @@ Scenario draw_visible_lives(std::uint64_t seed) {
 std::vector<double> visibility_of(const Scenario& scenario) {
   std::vector<double> result;
   for (const HiddenEffect& effect : scenario.hidden) {
-    result.push_back(scenario.data == Data::lives           ? life_visibility(scenario, effect.id)
-                     : scenario.design == Design::two_sided ? signed_visibility(scenario, effect.id)
-                                                            : visibility(scenario, effect.id));
+    result.push_back(scenario.data == Data::lives ? life_visibility(scenario, effect.id)
+                                                  : visibility(scenario, effect.id));
   }
   return result;
 }

@@ -212,9 +212,7 @@ TEST(DiagnoseForces, WhatSessionsDifferInIsNoScatter) {
   for (unsigned j = 0; j < 12; ++j) {
     const double temperature_C = 20 + 2 * (5 * j % 12);
     const double preload_N = 12 * (1 + 0.006 * (temperature_C - 20)) * scatter(engine);
-    records.push_back(measured({.preload_N = preload_N, .noise_N = 0.2}, 20 + j, 1).front());
-    records.back().session = "s" + std::to_string(j);
-    records.back().sheath_temperature_C.assign(records.back().samples(), temperature_C);
+    records.push_back(measured_at(temperature_C, {.preload_N = preload_N, .noise_N = 0.2}, 20 + j));
   }
   const Findings findings = found(records);
   EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload", "friction_temperature"))
@@ -231,15 +229,10 @@ std::vector<ForceRecord> warm_sessions(double of_temperature_1_K, unsigned seed)
   for (unsigned j = 0; j < 18; ++j) {
     const double temperature_C = j % 6 == 3 ? 60 : 20;
     const double friction = 0.1 * (1 + of_temperature_1_K * (temperature_C - 20)) * scatter(engine);
-    records.push_back(measured({.friction = friction,
-                                .load_N = 20,
-                                .still_N = 50,
-                                .noise_N = 0.3,
-                                .gain_scatter = 0.02},
-                               100 * seed + j, 1)
-                          .front());
-    records.back().session = "s" + std::to_string(j);
-    records.back().sheath_temperature_C.assign(records.back().samples(), temperature_C);
+    records.push_back(measured_at(
+        temperature_C,
+        {.friction = friction, .load_N = 20, .still_N = 50, .noise_N = 0.3, .gain_scatter = 0.02},
+        100 * seed + j));
   }
   return records;
 }

@@ -6,11 +6,11 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 #include <random>
 #include <utility>
 #include <vector>
 
+#include "host_sim/diagnose/force/force_covariates.hpp"
 #include "host_sim/diagnose/force/paired_gain.hpp"
 #include "tests/diagnose/force/joint.hpp"
 
@@ -126,29 +126,24 @@ struct WarmSessions {
     for (unsigned j = 0; j < 36; ++j) {
       temperature_C.push_back(20 + 20 * (j / 3 % 3));
       share.push_back(1 + 0.004 * (temperature_C.back() - 20) + scatter(engine));
-      records.push_back(measured({.friction = 0.1 * share.back(),
-                                  .load_N = 20,
-                                  .still_N = 50,
-                                  .noise_N = 0.2,
-                                  .gain_scatter = 0.0},
-                                 seed + j, 1)
-                            .front());
-      records.back().sheath_temperature_C.assign(records.back().samples(), temperature_C.back());
+      records.push_back(measured_at(temperature_C.back(),
+                                    {.friction = 0.1 * share.back(),
+                                     .load_N = 20,
+                                     .still_N = 50,
+                                     .noise_N = 0.2,
+                                     .gain_scatter = 0.0},
+                                    seed + j));
     }
   }
 
   /// What a line over the temperature leaves of the squares of the shares.
   [[nodiscard]] double left() const {
-    const auto mean = [](const std::vector<double>& values) {
-      return std::accumulate(values.begin(), values.end(), 0.0) /
-             static_cast<double>(values.size());
-    };
     double squares = 0;
     double product = 0;
     double all = 0;
     for (std::size_t j = 0; j < share.size(); ++j) {
-      const double off_C = temperature_C[j] - mean(temperature_C);
-      const double off = share[j] - mean(share);
+      const double off_C = temperature_C[j] - mean_of(temperature_C);
+      const double off = share[j] - mean_of(share);
       squares += off_C * off_C;
       product += off_C * off;
       all += off * off;

@@ -88,4 +88,12 @@ inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int 
   return records;
 }
 
+/// One session at a temperature of the sheath.
+inline ForceRecord measured_at(double temperature_C, const Joint& joint, unsigned seed) {
+  ForceRecord record = measured(joint, seed, 1).front();
+  record.session = "s" + std::to_string(seed);
+  record.sheath_temperature_C.assign(record.samples(), temperature_C);
+  return record;
+}
+
 }  // namespace host_sim::diagnose
