@@ -79,7 +79,7 @@ class Tendon {
     filter_.push(tension, parameters.hysteresis, [&](Tension turning_point) {
       const std::uint32_t free = queue_.free();
       if (overrun_.leaving_out() || free == 0) [[unlikely]] {
-        waiting = put_late(turning_point);
+        waiting = put_late(turning_point, free);
       } else {
         queue_.put(turning_point);
         waiting = Layout::kQueue + 1 - free;
@@ -349,9 +349,10 @@ class Tendon {
     filter_.set_run(run);
   }
 
-  [[gnu::noinline]] std::uint32_t put_late(Tension turning_point) {
+  /// `free` places were seen; there may be more by now, where settle() runs on another core.
+  [[gnu::noinline]] std::uint32_t put_late(Tension turning_point, std::uint32_t free) {
     intake_.flags.raise(Flag::overrun);
-    if (queue_.free() < Overrun::kPlaces) {
+    if (free < Overrun::kPlaces) {
       if (CycleLaw::overloads(turning_point)) {
         intake_.flags.raise(Flag::overload);
       }
