@@ -2,8 +2,8 @@
 
 #include "hal/files/input_error.hpp"
 #include "hal/files/text.hpp"
+#include "host_sim/diagnose/diagnose_recordings.hpp"
 #include "host_sim/diagnose/diagnosis.hpp"
-#include "host_sim/diagnose/tension/diagnose_recorded.hpp"
 #include "host_sim/recording/recording.hpp"
 
 namespace host_sim::diagnose {
@@ -40,7 +40,7 @@ Diagnosis diagnose(const Campaign& campaign, const DiagnoseOptions& options) {
     for (const recording::FaultSummary& summary : recording::summary_of(recorded.faults)) {
       diagnosis.warnings.push_back(summary.words);
     }
-    diagnosis.tension = diagnose_recorded(campaign, recorded, options);
+    diagnosis.tension = diagnose_recordings(campaign, recorded, options);
   }
   if (!campaign.specimens.empty()) {
     diagnosis.lives = diagnose_lives(campaign, options);

@@ -122,8 +122,7 @@ struct Findings {
   std::vector<Invisible> invisible;
   std::string next_experiment;  ///< empty where none is needed
   HeldOutGain gain;
-  /// How far signatures of ln T go where that is not all the way: the nominal model, then effect by
-  /// effect, each the one of most evidence. Else empty.
+  /// Of recordings: the nominal model, then effect by effect as far as each gains.
   std::vector<Step> steps;
   std::optional<Remainder> remainder;  ///< of recordings
   std::optional<Correction>
@@ -159,14 +158,6 @@ struct CausePicture {
   TracePicture trace;
 };
 
-/// Mean residual ln T_out - ln T_in + mu phi s in bins of one covariate, for one direction. The
-/// envelope holds 95 % of what the nominal model gives by noise and scatter of sessions alone.
-struct ResidualPicture {
-  std::string covariate, unit;
-  int direction = 1;  ///< 1 while pulling, -1 while letting go
-  std::vector<double> centre, before, after, envelope_low, envelope_high;
-};
-
 /// What models leave of the input force in bins of the covariate that Remainder names, for one
 /// direction: the mean over sessions of their mean residuals, and their standard deviation.
 struct RemainderPicture {
@@ -197,15 +188,10 @@ struct LifePicture {
 
 struct TensionDiagnosis {
   Findings findings;
-  bool in_newtons = false;  ///< by the forward model, not by signatures of ln T
   std::vector<TracePicture> traces;
   std::vector<CausePicture> causes;  ///< of those of Findings::steps that lessen the error
-  std::vector<ResidualPicture> residuals;
   std::vector<RemainderPicture> remainders;
   std::vector<SessionRefit> session_refits;
-  /// Effects that may be something outside of the catalogue instead, and of those asked for the
-  /// ones that the forward model excludes.
-  std::vector<std::string> doubted;
   /// Damage of a recording as the nominal model books it over that of the extended one, geometric
   /// mean of the recordings; 1 where nothing was extended.
   double damage_ratio = 1;

@@ -25,15 +25,11 @@ struct Parameter {
   std::string_view unit;
   double minimum = 0;  ///< bounds of physics
   double maximum = 0;
-  double typical = 0;   ///< magnitude of a usual effect; the prior's scale
-  double expected = 0;  ///< the prior's mean: a share of what is all or nothing is near 1
+  double typical = 0;  ///< magnitude of a usual effect
   /// Of a parameter of shape: the linear one before it only says how far this one is off, to first
   /// order, so that their product is what is known.
   bool scaled_by_share = false;
   bool off_line = false;  ///< no controller evaluates it; an extension may leave it out as zero
-  /// Standard deviation of what a signature's own approximations put an estimate off by, as a share
-  /// of it: as seen in simulated campaigns whose truth is known.
-  double model_error = 0.01;
 };
 
 /// How one effect is distinguished from another.

@@ -73,7 +73,6 @@ class Report {
 
   TensionDiagnosis diagnosis() {
     TensionDiagnosis diagnosis;
-    diagnosis.in_newtons = true;
     Findings& findings = diagnosis.findings;
     findings.verdict = verdict();
     add_candidates(findings);
@@ -93,7 +92,6 @@ class Report {
                      doubts(data_.records(), search_.model().fit.parameters, nominal_);
     for (const Judged& one : search_.judged()) {
       if (one.imitated_by) {
-        diagnosis.doubted.emplace_back(definition_of(one.term).id);
         findings.prose += imitation_prose(definition_of(one.term), definition_of(*one.imitated_by));
       }
     }
@@ -580,19 +578,12 @@ class Report {
 
 TensionDiagnosis diagnose_forces(const std::vector<ForceRecord>& records,
                                  const NominalModel& nominal, const reference::Constants& constants,
-                                 const DiagnoseOptions& options,
-                                 std::span<const FoundEffect> asked) {
+                                 const DiagnoseOptions& options) {
   ForceData data(records);
   ForceSearch search(data, records, nominal.sheath ? nominal.sheath->friction_coefficient : 0.1,
                      options);
   search.run();
-  TensionDiagnosis diagnosis = Report(data, search, nominal, constants, options.seed).diagnosis();
-  for (const FoundEffect& effect : asked) {
-    if (!search.sees(effect.id)) {
-      diagnosis.doubted.push_back(effect.id);
-    }
-  }
-  return diagnosis;
+  return Report(data, search, nominal, constants, options.seed).diagnosis();
 }
 
 }  // namespace host_sim::diagnose

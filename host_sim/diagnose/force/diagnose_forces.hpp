@@ -1,6 +1,5 @@
 #pragma once
 
-#include <span>
 #include <string>
 #include <vector>
 
@@ -27,10 +26,8 @@ std::vector<ForceRecord> force_records(const std::vector<recording::Recording>& 
 /// Verdict: named where an effect is material and certain and none of the catalogue could stand in
 /// its place; ambiguous where one could; else unknown where something is left, or none. What is
 /// left and repeats in sessions that the fit never saw gets a correction, which has no cause.
-/// @param asked effects that another method names
 TensionDiagnosis diagnose_forces(const std::vector<ForceRecord>& records,
                                  const NominalModel& nominal, const reference::Constants& constants,
-                                 const DiagnoseOptions& options,
-                                 std::span<const FoundEffect> asked = {});
+                                 const DiagnoseOptions& options);
 
 }  // namespace host_sim::diagnose

@@ -131,11 +131,11 @@ class Lag {
   double behind_N_ = 0;
 };
 
-/// The time since the motion turned, where it did since the sample before.
+/// The time since the motion turned or set in, where it did since the sample before.
 std::optional<double> since_reversal_s(const ForceRecord& record, std::size_t i) {
   const double before_m_s = record.velocity_m_s[i - 1];
   const double after_m_s = record.velocity_m_s[i];
-  if (before_m_s * after_m_s >= 0) {
+  if (before_m_s * after_m_s > 0 || before_m_s == after_m_s) {
     return std::nullopt;
   }
   return (record.time_s[i] - record.time_s[i - 1]) * after_m_s / (after_m_s - before_m_s);

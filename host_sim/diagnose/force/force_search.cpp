@@ -127,31 +127,6 @@ void ForceSearch::leave_out_outliers() {
   }
 }
 
-bool ForceSearch::sees(std::string_view effect) const {
-  const auto has_id = [&](ForceTerm term) { return definition_of(term).id == effect; };
-  for (const Judged& one : judged_) {
-    if (has_id(one.term) || std::ranges::any_of(one.others, has_id, &Judged::Other::term)) {
-      return true;
-    }
-  }
-  const std::vector<ForceTerm> shown = beside(model_.fit.terms);
-  const ForceData& fitted_to = model_.fit.terms.empty() ? data_ : *inliers_;
-  for (const ForceTerm law : kForceTerms) {
-    if (!has_id(law)) {
-      continue;
-    }
-    if (std::ranges::find(shown, law) == shown.end()) {
-      return true;
-    }
-    const ForceFit fit = fitted_to.with(model_.fit, law, options_.threads);
-    const HeldOut held = data_.held_out(fit, fitted_to.fold_fits(fit));
-    if (!is_excluded(law, paired_gain(data_, model_.held, held, true), data_)) {
-      return true;
-    }
-  }
-  return false;
-}
-
 void ForceSearch::report(double share) const {
   if (options_.progress) {
     options_.progress(share);
@@ -376,15 +351,24 @@ PairedGain ForceSearch::lost_as_sampled(const ForceFit& other) const {
   return paired_gain(all, held[0], held[1], false);
 }
 
-/// What is lost by a lag in the place of a delay, or the other way about.
+/// What is lost by a lag in the place of a delay, or the other way about: nothing is known of that
+/// where either is too short beside the time between samples.
 PairedGain ForceSearch::lost_in_time(const Judged& one, const Candidate& other) const {
-  const auto is_of_input = [&](const ForceFit& fit, ForceTerm term) {
+  constexpr double kOfStep = 0.1;
+  const auto late_s = [&](const ForceFit& fit, ForceTerm term) {
     const auto place = std::ranges::find(fit.terms, term) - fit.terms.begin();
     return parameters_at(static_cast<std::size_t>(place), fit.terms, fit.parameters, data_.scales())
-               .front() < 0;
+        .front();
   };
-  const bool of_input =
-      is_of_input(model_.fit, one.term) && is_of_input(other.fit, other.fit.terms.back());
+  const double one_s = late_s(model_.fit, one.term);
+  const double other_s = late_s(other.fit, other.fit.terms.back());
+  const ForceRecord& sampled = records_.front();
+  const double step_s =
+      (sampled.time_s.back() - sampled.time_s.front()) / static_cast<double>(sampled.samples() - 1);
+  if (std::min(std::abs(one_s), std::abs(other_s)) < kOfStep * step_s) {
+    return PairedGain{.slope = kEvenSlope};
+  }
+  const bool of_input = one_s < 0 && other_s < 0;
   return Judgement::in_time(
       one,
       of_input ? lost_as_sampled(other.fit) : paired_gain(data_, other.held, model_.held, false),

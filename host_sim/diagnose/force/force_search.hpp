@@ -35,10 +35,6 @@ class ForceSearch {
   [[nodiscard]] double rmse_N() const { return data_.rmse_N(model_.held.plain_N2); }
   [[nodiscard]] const std::vector<Judged>& judged() const { return judged_; }
 
-  /// Whether an effect is in the model, could be in the place of one that is, or is not
-  /// excluded beside them. One that the records do not show may be there.
-  [[nodiscard]] bool sees(std::string_view effect) const;
-
   /// Of the parameters of the model.
   [[nodiscard]] std::vector<double> half_widths() const {
     return inliers_->half_widths(model_.fit);

@@ -16,9 +16,10 @@ constexpr double kAlike = 0.05;
 /// Of what a model leaves and is no noise: an effect that takes off less may imitate a part of
 /// that. Friction of a tendon that pulls alone is nearly all in proportion to its force, and its
 /// effects are more like each other: it takes more, but for one without which the error is a fifth
-/// larger.
+/// larger. What sessions differ in is less like the others.
 constexpr double kMaterialShare = 0.5;
 constexpr double kMaterialShareAlone = 2;
+constexpr double kMaterialShareOfSession = 1;
 constexpr double kLargeGain = 0.18;  ///< of ln rmse
 
 /// Of what is left at all: without an effect that takes off that the error is 2.5 % larger.
@@ -56,9 +57,6 @@ constexpr double kWorse = 2;
 
 constexpr double kPrior = 0.05;  ///< of an effect of the catalogue
 constexpr double kMayBe = 0.5;   ///< probability of one that could be in the place of another
-
-/// Of one that another method names, which sees more of what shifts whole sessions.
-constexpr double kExcluded = 0.01;
 
 /// Logarithm of how many times nearer what is left is to one law than to the other, along what they
 /// differ in: it lies between them where neither is the whole truth.
@@ -126,10 +124,6 @@ bool may_be(ForceTerm term, const PairedGain& gain, const ForceData& data) {
   return probability_of(term, gain, data) >= kMayBe;
 }
 
-bool is_excluded(ForceTerm term, const PairedGain& gain, const ForceData& data) {
-  return probability_of(term, gain, data) < kExcluded;
-}
-
 bool within_scatter(const PairedGain& gain, double allowed_N2) {
   return gain.plain_N2 > -allowed_N2 - kWorse * gain.plain_error_N2;
 }
@@ -146,9 +140,10 @@ bool Judgement::stays(std::size_t place) const {
   // Beside the scatter of sessions, or as it is where it is of what they differ in, or that scatter
   // takes up nearly all of it: what shifts whole sessions.
   const bool large = !data_.records().front().pulls_alone || one.gain.mean >= kLargeGain;
-  const double share = large ? kMaterialShare : kMaterialShareAlone;
   const bool of_session = is_of(ForceEffect::Of::session, one.term);
   const bool of_time = is_of(ForceEffect::Of::time, one.term);
+  const double alone = of_session ? kMaterialShareOfSession : kMaterialShareAlone;
+  const double share = large ? kMaterialShare : alone;
   const double least = of_session || of_time ? kLeastShareApart : kLeastShare;
   const double of_noise_N2 =
       of_time ? kOfNoiseTaken * data_.noise_taken_N2(one.without, model_) : 0;

@@ -47,9 +47,8 @@ double freedom_of(ForceTerm term, const ForceData& data);
 /// sessions, and of what is tried one by one each as likely before.
 double probability_of(ForceTerm term, const PairedGain& gain, const ForceData& data);
 
-/// That what could be in the place of a cause, or that another method names, is there at all.
+/// That what could be in the place of a cause is there at all.
 bool may_be(ForceTerm term, const PairedGain& gain, const ForceData& data);
-bool is_excluded(ForceTerm term, const PairedGain& gain, const ForceData& data);
 
 /// Whether the error is larger, sample by sample, by no more than is allowed and sessions scatter.
 bool within_scatter(const PairedGain& gain, double allowed_N2 = 0);

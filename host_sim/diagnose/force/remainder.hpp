@@ -13,6 +13,9 @@ namespace host_sim::diagnose {
 /// The name of what sessions differ in that no covariate holds.
 inline constexpr std::string_view kSession = "session";
 
+/// The same of what goes on in each session, other than in the others.
+inline constexpr std::string_view kOfTime = "time";
+
 /// What a model leaves that is the same in all sessions, or goes with what they differ in.
 struct ForceRemainder {
   std::string_view covariate;  ///< that it depends on most
@@ -26,7 +29,8 @@ struct ForceRemainder {
 
 /// What repeats is compared with signs of sessions that are turned over at random; gain and
 /// friction that suit each session, against a parabola of a covariate of sessions, with sessions
-/// that change places. The p of each is that of the rarest of all.
+/// that change places. The p of each is that of the rarest of all. What goes on in time is
+/// compared with its scatter between sessions.
 ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, const ForceFit& model,
                             const std::vector<ForceCovariate>& covariates,
                             const std::vector<CovariateBins>& bins, std::uint64_t seed);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
+#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <numeric>
 
@@ -215,6 +216,55 @@ SessionScatter session_scatter_of(const ForceData& data,
     }
   }
   return scatter;
+}
+
+Memory memory_of(const ForceData& data, const std::vector<std::vector<double>>& residuals_N,
+                 double later_s, bool of_size) {
+  constexpr double kMost = 9;  // of a square, in terms of their mean: heavy tails say little
+  constexpr std::size_t kFewSamples = 20;
+  constexpr double kLater = 1.4;  // so that what oscillates is as often alike as not
+  std::vector<double> correlations;
+  for (std::size_t j = 0; j < residuals_N.size(); ++j) {
+    const ForceRecord& record = data.records()[j];
+    const double square_N2 =
+        data.covariance().weighted_square(j, vector_of(residuals_N[j])) / data.counts()[j];
+    if (square_N2 <= 0) {
+      continue;
+    }
+    std::vector<double> values(record.samples());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i] = residuals_N[j][i] * std::sqrt(data.covariance().weight(j, i) / square_N2);
+      values[i] = of_size ? std::min(values[i] * values[i], kMost) - 1 : values[i];
+    }
+    const auto samples_in = [&](double time_s) {
+      return static_cast<std::size_t>(
+          std::lround(time_s / (record.time_s.back() - record.time_s.front()) *
+                      static_cast<double>(record.samples() - 1)));
+    };
+    double sum = 0;
+    double square = 0;
+    std::size_t count = 0;
+    for (std::size_t later = samples_in(later_s); later <= samples_in(kLater * later_s); ++later) {
+      for (std::size_t i = 0; i + later < values.size(); ++i) {
+        if (record.used[i] && record.used[i + later]) {
+          sum += values[i] * values[i + later];
+          square += values[i] * values[i];
+          ++count;
+        }
+      }
+    }
+    if (count >= kFewSamples && square > 0) {
+      correlations.push_back(sum / square);
+    }
+  }
+  const auto sessions = static_cast<double>(correlations.size());
+  if (correlations.size() < kFewSessions) {
+    return {};
+  }
+  const Spread spread = spread_of(correlations);
+  const boost::math::students_t chance(sessions - 1);
+  const double t = spread.mean_N / std::max(spread.sd_N, 1e-300) * std::sqrt(sessions);
+  return {spread.mean_N, boost::math::cdf(boost::math::complement(chance, t))};
 }
 
 Structure structure_of(const ForceData& data, const std::vector<CovariateBins>& bins,

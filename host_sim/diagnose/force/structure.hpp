@@ -66,6 +66,17 @@ struct SessionScatter {
 SessionScatter session_scatter_of(const ForceData& data,
                                   const std::vector<std::vector<double>>& residuals_N);
 
+/// How alike residuals are that lie some time apart.
+struct Memory {
+  double correlation = 0;  ///< mean over sessions
+  double p = 1;            ///< that chance alone leaves as much
+};
+/// @param residuals_N beside the scatter of gain and friction
+/// @param later_s that they lie apart, and somewhat more
+/// @param of_size whether in size alone, as what comes in bursts is
+Memory memory_of(const ForceData& data, const std::vector<std::vector<double>>& residuals_N,
+                 double later_s, bool of_size);
+
 /// Mean squares of what a model leaves and is no noise, by the weight of samples. What sessions
 /// scatter by more than they may is a part of both.
 struct Structure {

@@ -26,11 +26,6 @@ using hal::files::OutputError;
 
 namespace {
 
-/// No campaign is better than this: calibration and rounding remain.
-constexpr double kLeastSample_sd = 1e-3;
-constexpr double kLeastGain_sd = 1e-3;
-constexpr double kLeastFriction_sd = 1e-3;
-
 double middle_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
@@ -68,9 +63,9 @@ NoiseModel noise_of(const synth::SynthPlan& plan) {
   const RatioNoise ratio = ratio_noise_of(plan);
   const double whitened = std::sqrt(1 - ratio.ar1 * ratio.ar1);
   NoiseModel noise;
-  noise.sample_sd = std::max(ratio.sd, kLeastSample_sd) * whitened;
-  noise.session_gain_sd = std::max(plan.scatter.log_gain_sd, kLeastGain_sd);
-  noise.session_friction_sd = std::max(plan.scatter.friction_sd, kLeastFriction_sd);
+  noise.sample_sd = std::max(ratio.sd, kLeastNoise.sample_sd) * whitened;
+  noise.session_gain_sd = std::max(plan.scatter.log_gain_sd, kLeastNoise.session_gain_sd);
+  noise.session_friction_sd = std::max(plan.scatter.friction_sd, kLeastNoise.session_friction_sd);
   return noise;
 }
 

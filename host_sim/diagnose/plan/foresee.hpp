@@ -6,7 +6,7 @@
 #include <ostream>
 #include <string>
 
-#include "host_sim/diagnose/audit.hpp"
+#include "host_sim/diagnose/audit/audit.hpp"
 #include "host_sim/synth/plan/plan.hpp"
 
 namespace host_sim::diagnose {

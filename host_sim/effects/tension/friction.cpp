@@ -15,14 +15,13 @@ constexpr double kReference_N = 50;
 constexpr int kRounds = 3;
 
 constexpr Parameter kParameters[] = {
-    {.name = "load_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1, .expected = 1},
+    {.name = "load_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
     {.name = "load_exponent",
      .unit = "1",
      .minimum = -1,
      .maximum = 1,
      .typical = 0.2,
-     .scaled_by_share = true,
-     .model_error = 0.005},
+     .scaled_by_share = true},
 };
 
 constexpr Separation kSeparations[] = {
@@ -188,7 +187,7 @@ TensionDefinition definition() {
 namespace friction_preload {
 
 constexpr Parameter kParameters[] = {
-    {.name = "preload_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1, .expected = 1},
+    {.name = "preload_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
     {.name = "preload_N",
      .unit = "N",
      .minimum = 0,
@@ -237,8 +236,7 @@ constexpr Parameter kParameters[] = {
      .unit = "1/K",
      .minimum = -0.05,
      .maximum = 0.05,
-     .typical = 0.005,
-     .model_error = 0.015},
+     .typical = 0.005},
 };
 
 constexpr Separation kSeparations[] = {
@@ -277,12 +275,7 @@ namespace friction_velocity {
 
 constexpr Parameter kParameters[] = {
     {.name = "stribeck_friction", .unit = "1", .minimum = -0.5, .maximum = 0.5, .typical = 0.05},
-    {.name = "viscous_friction_s_m",
-     .unit = "s/m",
-     .minimum = -10,
-     .maximum = 10,
-     .typical = 0.5,
-     .model_error = 0.02},
+    {.name = "viscous_friction_s_m", .unit = "s/m", .minimum = -10, .maximum = 10, .typical = 0.5},
     {.name = "stribeck_velocity_m_s",
      .unit = "m/s",
      .minimum = 0.002,

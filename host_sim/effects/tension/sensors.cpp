@@ -10,14 +10,13 @@ namespace {
 namespace current_offset {
 
 constexpr Parameter kParameters[] = {
-    {.name = "offset_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1, .expected = 1},
+    {.name = "offset_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
     {.name = "current_offset_A",
      .unit = "A",
      .minimum = -0.5,
      .maximum = 0.5,
      .typical = 0.05,
-     .scaled_by_share = true,
-     .model_error = 0.005},
+     .scaled_by_share = true},
 };
 
 constexpr Separation kSeparations[] = {
@@ -73,14 +72,13 @@ TensionDefinition definition() {
 namespace filter_lag {
 
 constexpr Parameter kParameters[] = {
-    {.name = "lag_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1, .expected = 1},
+    {.name = "lag_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
     {.name = "lag_s",
      .unit = "s",
      .minimum = -0.05,
      .maximum = 0.05,
      .typical = 0.005,
-     .scaled_by_share = true,
-     .model_error = 0.02},
+     .scaled_by_share = true},
 };
 
 constexpr Separation kSeparations[] = {
@@ -218,7 +216,7 @@ namespace torque_gain {
 constexpr double kLeastGain = 0.05;
 
 constexpr Parameter kParameters[] = {
-    {.name = "droop_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1, .expected = 1},
+    {.name = "droop_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
     {.name = "droop_1_K",
      .unit = "1/K",
      .minimum = 0,

@@ -61,18 +61,8 @@ TensionDefinition definition() {
 namespace compliance {
 
 constexpr Parameter kParameters[] = {
-    {.name = "compliance_share",
-     .unit = "1",
-     .minimum = 0,
-     .maximum = 1,
-     .typical = 1,
-     .expected = 1},
-    {.name = "stiffness_N_m",
-     .unit = "N/m",
-     .minimum = 1e3,
-     .maximum = 1e6,
-     .typical = 1e4,
-     .model_error = 0.006},
+    {.name = "compliance_share", .unit = "1", .minimum = 0, .maximum = 1, .typical = 1},
+    {.name = "stiffness_N_m", .unit = "N/m", .minimum = 1e3, .maximum = 1e6, .typical = 1e4},
 };
 
 constexpr Separation kSeparations[] = {
@@ -152,18 +142,12 @@ TensionDefinition definition() {
 namespace presliding {
 
 constexpr Parameter kParameters[] = {
-    {.name = "presliding_share",
-     .unit = "1",
-     .minimum = 0,
-     .maximum = 1,
-     .typical = 1,
-     .expected = 1},
+    {.name = "presliding_share", .unit = "1", .minimum = 0, .maximum = 1, .typical = 1},
     {.name = "presliding_length_m",
      .unit = "m",
      .minimum = 5e-5,
      .maximum = 1e-2,
-     .typical = 3.5e-4,
-     .model_error = 0.005},
+     .typical = 3.5e-4},
 };
 
 constexpr Separation kSeparations[] = {
@@ -211,19 +195,9 @@ TensionDefinition definition() {
 namespace slack {
 
 constexpr Parameter kParameters[] = {
-    {.name = "slack_log_drop",
-     .unit = "1",
-     .minimum = -3,
-     .maximum = 3,
-     .typical = 0.3,
-     .model_error = 0.002},
+    {.name = "slack_log_drop", .unit = "1", .minimum = -3, .maximum = 3, .typical = 0.3},
     {.name = "slack_friction_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
-    {.name = "slack_m",
-     .unit = "m",
-     .minimum = 1e-4,
-     .maximum = 2e-3,
-     .typical = 4e-4,
-     .model_error = 0.008},
+    {.name = "slack_m", .unit = "m", .minimum = 1e-4, .maximum = 2e-3, .typical = 4e-4},
 };
 
 constexpr Separation kSeparations[] = {

@@ -9,22 +9,6 @@
 #include "host_sim/report/page/number_text.hpp"
 
 namespace host_sim::diagnose_page::captions {
-namespace {
-
-using diagnose::ResidualPicture;
-
-std::size_t outside(const ResidualPicture& residual, const std::vector<double>& means) {
-  std::size_t count = 0;
-  const std::size_t bins =
-      std::min({means.size(), residual.envelope_low.size(), residual.envelope_high.size()});
-  for (std::size_t i = 0; i < bins; ++i) {
-    count += means[i] < residual.envelope_low[i] || means[i] > residual.envelope_high[i] ? 1U : 0U;
-  }
-  return count;
-}
-
-}  // namespace
-
 std::string traces(const diagnose::TensionDiagnosis& tension) {
   const std::size_t shown = worst_traces(tension, kMostTraces).size();
   const std::string which =
@@ -82,26 +66,6 @@ std::string cause(const diagnose::TensionDiagnosis& tension, std::size_t index) 
   return fmt::format("{} The error of the whole session is {} (RMSE) without it, {} with it.",
                      when(trace), quantity_text(rmse_N(trace.measured_N, trace.before_N), "N"),
                      quantity_text(rmse_N(trace.measured_N, trace.after_N), "N"));
-}
-
-std::string residuals(const diagnose::TensionDiagnosis& tension) {
-  const std::string after =
-      tension.findings.extensions.empty() ? "" : " The extended model should bring them inside.";
-  return "Means of the residual ln T_out \u2212 ln T_in + \u03bc\u03c6s over each covariate, "
-         "pulling and letting go apart. Means outside the grey envelope are more than noise and "
-         "the "
-         "scatter of sessions give." +
-         after;
-}
-
-std::string residual(const diagnose::TensionDiagnosis& tension, std::size_t index) {
-  const ResidualPicture& residual = tension.residuals.at(index);
-  std::string text = fmt::format("{} of {} means lie outside the envelope",
-                                 outside(residual, residual.before), residual.centre.size());
-  if (!tension.findings.extensions.empty()) {
-    text += fmt::format(", {} after the extension", outside(residual, residual.after));
-  }
-  return text + ".";
 }
 
 std::string remainders() {

@@ -13,8 +13,6 @@ namespace host_sim::diagnose_page::captions {
 [[nodiscard]] std::string loop(const diagnose::TensionDiagnosis& tension, std::size_t index);
 [[nodiscard]] std::string causes();
 [[nodiscard]] std::string cause(const diagnose::TensionDiagnosis& tension, std::size_t index);
-[[nodiscard]] std::string residuals(const diagnose::TensionDiagnosis& tension);
-[[nodiscard]] std::string residual(const diagnose::TensionDiagnosis& tension, std::size_t index);
 [[nodiscard]] std::string remainders();
 [[nodiscard]] std::string remainder(const diagnose::TensionDiagnosis& tension, std::size_t index);
 [[nodiscard]] std::string sessions();

@@ -33,13 +33,6 @@ inline constexpr std::string_view kAfterColour = "line";
 /// The loop of what one cause does, without and with it, in the session where it shows most.
 [[nodiscard]] Chart cause_chart(const diagnose::TensionDiagnosis& tension, std::size_t cause);
 
-/// The residuals in the order of the page, as indices: the covariate whose means leave their
-/// envelope farthest with the nominal model first, the directions of one covariate together.
-[[nodiscard]] std::vector<std::size_t> residual_order(const diagnose::TensionDiagnosis& tension);
-
-/// What is left of ln(T_out / T_in) over one covariate, in one direction, with the null envelope.
-[[nodiscard]] Chart residual_chart(const diagnose::TensionDiagnosis& tension, std::size_t residual);
-
 /// What both models leave of the input force against the covariate that it shows most against, in
 /// one direction, with the scatter of sessions.
 [[nodiscard]] Chart remainder_chart(const diagnose::TensionDiagnosis& tension, std::size_t index);

@@ -152,7 +152,6 @@ std::string verdict(const diagnose::Diagnosis& diagnosis) {
 
 std::string origin(const diagnose::Diagnosis& diagnosis) {
   std::vector<std::string> from;
-  const bool in_newtons = diagnosis.tension && diagnosis.tension->in_newtons;
   if (diagnosis.tension) {
     from.emplace_back("recordings of tension");
   }
@@ -163,8 +162,8 @@ std::string origin(const diagnose::Diagnosis& diagnosis) {
   }
   return from.empty() ? "The campaign holds neither recordings nor lives."
                       : "Found in " + listed(from, "and") + ". Probabilities are " +
-                            (in_newtons ? "those of gains on sessions held out"
-                                        : "scored on simulated campaigns") +
+                            (diagnosis.tension ? "those of gains on sessions held out"
+                                               : "scored on simulated campaigns") +
                             "; intervals are of 95\u00a0%.";
 }
 

@@ -80,24 +80,12 @@ std::string sessions(const diagnose::TensionDiagnosis& tension) {
 
 std::string remainders(const diagnose::TensionDiagnosis& tension) {
   if (tension.remainders.empty()) {
-    return {};
+    return elements::empty("There is no residual to draw.");
   }
   std::string html = caption(captions::remainders()) + "<div class=\"pair\">\n";
   for (std::size_t i = 0; i < tension.remainders.size(); ++i) {
     html += in_pair(elements::chart(remainder_chart(tension, i), captions::remainder(tension, i),
                                     "There is nothing to draw in this direction."));
-  }
-  return html + "</div>\n";
-}
-
-std::string residuals(const diagnose::TensionDiagnosis& tension) {
-  if (tension.residuals.empty()) {
-    return tension.remainders.empty() ? elements::empty("There is no residual to draw.") : "";
-  }
-  std::string html = caption(captions::residuals(tension)) + "<div class=\"pair\">\n";
-  for (const std::size_t i : residual_order(tension)) {
-    html += in_pair(elements::chart(residual_chart(tension, i), captions::residual(tension, i),
-                                    "There is no residual in this direction."));
   }
   return html + "</div>\n";
 }
@@ -112,8 +100,7 @@ std::string pictures(const diagnose::TensionDiagnosis& tension) {
   return filled(diagnose_assets::recordings_html, {{"traces", traces(tension)},
                                                    {"causes", causes(tension)},
                                                    {"sessions", sessions(tension)},
-                                                   {"remainders", remainders(tension)},
-                                                   {"residuals", residuals(tension)}});
+                                                   {"remainders", remainders(tension)}});
 }
 
 std::string pictures(const diagnose::LifeDiagnosis& lives) {

@@ -1,4 +1,4 @@
-#include "host_sim/diagnose/audit.hpp"
+#include "host_sim/diagnose/audit/audit.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using ::testing::Not;
 using Verdict = EffectAudit::Verdict;
 
 Audit audit_of(const std::vector<Session>& sessions, const NoiseModel& noise = {}) {
-  return audit(gram_of(sessions, {.probes = {}, .baseline = testing::baseline()}), noise);
+  return audit(gram_of(sessions, {.baseline = testing::baseline()}), noise);
 }
 
 /// One pose, and a sheath that warms by 25 K as cycles run: 20 C + 25 K (1 - exp(-n/1500)).
@@ -33,18 +33,15 @@ std::vector<testing::Run> warming_with_cycles() {
 }
 
 TEST(Audit, OnePoseLeavesNothingOfGearAsymmetryAndBendAngle) {
-  for (const bool free_sessions : {false, true}) {
-    const Audit found =
-        audit_of(testing::sessions_of(testing::one_pose()), {.free_sessions = free_sessions});
-    for (const char* id : {"gear_asymmetry", "bend_angle"}) {
-      EXPECT_EQ(found.of(id).verdict, Verdict::nothing_left) << id;
-      EXPECT_LT(found.of(id).share, 1e-4) << id;
-      EXPECT_THAT(found.of(id).prose, HasSubstr("0.0 %")) << id;
-      EXPECT_THAT(found.of(id).prose, HasSubstr("four or more bend angles")) << id;
-    }
-    EXPECT_TRUE(found.of("friction_position").visible());
-    EXPECT_EQ(found.pair("gear_asymmetry", "slack"), nullptr);
+  const Audit found = audit_of(testing::sessions_of(testing::one_pose()));
+  for (const char* id : {"gear_asymmetry", "bend_angle"}) {
+    EXPECT_EQ(found.of(id).verdict, Verdict::nothing_left) << id;
+    EXPECT_LT(found.of(id).share, 1e-4) << id;
+    EXPECT_THAT(found.of(id).prose, HasSubstr("0.0 %")) << id;
+    EXPECT_THAT(found.of(id).prose, HasSubstr("four or more bend angles")) << id;
   }
+  EXPECT_TRUE(found.of("friction_position").visible());
+  EXPECT_EQ(found.pair("gear_asymmetry", "slack"), nullptr);
 }
 
 TEST(Audit, WearLooksLikeTemperatureWhereTheSheathWarmsWithCycles) {
@@ -80,7 +77,7 @@ TEST(Audit, CosineIsThatOfTheSessionMeansWhereScatterRules) {
       cycle = session.covariates.cycle.front();
     }
   }
-  const Grams grams = gram_of(sessions, {.probes = {}, .baseline = testing::baseline()});
+  const Grams grams = gram_of(sessions, {.baseline = testing::baseline()});
   const Projection projection =
       project(grams, {.sample_sd = 1e-3, .session_gain_sd = 1, .session_friction_sd = 1});
   const auto column = [&](std::string_view id, std::size_t block) {
@@ -175,7 +172,7 @@ Eigen::VectorXd preload_signature(const recording::Covariates& c, double force_N
 TEST(Audit, SigmasAreTheTypicalSignatureOverTheNoise) {
   const std::vector<Session> sessions = testing::sessions_of({{.duration_s = 20}});
   const recording::Covariates& c = sessions[0].covariates;
-  const Audit found = audit_of(sessions, {.sample_sd = 0.03, .free_sessions = true});
+  const Audit found = audit_of(sessions, {.sample_sd = 0.03});
   // 2.5 N is the shape next to the usual 2 N; 40 N, of which twice as much may be, shows best.
   const Eigen::VectorXd usual = preload_signature(c, 2.5);
   const Eigen::VectorXd largest = preload_signature(c, 40);

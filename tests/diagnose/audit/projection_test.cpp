@@ -1,4 +1,4 @@
-#include "host_sim/diagnose/projection.hpp"
+#include "host_sim/diagnose/audit/projection.hpp"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ std::vector<Session> three_poses() {
 
 /// All sessions below one another: fine for a few samples.
 Eigen::MatrixXd stacked(const std::vector<Session>& sessions, const Grams& grams) {
-  Eigen::MatrixXd all(0, static_cast<Eigen::Index>(grams.layout.size()));
+  Eigen::MatrixXd all(0, static_cast<Eigen::Index>(grams.layout.size));
   for (const Session& session : sessions) {
     const Eigen::MatrixXd columns = columns_of(session, grams.layout, grams.baseline);
     all.conservativeResize(all.rows() + columns.rows(), Eigen::NoChange);
@@ -66,33 +66,9 @@ void expect_near(const Eigen::MatrixXd& found, const Eigen::MatrixXd& expected,
   }
 }
 
-void expect_near(const Eigen::Matrix2d& matrix, const Eigen::Matrix2d& expected, double tolerance) {
-  EXPECT_NEAR((matrix - expected).cwiseAbs().maxCoeff(), 0, tolerance) << matrix;
-}
-
-TEST(InverseOfProducts, IsTheInverseWhereThereIsOne) {
-  expect_near(inverse_of_products(Eigen::Matrix2d{{2, 1}, {1, 2}}),
-              Eigen::Matrix2d{{2, -1}, {-1, 2}} / 3, 1e-15);
-  expect_near(inverse_of_products(Eigen::Matrix2d{{4, -1}, {-1, 1}}),
-              Eigen::Matrix2d{{1, 1}, {1, 4}} / 3, 1e-15);
-  expect_near(inverse_of_products(Eigen::Matrix2d{{4, 0}, {0, 0.5}}),
-              Eigen::Matrix2d{{0.25, 0}, {0, 2}}, 1e-15);
-}
-
-TEST(InverseOfProducts, LeavesAloneADirectionThatTheProductsDoNotShow) {
-  // (1, 1) (1, 1)' / 4; with columns of lengths 2 and 1, (1/2, 1) (1/2, 1)' / 4; one column; none.
-  expect_near(inverse_of_products(Eigen::Matrix2d{{1, 1}, {1, 1}}),
-              Eigen::Matrix2d{{0.25, 0.25}, {0.25, 0.25}}, 1e-15);
-  expect_near(inverse_of_products(Eigen::Matrix2d{{4, 2}, {2, 1}}),
-              Eigen::Matrix2d{{0.0625, 0.125}, {0.125, 0.25}}, 1e-15);
-  expect_near(inverse_of_products(Eigen::Matrix2d{{4, 0}, {0, 0}}),
-              Eigen::Matrix2d{{0.25, 0}, {0, 0}}, 1e-15);
-  expect_near(inverse_of_products(Eigen::Matrix2d::Zero()), Eigen::Matrix2d::Zero(), 0);
-}
-
 TEST(Projection, IsGeneralisedLeastSquaresWithTheWholeCovariance) {
   const std::vector<Session> sessions = three_poses();
-  const Grams grams = gram_of(sessions, {.probes = {}, .baseline = testing::baseline()});
+  const Grams grams = gram_of(sessions, {.baseline = testing::baseline()});
   const Projection projection = project(grams, kSmallNoise);
 
   const Eigen::MatrixXd columns = stacked(sessions, grams);
@@ -107,32 +83,9 @@ TEST(Projection, IsGeneralisedLeastSquaresWithTheWholeCovariance) {
   expect_near(projection.left, left, plain, 1e-9);
 }
 
-TEST(Projection, WithFreeSessionsIsWhatASessionsOwnFitLeaves) {
-  const std::vector<Session> sessions = three_poses();
-  const Grams grams = gram_of(sessions, {.probes = {}, .baseline = testing::baseline()});
-  NoiseModel noise = kSmallNoise;
-  noise.free_sessions = true;
-  const Projection projection = project(grams, noise);
-  const auto size = static_cast<Eigen::Index>(grams.layout.size());
-  Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(size, size);
-  for (const Session& session : sessions) {
-    const Eigen::MatrixXd columns = columns_of(session, grams.layout, grams.baseline);
-    const Eigen::MatrixXd own = columns.leftCols<2>();
-    const Eigen::MatrixXd rest = algebra::left_by(own, columns);
-    expected += rest.transpose() * rest / (0.02 * 0.02);
-  }
-  expect_near(projection.left, expected, projection.before, 1e-9);
-}
-
-TEST(Projection, LeavesTheResidualOfAPerfectSimulationEmpty) {
-  const Grams grams = gram_of(three_poses(), {.probes = {}, .baseline = testing::baseline()});
-  const auto residual = static_cast<Eigen::Index>(grams.layout.residual());
-  EXPECT_NEAR(project(grams, kSmallNoise).left(residual, residual), 0, 1e-20);
-}
-
 TEST(Projection, WithoutScatterSessionsAreOne) {
   const std::vector<Session> sessions = three_poses();
-  const Grams grams = gram_of(sessions, {.probes = {}, .baseline = testing::baseline()});
+  const Grams grams = gram_of(sessions, {.baseline = testing::baseline()});
   const NoiseModel noise{.sample_sd = 0.02, .session_gain_sd = 0, .session_friction_sd = 0};
   const Eigen::MatrixXd columns = stacked(sessions, grams);
   const Eigen::MatrixXd common = columns.leftCols<2>();
@@ -143,14 +96,10 @@ TEST(Projection, WithoutScatterSessionsAreOne) {
 
 TEST(Projection, AStrokeInOneDirectionIsNoSecondParameter) {
   std::vector<Session> sessions = testing::sessions_of({{.frequency_Hz = 0.1, .duration_s = 2}});
-  const Grams grams = gram_of(sessions, {.probes = {}, .baseline = testing::baseline()});
-  for (const bool free_sessions : {false, true}) {
-    NoiseModel noise = kSmallNoise;
-    noise.free_sessions = free_sessions;
-    const Projection projection = project(grams, noise);
-    EXPECT_TRUE(projection.left.allFinite());
-    EXPECT_NEAR(projection.left(1, 1) / projection.before(1, 1), 0, 1e-9);
-  }
+  const Grams grams = gram_of(sessions, {.baseline = testing::baseline()});
+  const Projection projection = project(grams, kSmallNoise);
+  EXPECT_TRUE(projection.left.allFinite());
+  EXPECT_NEAR(projection.left(1, 1) / projection.before(1, 1), 0, 1e-9);
 }
 
 }  // namespace

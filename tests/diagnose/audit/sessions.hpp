@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/diagnose/gram.hpp"
+#include "host_sim/diagnose/audit/gram.hpp"
 
 namespace host_sim::diagnose::testing {
 

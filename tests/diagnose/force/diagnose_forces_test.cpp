@@ -245,14 +245,6 @@ TEST(DiagnoseForces, WhatMovesSessionsIsNamedBesideTheirScatter) {
   }
 }
 
-TEST(DiagnoseForces, WhatIsAskedForIsDoubtedWhereNothingIsSeenOfIt) {
-  std::vector<FoundEffect> asked(2);
-  asked[0].id = "friction_preload";
-  asked[1].id = "friction_position";
-  EXPECT_THAT(diagnose_forces(measured({.preload_N = 12}, 6), nominal(), kWire, {}, asked).doubted,
-              ElementsAre("friction_position"));
-}
-
 /// All motion goes one way at one speed: friction of 8 N that the load does not change and a zero
 /// of the load cell are one force, which gain and friction coefficient can't be for a load that
 /// turns over.
@@ -500,7 +492,7 @@ TEST(DiagnoseForces, FrictionOfTheLoadIsNotASheathThatGives) {
   const TensionDiagnosis giving = diagnose_forces(measured(joint, 9), nominal(), kWire, {});
   EXPECT_EQ(giving.findings.verdict, Verdict::unknown) << giving.findings.prose;
   EXPECT_THAT(ids_of(giving.findings), IsEmpty());
-  EXPECT_THAT(giving.doubted, UnorderedElementsAre("friction_load"));
+  EXPECT_THAT(giving.findings.prose, HasSubstr("looks like load-dependent friction"));
   EXPECT_EQ(giving.findings.candidates.front().id, "unknown");
   EXPECT_THAT(giving.findings.prose, HasSubstr("a sheath that bends more or less under load"));
 }
@@ -512,7 +504,7 @@ TEST(DiagnoseForces, FrictionThatIsLargerOneWayIsNoZero) {
   const TensionDiagnosis diagnosis = diagnose_forces(measured(joint, 11), nominal(), kWire, {});
   EXPECT_THAT(ids_of(diagnosis.findings), Not(Contains("load_cell_zero")))
       << diagnosis.findings.prose;
-  EXPECT_THAT(diagnosis.doubted, Contains("load_cell_zero")) << diagnosis.findings.prose;
+  EXPECT_THAT(diagnosis.findings.prose, HasSubstr("looks like zero of the output sensor"));
 }
 
 /// The top of a sine of 40 N is read a tenth too small.
@@ -528,7 +520,7 @@ TEST(DiagnoseForces, ASensorThatIsNotLinearIsNoFriction) {
   }
   const TensionDiagnosis diagnosis = diagnose_forces(records, nominal(), kWire, {});
   EXPECT_NE(diagnosis.findings.verdict, Verdict::named) << diagnosis.findings.prose;
-  EXPECT_THAT(diagnosis.doubted, Not(IsEmpty())) << diagnosis.findings.prose;
+  EXPECT_THAT(diagnosis.findings.prose, HasSubstr("What looks like"));
   EXPECT_THAT(diagnosis.findings.prose, HasSubstr("a sensor of the output that is not linear"));
 }
 
@@ -541,6 +533,30 @@ TEST(DiagnoseForces, WhatStandsBesideCausesLeavesThemHalfOfTheProbabilityToBeAll
   EXPECT_EQ(findings.candidates[1].id, findings.candidates[0].id + "+unknown");
   EXPECT_EQ(findings.candidates[1].probability, findings.candidates[0].probability);
   EXPECT_GT(findings.effects.front().probability, 0.99);
+}
+
+/// Chatter of 2 N at 9 Hz, on for 1.2 s in 2.5 s, at times of its own in each session.
+TEST(DiagnoseForces, WhatComesInBurstsIsUnknown) {
+  const auto chattering = [](double size_N) {
+    std::vector<ForceRecord> records =
+        measured({.friction = 0.2, .still_N = 60, .noise_N = 0.3, .gain_scatter = 0.002}, 10);
+    double begun_s = 0;
+    for (ForceRecord& record : records) {
+      record.pulls_alone = true;
+      begun_s += 0.6;
+      for (std::size_t i = 0; i < record.samples(); ++i) {
+        const bool on = std::fmod(record.time_s[i] + begun_s, 2.5) < 1.2;
+        record.input_N[i] +=
+            on ? size_N * std::sin(2 * std::numbers::pi * 9 * record.time_s[i]) : 0;
+      }
+    }
+    return found(records);
+  };
+  EXPECT_EQ(chattering(0).verdict, Verdict::none);
+  const Findings findings = chattering(2);
+  EXPECT_EQ(findings.verdict, Verdict::unknown)
+      << findings.discrepancies.back().statistic << ' ' << findings.discrepancies.back().p_after;
+  EXPECT_EQ(findings.remainder.value().covariate, "time");
 }
 
 TEST(DiagnoseForces, AFewSessionsNameNothing) {

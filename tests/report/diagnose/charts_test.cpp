@@ -136,34 +136,6 @@ TEST(CauseChart, IsTheLoopWithoutAndWithTheCause) {
 TEST(TraceChart, WithoutAnExtensionHasNoLineOfIt) {
   const diagnose::Diagnosis diagnosis = samples::nothing_wrong();
   EXPECT_FALSE(has_layer(trace_chart(*diagnosis.tension, 0), "Extended model"));
-  EXPECT_FALSE(has_layer(residual_chart(*diagnosis.tension, 0), "Extended model"));
-}
-
-TEST(ResidualChart, TheEnvelopeGoesThereAndBack) {
-  diagnose::TensionDiagnosis tension;
-  tension.residuals = {{"sheath_temperature", "C", -1, {1, 2}, {5, 6}, {7, 8}, {-1, -2}, {3, 4}}};
-  const Chart chart = residual_chart(tension, 0);
-  EXPECT_EQ(chart.name, "Residual over sheath temperature, while letting go");
-  EXPECT_EQ(chart.x.label, "sheath temperature, \u00b0C");
-  const Layer envelope = layer_of(chart, "95 % of what noise and scatter of sessions alone give");
-  EXPECT_THAT(envelope.x, ElementsAre(1, 2, 2, 1));
-  EXPECT_THAT(envelope.y, ElementsAre(-1, -2, 4, 3));
-  EXPECT_THAT(layer_of(chart, "Nominal model").y, ElementsAre(5, 6));
-  tension.findings.extensions = {{"slack", {}}};
-  EXPECT_THAT(layer_of(residual_chart(tension, 0), "Extended model").y, ElementsAre(7, 8));
-  tension.residuals[0].direction = 1;
-  EXPECT_EQ(residual_chart(tension, 0).name, "Residual over sheath temperature, while pulling");
-}
-
-TEST(ResidualOrder, PutsTheCovariateThatLeavesItsEnvelopeFarthestFirst) {
-  diagnose::TensionDiagnosis tension;
-  // In half widths of the envelope 1, 2, 0.5 and 3.
-  tension.residuals = {{"speed", "m/s", 1, {0}, {0.1}, {}, {-0.1}, {0.1}},
-                       {"cycle", "cycles", 1, {0}, {-0.4}, {}, {-0.2}, {0.2}},
-                       {"speed", "m/s", -1, {0}, {0.1}, {}, {-0.2}, {0.2}},
-                       {"cycle", "cycles", -1, {0}, {1.1}, {}, {-0.1}, {0.5}}};
-  EXPECT_THAT(residual_order(tension), ElementsAre(1, 3, 0, 2));
-  EXPECT_EQ(residual_chart(tension, 0).x.label, "speed, m/s");
 }
 
 TEST(RemainderChart, HasMeansAndTheScatterOfSessionsOfBothModels) {

@@ -28,7 +28,7 @@ TensionDiagnosis recordings(double wear) {
   TensionDiagnosis tension;
   add_common(tension.findings);
   add_traces(tension, wear);
-  add_residuals(tension, wear);
+  add_remainders(tension, wear);
   tension.friction_coefficient = 0.131;
   tension.log_gain = -0.004;
   return tension;
@@ -234,8 +234,8 @@ Diagnosis hostile_diagnosis() {
   }
   diagnosis.tension->findings.remainder = {0.5, 1, 1, name, 0.5};
   diagnosis.tension->traces[0].session = name;
-  diagnosis.tension->residuals[0].covariate = name;
-  diagnosis.tension->residuals[0].unit = name;
+  diagnosis.tension->remainders[0].covariate = name;
+  diagnosis.tension->remainders[0].unit = name;
   diagnosis.lives->picture.points[0].lot = name;
   diagnosis.lives->picture.points[1].specimen = name;
   return diagnosis;
@@ -253,15 +253,15 @@ std::vector<DiagnosisSample> all_diagnoses() {
   broken.tension->findings.candidates[0].probability = kNone;
   broken.tension->findings.remainder = {kNone, kNone, kNone, "cycle", kNone};
   broken.tension->traces[0].before_N[3] = kNone;
-  broken.tension->residuals[0].after[2] = kNone;
-  // Each of the four sessions has a trace and a loop, each residual a plot; a gain or steps of
+  broken.tension->remainders[0].after_N[2] = kNone;
+  // Each of the four sessions has a trace and a loop, each remainder a plot; a gain or steps of
   // recordings have one, and lives three.
   return {{"typical", 13, "crossed test of the upper arm", wear_named()},
           {"none", 12, "upper arm, new sheath", nothing_wrong()},
           {"outside", 13, "upper arm, load cell with a zero", outside_of_catalogue()},
           {"ambiguous", 12, "field log at one pose", ambiguous_pair()},
           {"unknown", 12, "upper arm, second rig", unexplained()},
-          {"steps", 17, "upper arm, third rig", explained_in_part()},
+          {"steps", 13, "upper arm, third rig", explained_in_part()},
           {"lives", 3, "three lots", lots_named()},
           {"both", 16, "upper arm, complete", both_named()},
           {"hostile", 15, hostile_name(), hostile_diagnosis()},

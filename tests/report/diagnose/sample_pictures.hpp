@@ -10,7 +10,7 @@ void add_traces(diagnose::TensionDiagnosis& tension, double wear);
 
 /// Residuals over the cycle, in proportion to `wear`, and over sheath temperature, without
 /// structure; each pulling and letting go.
-void add_residuals(diagnose::TensionDiagnosis& tension, double wear);
+void add_remainders(diagnose::TensionDiagnosis& tension, double wear);
 
 /// 48 lives at four levels in three lots, one of them suspended, whose means are `spread` apart in
 /// ln N.

@@ -45,21 +45,22 @@ diagnose::TracePicture trace_of(std::size_t session, double wear) {
   return trace;
 }
 
-diagnose::ResidualPicture residual_of(const std::string& covariate, const std::string& unit,
-                                      int direction, double first, double last, double slope) {
+diagnose::RemainderPicture remainder_of(const std::string& covariate, const std::string& unit,
+                                        int direction, double first, double last, double slope_N) {
   constexpr std::size_t kBins = 10;
-  diagnose::ResidualPicture residual{covariate, unit, direction, {}, {}, {}, {}, {}};
+  constexpr double kScatter_N = 0.5;
+  diagnose::RemainderPicture remainder{covariate, unit, direction, {}, {}, {}, {}, {}};
   statistics::Random random(8, static_cast<std::uint64_t>(direction + 1), 0);
   for (std::size_t i = 0; i < kBins; ++i) {
     const double place = (static_cast<double>(i) + 0.5) / kBins;
-    const double noise = 0.008 * (random.uniform() - 0.5);
-    residual.centre.push_back(first + place * (last - first));
-    residual.before.push_back(-direction * slope * (place - 0.5) + noise);
-    residual.after.push_back(noise);
-    residual.envelope_low.push_back(-0.010 - 0.004 * std::abs(place - 0.5));
-    residual.envelope_high.push_back(0.010 + 0.004 * std::abs(place - 0.5));
+    const double noise_N = kScatter_N * (random.uniform() - 0.5);
+    remainder.centre.push_back(first + place * (last - first));
+    remainder.before_N.push_back(direction * slope_N * (place - 0.5) + noise_N);
+    remainder.before_sd_N.push_back(kScatter_N + std::abs(slope_N) / 10);
+    remainder.after_N.push_back(noise_N);
+    remainder.after_sd_N.push_back(kScatter_N);
   }
-  return residual;
+  return remainder;
 }
 
 }  // namespace
@@ -70,12 +71,14 @@ void add_traces(diagnose::TensionDiagnosis& tension, double wear) {
   }
 }
 
-void add_residuals(diagnose::TensionDiagnosis& tension, double wear) {
+void add_remainders(diagnose::TensionDiagnosis& tension, double wear) {
+  constexpr double kOfWear_N = 40;
   for (const int direction : {1, -1}) {
-    tension.residuals.push_back(residual_of("cycle", "cycles", direction, 0, 4000, 0.6 * wear));
+    tension.remainders.push_back(
+        remainder_of("cycle", "cycles", direction, 0, 4000, kOfWear_N * wear));
   }
   for (const int direction : {1, -1}) {
-    tension.residuals.push_back(residual_of("sheath_temperature", "deg C", direction, 20, 45, 0));
+    tension.remainders.push_back(remainder_of("sheath temperature", "C", direction, 20, 45, 0));
   }
 }
 

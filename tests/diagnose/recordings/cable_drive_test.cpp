@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "host_sim/campaign/campaign.hpp"
-#include "host_sim/diagnose/tension/diagnose_recorded.hpp"
+#include "host_sim/diagnose/diagnose_recordings.hpp"
 #include "host_sim/recording/import.hpp"
 #include "tests/recording/support.hpp"
 
@@ -62,7 +62,7 @@ TEST(DiagnoseCableDrive, TakesOffTheErrorOfCapstanStepByStep) {
                             folder / "drive");
   const Campaign campaign = read_campaign(folder / "drive");
   const RecordedSessions recorded = recorded_sessions(campaign);
-  const Findings findings = diagnose_recorded(campaign, recorded, {}).findings;
+  const Findings findings = diagnose_recordings(campaign, recorded, {}).findings;
   EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
   std::vector<std::string> written;
   for (const Extension& extension : findings.extensions) {

@@ -1,8 +1,10 @@
-#include "host_sim/diagnose/projection.hpp"
+#include "host_sim/diagnose/audit/projection.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <utility>
 
 namespace host_sim::diagnose {
 namespace {
@@ -58,9 +60,6 @@ Eigen::Matrix2d inverse_of(const Eigen::Matrix2d& matrix, const Eigen::Vector2d&
 
 /// The inverse of what the scatter of a session adds: D^1/2 (sd^2 I + D^1/2 Z'Z D^1/2)^-1 D^1/2.
 Eigen::Matrix2d shrinkage(const Eigen::Matrix2d& gram, const NoiseModel& noise) {
-  if (noise.free_sessions) {
-    return inverse_of_products(gram);
-  }
   const Eigen::Vector2d sd(noise.session_gain_sd, noise.session_friction_sd);
   const Eigen::Matrix2d inner = noise.sample_sd * noise.sample_sd * Eigen::Matrix2d::Identity() +
                                 Eigen::Matrix2d(sd.asDiagonal() * gram * sd.asDiagonal());
@@ -76,56 +75,28 @@ Eigen::MatrixXd without_common(const Eigen::MatrixXd& matrix, const Eigen::Matri
 
 }  // namespace
 
-Eigen::Matrix2d inverse_of_products(const Eigen::Matrix2d& matrix) {
-  return inverse_of(matrix, matrix.diagonal(), kRounding * matrix.diagonal());
-}
-
-Eigen::MatrixXd session_information(const SessionGram& session, const NoiseModel& noise) {
-  const Eigen::Matrix2d common = session.gram.topLeftCorner<2, 2>();
-  return without_common(session.gram, shrinkage(common, noise)) /
-         (noise.sample_sd * noise.sample_sd);
-}
-
-GramSums::GramSums(const Grams& grams) {
-  const auto size = static_cast<Eigen::Index>(grams.layout.size());
-  total = Eigen::MatrixXd::Zero(size, size);
-  common = Eigen::MatrixXd(size, 2 * std::ssize(grams.sessions));
+Projection project(const Grams& grams, const NoiseModel& noise) {
+  const double variance = noise.sample_sd * noise.sample_sd;
+  const auto size = static_cast<Eigen::Index>(grams.layout.size);
+  Eigen::MatrixXd information = Eigen::MatrixXd::Zero(size, size);
+  // The first two columns of all sessions side by side, so that it is one product.
+  Eigen::MatrixXd shared(size, 2 * std::ssize(grams.sessions));
+  Eigen::MatrixXd shrunk(shared.rows(), shared.cols());
   Eigen::Index place = 0;
-  for (const SessionGram& session : grams.sessions) {
-    total += session.gram;
-    common.middleCols<2>(place) = session.gram.leftCols<2>();
+  for (const Eigen::MatrixXd& gram : grams.sessions) {
+    information += gram / variance;
+    shared.middleCols<2>(place) = gram.leftCols<2>();
+    shrunk.middleCols<2>(place) = gram.leftCols<2>() * shrinkage(gram.topLeftCorner<2, 2>(), noise);
     place += 2;
   }
-}
-
-Projection project(const GramSums& sums, const NoiseModel& noise) {
-  const double variance = noise.sample_sd * noise.sample_sd;
-  Eigen::MatrixXd shrunk(sums.common.rows(), sums.common.cols());
-  for (Eigen::Index place = 0; place < sums.common.cols(); place += 2) {
-    const Eigen::Matrix2d common = sums.common.block<2, 2>(0, place);
-    shrunk.middleCols<2>(place) = sums.common.middleCols<2>(place) * shrinkage(common, noise);
-  }
-  Eigen::MatrixXd information = sums.total / variance;
-  const Eigen::VectorXd plain = information.diagonal();
   Projection projection;
-  projection.rounding = kRounding * plain;
-  if (noise.free_sessions) {
-    projection.before = information;
-  }
-  information.noalias() -= shrunk * sums.common.transpose() / variance;
+  projection.rounding = kRounding * information.diagonal();
+  information.noalias() -= shrunk * shared.transpose() / variance;
   const Eigen::Matrix2d common = information.topLeftCorner<2, 2>();
-  const Eigen::Vector2d scale =
-      noise.free_sessions ? plain.head<2>() : Eigen::Vector2d(information.diagonal().head<2>());
-  projection.left =
-      without_common(information, inverse_of(common, scale, projection.rounding.head<2>()));
-  if (!noise.free_sessions) {
-    projection.before = std::move(information);
-  }
+  projection.left = without_common(
+      information, inverse_of(common, common.diagonal(), projection.rounding.head<2>()));
+  projection.before = std::move(information);
   return projection;
-}
-
-Projection project(const Grams& grams, const NoiseModel& noise) {
-  return project(GramSums(grams), noise);
 }
 
 }  // namespace host_sim::diagnose

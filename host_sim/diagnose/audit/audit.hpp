@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/diagnose/gram.hpp"
-#include "host_sim/diagnose/projection.hpp"
+#include "host_sim/diagnose/audit/gram.hpp"
+#include "host_sim/diagnose/audit/projection.hpp"
 
 namespace host_sim::diagnose {
 

@@ -1,4 +1,4 @@
-#include "host_sim/diagnose/audit.hpp"
+#include "host_sim/diagnose/audit/audit.hpp"
 
 #include <fmt/format.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "host_sim/diagnose/projection.hpp"
+#include "host_sim/diagnose/audit/projection.hpp"
 #include "host_sim/statistics/eigen_system.hpp"
 
 namespace host_sim::diagnose {
