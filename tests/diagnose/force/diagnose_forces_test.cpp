@@ -559,6 +559,20 @@ TEST(DiagnoseForces, WhatComesInBurstsIsUnknown) {
   EXPECT_EQ(findings.remainder.value().covariate, "time");
 }
 
+/// Eight that all agree: of 2^8 ways to turn them over two are as large, whatever the seed.
+TEST(DiagnoseForces, FewSessionsAreTurnedOverInAllWays) {
+  for (const std::uint64_t seed : {1U, 2U, 3U}) {
+    DiagnoseOptions options;
+    options.seed = seed;
+    const Findings findings =
+        diagnose_forces(measured({.spring_N = 6}, 3, 8), nominal(), kWire, options).findings;
+    const auto position =
+        std::ranges::find(findings.discrepancies, "position", &Discrepancy::covariate);
+    ASSERT_NE(position, findings.discrepancies.end());
+    EXPECT_EQ(position->p, 2.0 / 256);
+  }
+}
+
 TEST(DiagnoseForces, AFewSessionsNameNothing) {
   const Findings findings = found(measured({.preload_N = 12}, 5, 3));
   EXPECT_THAT(ids_of(findings), IsEmpty());
