@@ -172,7 +172,8 @@ Eigen::VectorXd preload_signature(const recording::Covariates& c, double force_N
 TEST(Audit, SigmasAreTheTypicalSignatureOverTheNoise) {
   const std::vector<Session> sessions = testing::sessions_of({{.duration_s = 20}});
   const recording::Covariates& c = sessions[0].covariates;
-  const Audit found = audit_of(sessions, {.sample_sd = 0.03});
+  const Audit found =
+      audit_of(sessions, {.sample_sd = 0.03, .session_gain_sd = 0, .session_friction_sd = 0});
   // 2.5 N is the shape next to the usual 2 N; 40 N, of which twice as much may be, shows best.
   const Eigen::VectorXd usual = preload_signature(c, 2.5);
   const Eigen::VectorXd largest = preload_signature(c, 40);
