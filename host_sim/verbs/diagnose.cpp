@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <array>
 #include <exception>
 #include <memory>
@@ -9,12 +10,12 @@
 #include "hal/files/output_file.hpp"
 #include "host_sim/command_line/options.hpp"
 #include "host_sim/diagnose/diagnosis.hpp"
+#include "host_sim/diagnose/force/force_model.hpp"
 #include "host_sim/diagnose/output/extended_model.hpp"
 #include "host_sim/diagnose/output/results.hpp"
 #include "host_sim/diagnose/output/summary.hpp"
 #include "host_sim/effects/counting_effect.hpp"
 #include "host_sim/effects/life_effect.hpp"
-#include "host_sim/effects/tension_effect.hpp"
 #include "host_sim/extension/model_file.hpp"
 #include "host_sim/io/progress.hpp"
 #include "host_sim/recording/recording.hpp"
@@ -160,8 +161,11 @@ int run(const Arguments& arguments) {
 
 std::vector<std::string> catalogue() {
   std::vector<std::string> ids;
-  for (const auto& effect : effects::tension_effects()) {
-    ids.emplace_back(effect->id());
+  for (const diagnose::ForceTerm term : diagnose::kForceTerms) {
+    const diagnose::ForceEffect& effect = diagnose::definition_of(term);
+    if (!effect.outside && std::ranges::find(ids, effect.id) == ids.end()) {
+      ids.emplace_back(effect.id);
+    }
   }
   for (const auto& effect : effects::counting_effects()) {
     ids.emplace_back(effect->id());
