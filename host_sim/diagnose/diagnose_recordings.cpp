@@ -110,16 +110,6 @@ void add_audit(const Audit& audited, Findings& findings) {
   }
 }
 
-std::vector<std::string_view> effects_in(std::string_view id) {
-  std::vector<std::string_view> effects;
-  for (std::size_t first = 0; first <= id.size();) {
-    const std::size_t end = std::min(id.find('+', first), id.size());
-    effects.push_back(id.substr(first, end - first));
-    first = end + 1;
-  }
-  return effects;
-}
-
 /// The first effect of one candidate that the other does not hold; null where there is none.
 const effects::TensionEffect* other_than(std::string_view one, std::string_view other) {
   const std::vector<std::string_view> known = effects_in(other);

@@ -85,6 +85,16 @@ bool withdraw_unless_improved(Findings& findings) {
   return withdrawn;
 }
 
+std::vector<std::string_view> effects_in(std::string_view candidate) {
+  std::vector<std::string_view> effects;
+  for (std::size_t first = 0; first <= candidate.size();) {
+    const std::size_t end = std::min(candidate.find('+', first), candidate.size());
+    effects.push_back(candidate.substr(first, end - first));
+    first = end + 1;
+  }
+  return effects;
+}
+
 std::string listed(const std::vector<std::string>& items, std::string_view last) {
   std::string text;
   for (std::size_t i = 0; i < items.size(); ++i) {

@@ -137,6 +137,9 @@ struct Findings {
 /// @return whether that is so
 bool withdraw_unless_improved(Findings& findings);
 
+/// The ids of a candidate, "a+b+c", as parts of it.
+std::vector<std::string_view> effects_in(std::string_view candidate);
+
 /// "a", "a and b", "a, b and c".
 /// @param last the word before the last one
 std::string listed(const std::vector<std::string>& items, std::string_view last);

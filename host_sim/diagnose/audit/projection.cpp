@@ -38,13 +38,11 @@ EigenSystem2 eigen_system(const Eigen::Matrix2d& matrix) {
 }
 
 /// A generalised inverse of a symmetric matrix that is positive but for `rounding` of its diagonal.
-/// `scale` is the size of its diagonal before anything was taken off.
-Eigen::Matrix2d inverse_of(const Eigen::Matrix2d& matrix, const Eigen::Vector2d& scale,
-                           const Eigen::Vector2d& rounding) {
+Eigen::Matrix2d inverse_of(const Eigen::Matrix2d& matrix, const Eigen::Vector2d& rounding) {
   Eigen::Vector2d unit;
   double least = kSameDirection;
   for (Eigen::Index i = 0; i < 2; ++i) {
-    unit(i) = scale(i) > 0 ? 1 / std::sqrt(scale(i)) : 0;
+    unit(i) = matrix(i, i) > 0 ? 1 / std::sqrt(matrix(i, i)) : 0;
     least = std::max(least, rounding(i) * unit(i) * unit(i));
   }
   const EigenSystem2 system = eigen_system(unit.asDiagonal() * matrix * unit.asDiagonal());
@@ -93,8 +91,7 @@ Projection project(const Grams& grams, const NoiseModel& noise) {
   projection.rounding = kRounding * information.diagonal();
   information.noalias() -= shrunk * shared.transpose() / variance;
   const Eigen::Matrix2d common = information.topLeftCorner<2, 2>();
-  projection.left = without_common(
-      information, inverse_of(common, common.diagonal(), projection.rounding.head<2>()));
+  projection.left = without_common(information, inverse_of(common, projection.rounding.head<2>()));
   projection.before = std::move(information);
   return projection;
 }

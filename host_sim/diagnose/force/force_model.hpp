@@ -35,6 +35,11 @@ struct ForceRecord {
   bool pulls_alone = false;  ///< one tendon, whose force has one sign
 
   [[nodiscard]] std::size_t samples() const { return time_s.size(); }
+  /// Mean time between samples. @pre one or more
+  [[nodiscard]] double step_s() const {
+    return (time_s.back() - time_s.front()) /
+           static_cast<double>(std::max<std::size_t>(samples() - 1, 1));
+  }
 };
 
 /// What terms are measured by, of all records together.

@@ -362,10 +362,7 @@ PairedGain ForceSearch::lost_in_time(const Judged& one, const Candidate& other) 
   };
   const double one_s = late_s(model_.fit, one.term);
   const double other_s = late_s(other.fit, other.fit.terms.back());
-  const ForceRecord& sampled = records_.front();
-  const double step_s =
-      (sampled.time_s.back() - sampled.time_s.front()) / static_cast<double>(sampled.samples() - 1);
-  if (std::min(std::abs(one_s), std::abs(other_s)) < kOfStep * step_s) {
+  if (std::min(std::abs(one_s), std::abs(other_s)) < kOfStep * records_.front().step_s()) {
     return PairedGain{.slope = kEvenSlope};
   }
   const bool of_input = one_s < 0 && other_s < 0;

@@ -50,8 +50,7 @@ Smoothed smoothed_over(int samples, const std::vector<ForceRecord>& records) {
   for (const ForceRecord& record : records) {
     std::vector<double>& output_N = smoothed.output_N.emplace_back(record.output_N);
     std::vector<double>& rate_N_s = smoothed.rate_N_s.emplace_back(record.output_rate_N_s);
-    const double step_s = (record.time_s.back() - record.time_s.front()) /
-                          static_cast<double>(std::max<std::size_t>(record.samples() - 1, 1));
+    const double step_s = record.step_s();
     for (const recording::Stretch& piece : pieces_of(record)) {
       for (std::size_t i = piece.first; i < piece.end(); ++i) {
         recording::LocalFit fit;

@@ -41,6 +41,33 @@ std::size_t part_of_stroke(const ForceRecord& record, double stroke_m) {
   return std::max<std::size_t>(record.samples() / (kPart * strokes), 1);
 }
 
+/// Residuals of a session, each by its weight.
+std::vector<double> weighted_N(const ForceData& data, std::size_t session,
+                               const std::vector<double>& residuals_N) {
+  std::vector<double> values_N = residuals_N;
+  for (std::size_t i = 0; i < values_N.size(); ++i) {
+    values_N[i] *= std::sqrt(data.covariance().weight(session, i));
+  }
+  return values_N;
+}
+
+/// Sums over pairs of samples that count and lie some samples apart.
+struct Pairs {
+  double products = 0;
+  double squares = 0;  ///< of the first of each
+  std::size_t count = 0;
+
+  void add(const ForceRecord& record, const std::vector<double>& values, std::size_t later) {
+    for (std::size_t i = 0; i + later < values.size(); ++i) {
+      if (record.used[i] && record.used[i + later]) {
+        products += values[i] * values[i + later];
+        squares += values[i] * values[i];
+        ++count;
+      }
+    }
+  }
+};
+
 /// Mean product of residuals that are so far apart, less twice what chance puts there by its
 /// scatter between sessions.
 double going_on(const ForceData& data, const std::vector<std::vector<double>>& residuals_N) {
@@ -48,19 +75,11 @@ double going_on(const ForceData& data, const std::vector<std::vector<double>>& r
   std::vector<double> of_sessions;
   for (std::size_t j = 0; j < residuals_N.size(); ++j) {
     const ForceRecord& record = data.records()[j];
-    const std::size_t later = part_of_stroke(record, data.scales().stroke_m);
-    double sum_N2 = 0;
-    double count = 0;
-    for (std::size_t i = 0; i + later < record.samples(); ++i) {
-      if (record.used[i] && record.used[i + later]) {
-        sum_N2 +=
-            std::sqrt(data.covariance().weight(j, i) * data.covariance().weight(j, i + later)) *
-            residuals_N[j][i] * residuals_N[j][i + later];
-        ++count;
-      }
-    }
-    if (count > 0) {
-      of_sessions.push_back(sum_N2 / count);
+    Pairs pairs;
+    pairs.add(record, weighted_N(data, j, residuals_N[j]),
+              part_of_stroke(record, data.scales().stroke_m));
+    if (pairs.count > 0) {
+      of_sessions.push_back(pairs.products / static_cast<double>(pairs.count));
     }
   }
   if (of_sessions.size() < 2) {
@@ -231,30 +250,23 @@ Memory memory_of(const ForceData& data, const std::vector<std::vector<double>>& 
     if (square_N2 <= 0) {
       continue;
     }
-    std::vector<double> values(record.samples());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      values[i] = residuals_N[j][i] * std::sqrt(data.covariance().weight(j, i) / square_N2);
-      values[i] = of_size ? std::min(values[i] * values[i], kMost) - 1 : values[i];
+    std::vector<double> values = weighted_N(data, j, residuals_N[j]);
+    if (of_size) {
+      for (double& value : values) {
+        value = std::min(value * value / square_N2, kMost) - 1;
+      }
     }
     const auto samples_in = [&](double time_s) {
       return static_cast<std::size_t>(
           std::lround(time_s / (record.time_s.back() - record.time_s.front()) *
                       static_cast<double>(record.samples() - 1)));
     };
-    double sum = 0;
-    double square = 0;
-    std::size_t count = 0;
+    Pairs pairs;
     for (std::size_t later = samples_in(later_s); later <= samples_in(kLater * later_s); ++later) {
-      for (std::size_t i = 0; i + later < values.size(); ++i) {
-        if (record.used[i] && record.used[i + later]) {
-          sum += values[i] * values[i + later];
-          square += values[i] * values[i];
-          ++count;
-        }
-      }
+      pairs.add(record, values, later);
     }
-    if (count >= kFewSamples && square > 0) {
-      correlations.push_back(sum / square);
+    if (pairs.count >= kFewSamples && pairs.squares > 0) {
+      correlations.push_back(pairs.products / pairs.squares);
     }
   }
   const auto sessions = static_cast<double>(correlations.size());

@@ -13,7 +13,7 @@
 namespace host_sim::diagnose::lives {
 namespace {
 
-bool is_effect(const std::string& id) {
+bool is_effect(std::string_view id) {
   return std::ranges::any_of(effects::life_effects(),
                              [&](const auto& effect) { return effect->id() == id; });
 }
@@ -22,14 +22,10 @@ bool is_effect(const std::string& id) {
 std::set<std::string> effects_of(const std::vector<std::string>& set) {
   std::set<std::string> ids;
   for (const std::string& candidate : set) {
-    std::size_t begin = 0;
-    while (begin <= candidate.size()) {
-      const std::size_t end = std::min(candidate.find('+', begin), candidate.size());
-      const std::string id = candidate.substr(begin, end - begin);
+    for (const std::string_view id : effects_in(candidate)) {
       if (is_effect(id)) {
-        ids.insert(id);
+        ids.emplace(id);
       }
-      begin = end + 1;
     }
   }
   return ids;

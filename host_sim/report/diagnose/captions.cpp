@@ -9,6 +9,7 @@
 #include "host_sim/report/page/number_text.hpp"
 
 namespace host_sim::diagnose_page::captions {
+
 std::string traces(const diagnose::TensionDiagnosis& tension) {
   const std::size_t shown = worst_traces(tension, kMostTraces).size();
   const std::string which =

@@ -1,16 +1,7 @@
 #include "host_sim/report/diagnose/charts.hpp"
 
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <map>
-#include <numeric>
-#include <utility>
-
-#include "host_sim/diagnose/output/prose.hpp"
-
 namespace host_sim::diagnose_page {
+
 std::vector<Chart> charts(const diagnose::Diagnosis& diagnosis) {
   std::vector<Chart> all;
   if (diagnosis.tension) {
