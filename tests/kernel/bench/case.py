@@ -64,7 +64,7 @@ class Case(unittest.TestCase):
         # candump says nothing when it is ready: a frame of the tests must come through.
         probe = Node(interface)
         try:
-            self.eventually(lambda: (probe.send(0x7FF, b""), program.output())[1], "candump hears the bus")
+            self.eventually(lambda: (probe.offer(0x7FF, b""), program.output())[1], "candump hears the bus")
         finally:
             probe.close()
         return program

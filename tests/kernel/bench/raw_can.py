@@ -41,6 +41,16 @@ class Node:
     def send(self, id, data):
         self._socket.send(FRAME.pack(id, len(data), data))
 
+    def offer(self, id, data):
+        """Sends if the queue of the interface has room; whether it had."""
+        try:
+            self.send(id, data)
+        except OSError as error:
+            if error.errno != errno.ENOBUFS:
+                raise
+            return False
+        return True
+
     def send_error(self, kind, controller=0, transmit_errors=0, receive_errors=0):
         data = bytes([0, controller, 0, 0, 0, 0, transmit_errors, receive_errors])
         self.send(ERROR | kind, data)
