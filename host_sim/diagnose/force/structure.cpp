@@ -207,6 +207,13 @@ SessionScatter session_scatter_of(const ForceData& data,
   if (sessions < 2 || !(most > 0).all()) {
     return {};
   }
+  double taken_N2 = 0;
+  for (std::size_t j = 0; j < refits.size(); ++j) {
+    taken_N2 += data.covariance().weighted_square(j, vector_of(residuals_N[j])) -
+                data.covariance().weighted_square(
+                    j, data.covariance().beside_refit(j, vector_of(residuals_N[j])));
+  }
+  taken_N2 /= data.samples();
   const boost::math::chi_squared chance(sessions - 1);
   SessionScatter scatter;
   for (Eigen::Index k = 0; k < 2; ++k) {
@@ -234,6 +241,8 @@ SessionScatter session_scatter_of(const ForceData& data,
           (statistic / (sessions - 1) - 1) * most[k] * most[k] * squares_N2 / data.samples();
     }
   }
+  // Gain and friction that stand for each other move far where they take little off.
+  scatter.beyond_N2 = std::min(scatter.beyond_N2, taken_N2);
   return scatter;
 }
 

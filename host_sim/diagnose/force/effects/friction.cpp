@@ -190,7 +190,7 @@ namespace elastic_presliding {
 
 /// A length that friction turns over by is how far it stretches a tendon of this stiffness.
 Parameters parameters(const ForceScales& scales) {
-  return {stiffness("presliding_stiffness_N_m", scales, {5, 100})};
+  return {stiffness("presliding_stiffness_N_m", scales, {0.3, 5, 100})};
 }
 
 constexpr ForceEffect kEffect{

@@ -29,7 +29,8 @@ Extension written(std::string_view id, Numbers numbers, const ForceScales& scale
   return by_name(id, numbers, kParameters(scales));
 }
 
-/// k of laws of a tendon that stretches.
+/// k of laws of a tendon that stretches: at the least the whole stroke stretches it by what
+/// friction of 1 % holds.
 /// @param starts in units of the rms force over the stroke
 inline ForceParameter stiffness(std::string name, const ForceScales& scales,
                                 std::vector<double> starts) {
@@ -37,7 +38,8 @@ inline ForceParameter stiffness(std::string name, const ForceScales& scales,
   for (double& start : starts) {
     start *= unit_N_m;
   }
-  return {std::move(name), "N/m", unit_N_m, 1e4 * unit_N_m, std::move(starts)};
+  constexpr double kLeast = 0.01;
+  return {std::move(name), "N/m", kLeast * unit_N_m, 1e4 * unit_N_m, std::move(starts)};
 }
 
 inline bool has_current(const ForceRecord& record) {

@@ -65,7 +65,7 @@ constexpr ForceEffect kEffect{"slack",
 namespace compliance {
 
 Parameters parameters(const ForceScales& scales) {
-  return {stiffness("stiffness_N_m", scales, {3, 30, 300})};
+  return {stiffness("stiffness_N_m", scales, {0.3, 3, 30, 300})};
 }
 
 constexpr ForceEffect kEffect{
