@@ -93,6 +93,9 @@ class Report {
     for (const Judged& one : search_.judged()) {
       if (one.imitated_by) {
         findings.prose += imitation_prose(definition_of(one.term), definition_of(*one.imitated_by));
+      } else if (findings.verdict == Verdict::named && is_doubtful(one)) {
+        findings.prose +=
+            doubtful_prose(definition_of(one.term), probability_of(one.term, one.gain, data_));
       }
     }
     if (withdraw_unless_improved(findings)) {
@@ -136,66 +139,80 @@ class Report {
            probability_of(one.term, one.gain, data_) >= kNamed;
   }
 
-  /// Effects that may be all that is wrong, of these odds.
+  /// Whether it is likely, and nothing could be in its place.
+  [[nodiscard]] bool is_doubtful(const Judged& one) const {
+    return one.others.empty() && !one.imitated_by && !stands(one);
+  }
+
+  /// Effects that may be all that is wrong.
   struct Set {
     std::vector<std::string> ids;
-    double odds = 1;
+    double probability = 1;
+
+    [[nodiscard]] Set with(ForceTerm term, double times) const {
+      Set more{ids, times * probability};
+      more.ids.emplace_back(definition_of(term).id);
+      return more;
+    }
   };
 
+  /// Each set with an effect or what could be in its place, and where it is doubtful without it.
+  [[nodiscard]] std::vector<Set> with_each_of(const Judged& one,
+                                              const std::vector<Set>& sets) const {
+    double odds = 1;
+    for (const Judged::Other& other : one.others) {
+      odds += std::exp(-other.log_odds);
+    }
+    const double probability = probability_of(one.term, one.gain, data_) * one.share;
+    std::vector<Set> all;
+    for (const Set& set : sets) {
+      all.push_back(set.with(one.term, probability / odds));
+      for (const Judged::Other& other : one.others) {
+        all.push_back(set.with(other.term, probability / odds * std::exp(-other.log_odds)));
+      }
+      if (probability < kNamed) {
+        all.push_back({set.ids, set.probability * (1 - probability)});
+      }
+    }
+    return all;
+  }
+
   void add_candidates(Findings& findings) const {
-    const std::string rest = findings.verdict == Verdict::none ? "none" : "unknown";
-    double all = few() ? 0 : 1;
+    const bool nothing = findings.verdict == Verdict::none ||
+                         (findings.verdict == Verdict::ambiguous && !remainder_.stands);
+    const std::string rest = nothing ? "none" : "unknown";
     std::vector<Set> sets(1);
     for (const Judged& one : search_.judged()) {
-      if (findings.verdict == Verdict::named && !stands(one)) {
-        continue;
-      }
-      double odds = 1;
-      for (const Judged::Other& other : one.others) {
-        odds += std::exp(-other.log_odds);
-      }
-      all *= probability_of(one.term, one.gain, data_) * one.share / odds;
-      const std::size_t before = sets.size();
-      for (const Judged::Other& other : one.others) {
-        for (std::size_t i = 0; i < before; ++i) {
-          sets.push_back(sets[i]);
-          sets.back().ids.emplace_back(definition_of(other.term).id);
-          sets.back().odds *= std::exp(-other.log_odds);
-        }
-      }
-      for (std::size_t i = 0; i < before; ++i) {
-        sets[i].ids.emplace_back(definition_of(one.term).id);
-      }
-    }
-    if (!sets.front().ids.empty() && all > 0) {
-      add_sets(sets, remainder_.stands ? kOnlyCauses * all : all, findings.candidates);
-      if (remainder_.stands) {
-        for (Set& set : sets) {
-          set.ids.push_back(rest);
-        }
-        add_sets(std::move(sets), (1 - kOnlyCauses) * all, findings.candidates);
-      }
+      sets = with_each_of(one, sets);
     }
     double named = 0;
-    for (const Candidate& candidate : findings.candidates) {
-      named += candidate.probability;
+    for (const Set& set : sets) {
+      if (set.ids.empty() || few()) {
+        continue;
+      }
+      const double alone = remainder_.stands ? kOnlyCauses : 1;
+      add_candidate(set.ids, alone * set.probability, findings.candidates);
+      if (remainder_.stands) {
+        Set beside = set;
+        beside.ids.push_back(rest);
+        add_candidate(std::move(beside.ids), (1 - alone) * set.probability, findings.candidates);
+      }
+      named += set.probability;
     }
     findings.candidates.push_back({rest, std::max(0.0, 1 - named)});
     std::ranges::stable_sort(findings.candidates, std::greater<>(), &Candidate::probability);
     findings.credible_set = credible_set_of(findings.candidates);
   }
 
-  /// @param first probability of the model itself, which has odds of 1
-  static void add_sets(std::vector<Set> sets, double first, std::vector<Candidate>& candidates) {
-    for (Set& set : sets) {
-      std::ranges::sort(set.ids);
-      const std::string id = fmt::format("{}", fmt::join(set.ids, "+"));
-      const auto same = std::ranges::find(candidates, id, &Candidate::id);
-      if (same == candidates.end()) {
-        candidates.push_back({id, set.odds * first});
-      } else {
-        same->probability += set.odds * first;  // by another law
-      }
+  static void add_candidate(std::vector<std::string> ids, double probability,
+                            std::vector<Candidate>& candidates) {
+    std::ranges::sort(ids);
+    const std::string id = fmt::format("{}", fmt::join(ids, "+"));
+    const auto same = std::ranges::find(candidates, id, &Candidate::id);
+    if (same == candidates.end()) {
+      candidates.push_back({id, probability});
+    } else {
+      same->probability += probability;  // by another law
     }
   }
 

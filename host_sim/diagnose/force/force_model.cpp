@@ -223,7 +223,16 @@ class Forward {
       const double phase = values_.ripple_harmonic * record_.rotor_rad[i];
       off_A -= values_.ripple_sine_A * std::sin(phase) + values_.ripple_cosine_A * std::cos(phase);
     }
-    return values_.gain * force_N / efficiency + record_.input_N_per_A * off_A;
+    double gain = values_.gain / efficiency;
+    if (values_.drift_share != 0) {
+      gain *= 1 - values_.drift_share *
+                      std::expm1((record_.time_s.front() - record_.time_s[i]) / values_.drift_s);
+    }
+    double off_N = record_.input_N_per_A * off_A;
+    if (values_.warm_N_K != 0) {
+      off_N += values_.warm_N_K * (record_.sheath_temperature_C[i] - kReference_C);
+    }
+    return gain * force_N + off_N;
   }
 
  private:

@@ -98,8 +98,10 @@ enum class ForceTerm : unsigned {
   giving_sheath,
   one_way_friction,
   bent_sensor,
+  drifting_gain,
+  warm_sensor,
 };
-inline constexpr std::size_t kForceTermCount = 24;
+inline constexpr std::size_t kForceTermCount = 26;
 inline constexpr auto kForceTerms = [] {
   std::array<ForceTerm, kForceTermCount> all{};
   for (unsigned i = 0; i < kForceTermCount; ++i) {
@@ -160,7 +162,10 @@ struct ForceValues {
   double ripple_harmonic = 0;
   double giving_share = 0;   ///< of the bend angle, as the load doubles from ForceScales::force_N
   double one_way_share = 0;  ///< of all friction, more of it one way and less the other
-  double bent_share = 0;  ///< of the output force at ForceScales::force_N, that grows as its cube
+  double bent_share = 0;   ///< of the output force at ForceScales::force_N, that grows as its cube
+  double drift_share = 0;  ///< of the input force, in the course of a session
+  double drift_s = 1;      ///< its time constant
+  double warm_N_K = 0;     ///< of the input force
 };
 
 /// One law of an effect, with all that is known of it.

@@ -341,8 +341,7 @@ bool ForceSearch::prune() {
 
 /// What is lost by another model, which differs from this one between the samples that are kept.
 PairedGain ForceSearch::lost_as_sampled(const ForceFit& other) const {
-  const ForceData all =
-      data_.as_sampled({records_.begin(), records_.end()}, nominal_.fit, model_.fit);
+  const ForceData all = as_sampled();
   const std::array<const ForceFit*, 2> models{&other, &model_.fit};
   std::array<HeldOut, 2> held;
   statistics::parallel_for(
@@ -365,11 +364,14 @@ PairedGain ForceSearch::lost_in_time(const Judged& one, const Candidate& other) 
   if (std::min(std::abs(one_s), std::abs(other_s)) < kOfStep * records_.front().step_s()) {
     return PairedGain{.slope = kEvenSlope};
   }
-  const bool of_input = one_s < 0 && other_s < 0;
-  return Judgement::in_time(
-      one,
-      of_input ? lost_as_sampled(other.fit) : paired_gain(data_, other.held, model_.held, false),
-      of_input);
+  if (one_s < 0 && other_s < 0) {
+    return Judgement::late_input(one, lost_as_sampled(other.fit));
+  }
+  if (one_s < 0 || other_s < 0) {
+    return paired_gain(data_, other.held, model_.held, false);
+  }
+  const ForceFit& lagging = one.term == ForceTerm::lag ? model_.fit : other.fit;
+  return Judgement::late_output(one, late_output(as_sampled(), records_, lagging));
 }
 
 /// Finds what could stand in the place of each term. Where that does better it takes the place,

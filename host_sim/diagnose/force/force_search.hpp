@@ -72,6 +72,9 @@ class ForceSearch {
   [[nodiscard]] Judgement judgement() const {
     return {data_, model_.fit, model_.held, left_, judged_};
   }
+  [[nodiscard]] ForceData as_sampled() const {
+    return data_.as_sampled({records_.begin(), records_.end()}, nominal_.fit, model_.fit);
+  }
   [[nodiscard]] PairedGain lost_as_sampled(const ForceFit& other) const;
   [[nodiscard]] PairedGain lost_in_time(const Judged& one, const Candidate& other) const;
   bool exchange(bool allowed);

@@ -41,11 +41,14 @@ constexpr double kAll = 10;
 /// The same of any two laws, which are one force to that: 3 % of it.
 constexpr double kSameForce = 0.001;
 
-/// The same of a lag and a delay, of the input where all samples are compared: how a force turns
-/// between those is known to neither. At the output the rate that a lag goes by has more noise than
-/// the force besides.
+/// The same of a lag and a delay of the input, where all samples are compared: how a force turns
+/// between those is known to neither.
 constexpr double kInputTimeError = 0.01;
-constexpr double kOutputTimeError = 0.05;
+
+/// Of LateOutput, which is 0 or 1: what the next terms of its series may add, and the standard
+/// error above which samples do not show it.
+constexpr double kLateOutputError = 0.1;
+constexpr double kMostLateOutputError = 0.3;
 
 /// Least nearer_by() of two laws that are told apart: three times.
 constexpr double kNearer = 1.1;
@@ -57,6 +60,7 @@ constexpr double kWorse = 2;
 
 constexpr double kPrior = 0.05;  ///< of an effect of the catalogue
 constexpr double kMayBe = 0.5;   ///< probability of one that could be in the place of another
+constexpr double kLikely = 0.8;  ///< of one that stays, though it may not be named
 
 /// Logarithm of how many times nearer what is left is to one law than to the other, along what they
 /// differ in: it lies between them where neither is the whole truth.
@@ -156,7 +160,7 @@ bool Judgement::stays(std::size_t place) const {
          (((moves_sessions(one) || of_session) &&
            material(taken_N2(one), held_.weighted_N2, left_.repeats_N2)) ||
           material(one.gain.beside_scatter_N2, held_.beside_scatter_N2, left_.beside_scatter_N2)) &&
-         probability_of(one.term, one.gain, data_) >= kNamed;
+         probability_of(one.term, one.gain, data_) >= kLikely;
 }
 
 bool Judgement::leaves_bounds(const ForceFit& fit) const {
@@ -228,11 +232,28 @@ void Judgement::beside_catalogue(ForceTerm other, const PairedGain& lost, Judged
   }
 }
 
-PairedGain Judgement::in_time(const Judged& one, const PairedGain& lost, bool of_input) {
-  const double error = of_input ? kInputTimeError : kOutputTimeError;
-  return std::abs(lost.beside_scatter_N2) < error * one.gain.beside_scatter_N2
+PairedGain Judgement::late_input(const Judged& one, const PairedGain& lost) {
+  return std::abs(lost.beside_scatter_N2) < kInputTimeError * one.gain.beside_scatter_N2
              ? PairedGain{.slope = kEvenSlope}
              : lost;
+}
+
+PairedGain Judgement::late_output(const Judged& one, const LateOutput& late) {
+  const double error = std::hypot(late.error, kLateOutputError);
+  const double of_model = one.term == ForceTerm::delay ? 1 : 0;
+  const double off_model = std::abs(late.as_delay - of_model) / error;
+  const double off_other = std::abs(late.as_delay - (1 - of_model)) / error;
+  const double log_odds = (off_other * off_other - off_model * off_model) / 2;
+  if (!(late.error < kMostLateOutputError) || std::min(off_model, off_other) > kSeen ||
+      std::abs(log_odds) < kOdds) {
+    return {.slope = kEvenSlope};
+  }
+  return {.z = std::copysign(std::sqrt(2 * std::abs(log_odds)), log_odds),
+          .slope = log_odds > 0 ? 1.0 : 0.0,
+          .error = error,
+          .log_odds = log_odds,
+          .taken_N2 = one.gain.taken_N2,
+          .beside_scatter_N2 = one.gain.beside_scatter_N2};
 }
 
 double Judgement::not_worse_N2() const {

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host_sim/diagnose/force/force_fit.hpp"
+#include "host_sim/diagnose/force/late_output.hpp"
 #include "host_sim/diagnose/force/paired_gain.hpp"
 #include "host_sim/diagnose/force/structure.hpp"
 
@@ -61,8 +62,8 @@ class Judgement {
             const Structure& left, std::span<const Judged> judged)
       : data_(data), model_(model), held_(held), left_(left), judged_(judged) {}
 
-  /// Whether a term is certain, material, within the bounds of physics and more than samples
-  /// resolve.
+  /// Whether a term is likely, material, within the bounds of physics and more than
+  /// samples resolve.
   [[nodiscard]] bool stays(std::size_t place) const;
 
   /// Whether a term is beyond its bounds in a model that is within them in this one.
@@ -83,10 +84,13 @@ class Judgement {
   /// What is no effect of the catalogue takes no place, but may be as likely as one that has it.
   static void beside_catalogue(ForceTerm other, const PairedGain& lost, Judged& one);
 
-  /// What is lost by a lag in the place of a delay, or the other way about: nothing is known of it
-  /// before they are seen to differ.
-  /// @param of_input whether it is the input that is late, and `lost` of all samples
-  [[nodiscard]] static PairedGain in_time(const Judged& one, const PairedGain& lost, bool of_input);
+  /// What is lost by a lag of the input in the place of a delay, or the other way about: nothing is
+  /// known of it before they are seen to differ.
+  /// @param lost of all samples
+  [[nodiscard]] static PairedGain late_input(const Judged& one, const PairedGain& lost);
+
+  /// The same of the output, where all samples are asked for it.
+  [[nodiscard]] static PairedGain late_output(const Judged& one, const LateOutput& late);
 
  private:
   [[nodiscard]] double not_worse_N2() const;

@@ -70,6 +70,14 @@ std::string verdict_prose(const Findings& findings, std::size_t sessions, double
                                          : "the cause is",
       listed(findings.effects), many ? "them" : "it", left.input_rmse_N, nominal_rmse_N,
       what_is_left(left));
+  for (const Candidate& candidate : findings.candidates) {
+    constexpr double kLeastOfNone = 0.05;
+    if (candidate.id == "none" && candidate.probability >= kLeastOfNone) {
+      constexpr double kPercent = 100;
+      text += fmt::format(" That nothing is wrong has a probability of {:.0f} %.",
+                          kPercent * candidate.probability);
+    }
+  }
   for (const auto& same : findings.equivalent_sets) {
     text += fmt::format(" In place of {} it may be {}.", same.front(),
                         fmt::join(same.begin() + 1, same.end(), " or "));
@@ -81,6 +89,12 @@ std::string imitation_prose(const ForceEffect& effect, const ForceEffect& outsid
   return fmt::format(
       " What looks like {} ({}) may as well be {}, {}, which the catalogue does not have.",
       effect.term, effect.id, outside.term, outside.equation);
+}
+
+std::string doubtful_prose(const ForceEffect& effect, double probability) {
+  constexpr double kPercent = 100;
+  return fmt::format(" {} ({}) may be there besides, with a probability of {:.0f} %.", effect.term,
+                     effect.id, kPercent * probability);
 }
 
 std::string either_way_prose(const ForceTerms& written) {

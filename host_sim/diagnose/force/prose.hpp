@@ -26,6 +26,9 @@ std::string how_far(const std::vector<Step>& steps);
 /// Why an effect is not named that explains what is there, behind other sentences.
 std::string imitation_prose(const ForceEffect& effect, const ForceEffect& outside);
 
+/// What is likely beside the causes, but not named, behind other sentences.
+std::string doubtful_prose(const ForceEffect& effect, double probability);
+
 /// Which of causes that could be each other's a model holds that is written, behind other
 /// sentences.
 std::string either_way_prose(const ForceTerms& written);

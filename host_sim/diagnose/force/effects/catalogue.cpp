@@ -31,7 +31,9 @@ constexpr std::array<const ForceEffect*, kForceTermCount> kEffects{&laws::kPrelo
                                                                    &laws::kTorqueRipple,
                                                                    &laws::kGivingSheath,
                                                                    &laws::kOneWayFriction,
-                                                                   &laws::kBentSensor};
+                                                                   &laws::kBentSensor,
+                                                                   &laws::kDriftingGain,
+                                                                   &laws::kWarmSensor};
 
 }  // namespace
 

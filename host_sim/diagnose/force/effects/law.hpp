@@ -46,6 +46,10 @@ inline bool has_current(const ForceRecord& record) {
   return record.input_N_per_A > 0;
 }
 
+inline bool has_sheath_temperature(const ForceRecord& record) {
+  return !record.sheath_temperature_C.empty();
+}
+
 inline bool pulls_alone(const ForceRecord& record) {
   return record.pulls_alone;
 }
@@ -82,5 +86,7 @@ extern const ForceEffect kTorqueRipple;
 extern const ForceEffect kGivingSheath;
 extern const ForceEffect kOneWayFriction;
 extern const ForceEffect kBentSensor;
+extern const ForceEffect kDriftingGain;
+extern const ForceEffect kWarmSensor;
 
 }  // namespace host_sim::diagnose::laws

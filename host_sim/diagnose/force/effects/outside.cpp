@@ -64,10 +64,57 @@ constexpr ForceEffect kEffect{
 
 }  // namespace bent_sensor
 
+namespace drifting_gain {
+
+Parameters parameters(const ForceScales& /*scales*/) {
+  ForceParameter time_constant{"drift_s", "s", 0, 100, {1.5, 5, 15}};
+  time_constant.chosen = true;
+  return {{"drift_share", "1", -0.5, 0.5, {0.02}}, time_constant};
+}
+
+constexpr ForceEffect kEffect{"drifting_gain",
+                              "an input force that settles in the course of each session",
+                              "T_in (1 + c (1 - exp(-t/tau)))",
+                              "",
+                              nullptr,
+                              parameters,
+                              [](Numbers numbers, ForceValues& values) {
+                                values.drift_share = numbers[0];
+                                values.drift_s = numbers[1];
+                              },
+                              nullptr,
+                              ForceEffect::Of::session,
+                              true};
+
+}  // namespace drifting_gain
+
+namespace warm_sensor {
+
+Parameters parameters(const ForceScales& scales) {
+  const double unit_N_K = scales.larger_N() / 100;
+  return {{"warm_N_K", "N/K", -unit_N_K, unit_N_K, {0.05 * unit_N_K}}};
+}
+
+constexpr ForceEffect kEffect{
+    "warm_sensor",
+    "a sensor whose zero goes with the temperature",
+    "T_in + c (T - 20 C)",
+    "",
+    has_sheath_temperature,
+    parameters,
+    [](Numbers numbers, ForceValues& values) { values.warm_N_K = numbers[0]; },
+    nullptr,
+    ForceEffect::Of::session,
+    true};
+
+}  // namespace warm_sensor
+
 }  // namespace
 
 constinit const ForceEffect kGivingSheath = giving_sheath::kEffect;
 constinit const ForceEffect kOneWayFriction = one_way_friction::kEffect;
 constinit const ForceEffect kBentSensor = bent_sensor::kEffect;
+constinit const ForceEffect kDriftingGain = drifting_gain::kEffect;
+constinit const ForceEffect kWarmSensor = warm_sensor::kEffect;
 
 }  // namespace host_sim::diagnose::laws

@@ -21,7 +21,7 @@ constexpr ForceEffect kEffect{
     "temperature-dependent friction",
     "all friction (1 + k (T - 20 C))",
     "a sheath that is warmer has another friction, and damage goes with it",
-    [](const ForceRecord& record) { return !record.sheath_temperature_C.empty(); },
+    has_sheath_temperature,
     parameters,
     [](Numbers numbers, ForceValues& values) { values.temperature_1_K = numbers[0]; },
     written<parameters>,
