@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <utility>
 
-#include "host_sim/diagnose/force/correction.hpp"
+#include "host_sim/diagnose/force/extended_model.hpp"
+#include "host_sim/diagnose/force/force_candidates.hpp"
+#include "host_sim/diagnose/force/force_pictures.hpp"
 #include "host_sim/diagnose/force/force_search.hpp"
 #include "host_sim/diagnose/force/prose.hpp"
 #include "host_sim/diagnose/force/remainder.hpp"
@@ -19,44 +20,9 @@
 namespace host_sim::diagnose {
 namespace {
 
-/// The probability that what is named is all that is wrong, where what is left is no chance: that
-/// has a cause of its own as likely as not.
-constexpr double kOnlyCauses = 0.5;
-
 /// How much further parameters are off than their sessions scatter, where what is left is no
 /// chance: as much as in simulated campaigns that hide more than is named.
 constexpr double kBesideRemainder = 2;
-
-/// The error of the output force that one of the input force is, sample by sample.
-double output_rmse_N(const ForceData& data, const ForceFit& model,
-                     const std::vector<std::vector<double>>& residuals_N) {
-  constexpr double kStep = 1e-3;
-  const double step_N = kStep * data.scales().force_N;
-  double square_N2 = 0;
-  std::vector<double> at;
-  std::vector<double> above;
-  for (std::size_t j = 0; j < data.records().size(); ++j) {
-    ForceRecord moved = data.records()[j];
-    predict_input(moved, data.kinematics()[j], model.terms, data.scales(), model.parameters, at);
-    for (double& output_N : moved.output_N) {
-      output_N += step_N;
-    }
-    predict_input(moved, data.kinematics()[j], model.terms, data.scales(), model.parameters, above);
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      constexpr double kLeastSlope = 0.05;
-      const double slope = std::max((above[i] - at[i]) / step_N, kLeastSlope);
-      square_N2 += residuals_N[j][i] * residuals_N[j][i] / (slope * slope);
-    }
-  }
-  return std::sqrt(square_N2 / data.samples());
-}
-
-/// A model as it is judged and as it is written.
-struct Extended {
-  ForceFit fit;
-  std::vector<std::vector<double>> held_N;  ///< residuals on sessions that the fit never saw
-  std::optional<ForceCorrection> correction;
-};
 
 class Report {
  public:
@@ -67,25 +33,25 @@ class Report {
         stairs_(search.stairs()),
         nominal_(nominal),
         constants_(constants),
-        covariates_(search.covariates()),
-        remainder_(remainder_of(data, search.nominal().fit, search.model().fit, covariates_,
+        models_(data, search),
+        remainder_(remainder_of(data, search.nominal().fit, search.model().fit, search.covariates(),
                                 search.bins(), seed)) {}
 
   TensionDiagnosis diagnosis() {
     TensionDiagnosis diagnosis;
     Findings& findings = diagnosis.findings;
     findings.verdict = verdict();
-    add_candidates(findings);
+    findings.candidates = candidates(findings.verdict);
+    findings.credible_set = credible_set_of(findings.candidates);
     add_effects(findings);
     findings.steps = steps();
     if (!search_.judged().empty() && !few()) {
-      findings.gain =
-          gain_of({search_.model().fit, search_.model().held.residuals_N, std::nullopt});
+      findings.gain = gain_of({search_.model().fit, search_.model().held.residuals_N});
     }
     findings.remainder =
         Remainder{.share = share_left(),
                   .input_rmse_N = search_.rmse_N(),
-                  .output_rmse_N = output_rmse_of({search_.model().fit, {}, std::nullopt}),
+                  .output_rmse_N = models_.output_rmse_N({search_.model().fit, {}}),
                   .covariate = std::string(remainder_.covariate),
                   .p = remainder_.p};
     findings.prose = verdict_prose(findings, data_.records().size(), search_.nominal_rmse_N()) +
@@ -102,11 +68,9 @@ class Report {
       findings.prose += no_gain_prose(findings);
     }
     extend(diagnosis);
-    add_traces(diagnosis);
-    add_causes(diagnosis);
     findings.discrepancies = remainder_.discrepancies;
     diagnosis.remainders = remainder_.pictures;
-    diagnosis.session_refits = session_refits();
+    add_pictures(diagnosis);
     return diagnosis;
   }
 
@@ -144,76 +108,11 @@ class Report {
     return one.others.empty() && !one.imitated_by && !stands(one);
   }
 
-  /// Effects that may be all that is wrong.
-  struct Set {
-    std::vector<std::string> ids;
-    double probability = 1;
-
-    [[nodiscard]] Set with(ForceTerm term, double times) const {
-      Set more{ids, times * probability};
-      more.ids.emplace_back(definition_of(term).id);
-      return more;
-    }
-  };
-
-  /// Each set with an effect or what could be in its place, and where it is doubtful without it.
-  [[nodiscard]] std::vector<Set> with_each_of(const Judged& one,
-                                              const std::vector<Set>& sets) const {
-    double odds = 1;
-    for (const Judged::Other& other : one.others) {
-      odds += std::exp(-other.log_odds);
-    }
-    const double probability = probability_of(one.term, one.gain, data_) * one.share;
-    std::vector<Set> all;
-    for (const Set& set : sets) {
-      all.push_back(set.with(one.term, probability / odds));
-      for (const Judged::Other& other : one.others) {
-        all.push_back(set.with(other.term, probability / odds * std::exp(-other.log_odds)));
-      }
-      if (probability < kNamed) {
-        all.push_back({set.ids, set.probability * (1 - probability)});
-      }
-    }
-    return all;
-  }
-
-  void add_candidates(Findings& findings) const {
-    const bool nothing = findings.verdict == Verdict::none ||
-                         (findings.verdict == Verdict::ambiguous && !remainder_.stands);
-    const std::string rest = nothing ? "none" : "unknown";
-    std::vector<Set> sets(1);
-    for (const Judged& one : search_.judged()) {
-      sets = with_each_of(one, sets);
-    }
-    double named = 0;
-    for (const Set& set : sets) {
-      if (set.ids.empty() || few()) {
-        continue;
-      }
-      const double alone = remainder_.stands ? kOnlyCauses : 1;
-      add_candidate(set.ids, alone * set.probability, findings.candidates);
-      if (remainder_.stands) {
-        Set beside = set;
-        beside.ids.push_back(rest);
-        add_candidate(std::move(beside.ids), (1 - alone) * set.probability, findings.candidates);
-      }
-      named += set.probability;
-    }
-    findings.candidates.push_back({rest, std::max(0.0, 1 - named)});
-    std::ranges::stable_sort(findings.candidates, std::greater<>(), &Candidate::probability);
-    findings.credible_set = credible_set_of(findings.candidates);
-  }
-
-  static void add_candidate(std::vector<std::string> ids, double probability,
-                            std::vector<Candidate>& candidates) {
-    std::ranges::sort(ids);
-    const std::string id = fmt::format("{}", fmt::join(ids, "+"));
-    const auto same = std::ranges::find(candidates, id, &Candidate::id);
-    if (same == candidates.end()) {
-      candidates.push_back({id, probability});
-    } else {
-      same->probability += probability;  // by another law
-    }
+  [[nodiscard]] std::vector<Candidate> candidates(Verdict verdict) const {
+    const bool none =
+        verdict == Verdict::none || (verdict == Verdict::ambiguous && !remainder_.stands);
+    return candidates_of(data_, few() ? std::span<const Judged>() : search_.judged(),
+                         none ? "none" : "unknown", remainder_.stands);
   }
 
   /// A term with its parameters, but for its probability.
@@ -265,20 +164,6 @@ class Report {
     }
   }
 
-  /// Of the nominal model.
-  [[nodiscard]] std::vector<SessionRefit> session_refits() const {
-    const ForceFit& nominal = search_.nominal().fit;
-    const std::vector<std::vector<double>> left_N = data_.residuals_N(nominal);
-    std::vector<SessionRefit> refits;
-    refits.reserve(left_N.size());
-    for (std::size_t j = 0; j < left_N.size(); ++j) {
-      const Eigen::Vector2d beside = data_.covariance().refit(j, vector_of(left_N[j])).value;
-      refits.push_back({data_.records()[j].session, nominal.parameters[1] + beside(1),
-                        -std::log(nominal.parameters[0]) - beside(0)});
-    }
-    return refits;
-  }
-
   /// ln, of a sample beside the gain and friction that scatter between sessions.
   /// @param held_N residuals on sessions that the fit never saw
   [[nodiscard]] double density(const std::vector<std::vector<double>>& held_N) const {
@@ -294,7 +179,7 @@ class Report {
     for (std::size_t i = 0; i < stairs_.size(); ++i) {
       const double rmse_N = data_.rmse_N(stairs_[i].held.plain_N2);
       Step step{.effect = {},
-                .output_rmse_N = output_rmse_of({stairs_[i].fit, {}, std::nullopt}),
+                .output_rmse_N = models_.output_rmse_N({stairs_[i].fit, {}}),
                 .input_rmse_N = rmse_N,
                 .log_predictive_density = density(stairs_[i].held.residuals_N),
                 .sessions = static_cast<int>(data_.records().size())};
@@ -318,13 +203,13 @@ class Report {
     return data_.rmse_N(data_.mean_squares_N2(residuals_N));
   }
 
-  [[nodiscard]] HeldOutGain gain_of(const Extended& extended) const {
+  [[nodiscard]] HeldOutGain gain_of(const ExtendedModel& extended) const {
     const double before = search_.nominal_rmse_N();
     const double after = rmse_N(extended.held_N);
     HeldOutGain gain{
         .held_out_by = "session",
-        .metrics = {{"rmse_N", output_rmse_of({search_.nominal().fit, {}, {}}),
-                     output_rmse_of(extended)},
+        .metrics = {{"rmse_N", models_.output_rmse_N({search_.nominal().fit, {}}),
+                     models_.output_rmse_N(extended)},
                     {"input_rmse_N", before, after},
                     {"log_predictive_density", density(search_.nominal().held.residuals_N),
                      density(extended.held_N)}},
@@ -369,22 +254,11 @@ class Report {
     // It is one of some causes, by each of which the model gains as much.
     const bool between = findings.verdict == Verdict::ambiguous && improves(findings.gain);
     const ForceSearch::Candidate& by = named || between ? search_.model() : search_.nominal();
-    extended_ = {by.fit, by.held.residuals_N, std::nullopt};
+    extended_ = {by.fit, by.held.residuals_N};
     if (findings.verdict != Verdict::none && !few()) {
-      extended_ = corrected(std::move(extended_));
+      extended_ = models_.corrected(std::move(extended_));
     }
-    Extended written = extended_;
-    for (std::size_t i = 0; i < written.fit.terms.size();) {
-      if (is_writable(written.fit.terms[i])) {
-        ++i;
-      } else {
-        written.fit = in_a_written_model(written.fit, i);
-      }
-    }
-    if (written.fit.terms != extended_.fit.terms) {
-      written.held_N = data_.held_out(written.fit).residuals_N;
-      written = corrected(std::move(written));
-    }
+    const ExtendedModel written = models_.written(extended_);
     for (std::size_t i = 0; i < written.fit.terms.size(); ++i) {
       findings.extensions.push_back(
           *written_term(written.fit.terms[i],
@@ -392,7 +266,7 @@ class Report {
                         data_.scales()));
     }
     add_refitted(written.fit, diagnosis);
-    if (between && !findings.extensions.empty()) {
+    if (between && !findings.equivalent_sets.empty() && !findings.extensions.empty()) {
       findings.prose += either_way_prose(written.fit.terms);
     }
     if (written.correction) {
@@ -401,61 +275,16 @@ class Report {
     }
     if (extended_.correction) {
       findings.gain = gain_of(extended_);
-      findings.correction =
-          Correction{.covariate = std::string(covariates_[extended_.correction->covariate].name),
-                     .knots = extended_.correction->table.knots.size(),
-                     .before_N = data_.rmse_N(by.held.plain_N2),
-                     .after_N = rmse_N(extended_.held_N)};
+      findings.correction = Correction{
+          .covariate = std::string(search_.covariates()[extended_.correction->covariate].name),
+          .knots = extended_.correction->table.knots.size(),
+          .before_N = data_.rmse_N(by.held.plain_N2),
+          .after_N = rmse_N(extended_.held_N)};
       findings.prose += correction_prose(*findings.correction);
     }
     if (!findings.extensions.empty()) {
-      diagnosis.damage_ratio = damage_ratio();
+      diagnosis.damage_ratio = models_.damage_ratio(extended_, constants_);
     }
-  }
-
-  /// With another law in the place of one that no model holds, of the same effect or of one that
-  /// does as well; else without it.
-  [[nodiscard]] ForceFit in_a_written_model(const ForceFit& model, std::size_t place) const {
-    ForceFit without = data_.without(model, place);
-    std::vector<ForceTerm> others;
-    for (const ForceTerm law : kForceTerms) {
-      if (same_effect(law, model.terms[place]) && is_shown(law, data_.records())) {
-        others.push_back(law);
-      }
-    }
-    const auto judged = std::ranges::find(search_.judged(), model.terms[place], &Judged::term);
-    if (judged != search_.judged().end()) {
-      for (const Judged::Other& other : judged->others) {
-        others.push_back(other.term);
-      }
-    }
-    std::erase(others, model.terms[place]);
-    for (const ForceTerm other : others) {
-      if (is_writable(other)) {
-        return data_.with(without, other, 1);
-      }
-    }
-    return without;
-  }
-
-  /// Its correction with it, where that gains on sessions that nothing was fitted to.
-  [[nodiscard]] Extended corrected(Extended extended) const {
-    extended.correction =
-        correction_of(data_, extended.fit, extended.held_N, covariates_, rotor_known());
-    if (extended.correction) {
-      extended.held_N = extended.correction->held_N;
-    }
-    return extended;
-  }
-
-  /// A controller knows the position by its rotor alone.
-  [[nodiscard]] bool rotor_known() const {
-    return std::ranges::all_of(data_.records(), &ForceRecord::rotor_known);
-  }
-
-  /// Whether a model that is written can hold a term.
-  [[nodiscard]] bool is_writable(ForceTerm term) const {
-    return definition_of(term).written != nullptr && (term != ForceTerm::position || rotor_known());
   }
 
   void add_refitted(const ForceFit& model, TensionDiagnosis& diagnosis) const {
@@ -475,110 +304,19 @@ class Report {
     diagnosis.log_gain = -std::log(gain);
   }
 
-  [[nodiscard]] double damage_ratio() const {
-    double sum = 0;
-    double sessions = 0;
-    std::vector<double> before;
-    std::vector<double> after;
+  [[nodiscard]] PicturedModel pictured(const ExtendedModel& model) const {
+    return {model.fit.parameters[0], models_.left_N(model)};
+  }
+
+  void add_pictures(TensionDiagnosis& diagnosis) const {
     const ForceFit& nominal = search_.nominal().fit;
-    for (std::size_t j = 0; j < data_.records().size(); ++j) {
-      const ForceRecord& record = data_.records()[j];
-      const Kinematics& kinematics = data_.kinematics()[j];
-      predict_input(record, kinematics, nominal.terms, data_.scales(), nominal.parameters, before);
-      predict_input(record, kinematics, extended_.fit.terms, data_.scales(),
-                    extended_.fit.parameters, after);
-      for (std::size_t i = 0; i < after.size(); ++i) {
-        after[i] += added_N(extended_, j, i);
-      }
-      const double damage_before = damage_of(before, constants_);
-      const double damage_after = damage_of(after, constants_);
-      if (damage_before > 0 && damage_after > 0) {
-        sum += std::log(damage_before / damage_after);
-        sessions += 1;
-      }
+    diagnosis.traces = traces_of(data_, pictured({nominal, {}}), pictured(extended_));
+    std::vector<PicturedModel> stairs;
+    for (const ForceSearch::Candidate& one : stairs_) {
+      stairs.push_back(pictured({one.fit, {}}));
     }
-    return sessions > 0 ? std::exp(sum / sessions) : 1;
-  }
-
-  /// What the correction adds at a sample.
-  [[nodiscard]] double added_N(const Extended& extended, std::size_t record, std::size_t i) const {
-    return extended.correction ? extended.correction->table.at_N(
-                                     covariates_[extended.correction->covariate].values[record][i],
-                                     data_.records()[record].velocity_m_s[i] < 0)
-                               : 0;
-  }
-
-  [[nodiscard]] std::vector<std::vector<double>> left_N(const Extended& extended) const {
-    std::vector<std::vector<double>> residuals_N = data_.residuals_N(extended.fit);
-    for (std::size_t j = 0; j < residuals_N.size(); ++j) {
-      for (std::size_t i = 0; i < residuals_N[j].size(); ++i) {
-        residuals_N[j][i] -= data_.records()[j].used[i] ? added_N(extended, j, i) : 0;
-      }
-    }
-    return residuals_N;
-  }
-
-  [[nodiscard]] double output_rmse_of(const Extended& extended) const {
-    return output_rmse_N(data_, extended.fit, left_N(extended));
-  }
-
-  /// A model with what it leaves of the input force in each session.
-  struct Left {
-    explicit Left(const Report& report, const Extended& model)
-        : parameters(model.fit.parameters), residuals_N(report.left_N(model)) {}
-
-    [[nodiscard]] double squares_N2(std::size_t session) const {
-      const std::vector<double>& of = residuals_N[session];
-      return std::inner_product(of.begin(), of.end(), of.begin(), 0.0);
-    }
-    std::vector<double> parameters;
-    std::vector<std::vector<double>> residuals_N;
-  };
-
-  /// The output force that each model has for the input of a session.
-  [[nodiscard]] TracePicture trace_of(std::size_t session, const Left& before,
-                                      const Left& after) const {
-    const ForceRecord& record = data_.records()[session];
-    const auto output_N = [&](const Left& model) {
-      std::vector<double> all_N = record.output_N;
-      for (std::size_t i = 0; i < all_N.size(); ++i) {
-        all_N[i] += model.residuals_N[session][i] / model.parameters[0];
-      }
-      return all_N;
-    };
-    return {record.session,  record.time_s,    record.input_N,
-            record.output_N, output_N(before), output_N(after)};
-  }
-
-  /// Of the first sessions.
-  void add_traces(TensionDiagnosis& diagnosis) const {
-    constexpr std::size_t kTraces = 4;
-    const Left before(*this, {search_.nominal().fit, {}, std::nullopt});
-    const Left after(*this, extended_);
-    for (std::size_t j = 0; j < std::min(kTraces, data_.records().size()); ++j) {
-      diagnosis.traces.push_back(trace_of(j, before, after));
-    }
-  }
-
-  /// Of each cause that lessens the error, in the session where it does so most.
-  void add_causes(TensionDiagnosis& diagnosis) const {
-    std::optional<Left> before;
-    for (std::size_t i = 0; i < stairs_.size(); ++i) {
-      Left after(*this, {stairs_[i].fit, {}, std::nullopt});
-      if (before) {
-        std::vector<double> lessened_N2(data_.records().size());
-        for (std::size_t j = 0; j < lessened_N2.size(); ++j) {
-          lessened_N2[j] = before->squares_N2(j) - after.squares_N2(j);
-        }
-        if (std::accumulate(lessened_N2.begin(), lessened_N2.end(), 0.0) > 0) {
-          const auto most =
-              static_cast<std::size_t>(std::ranges::max_element(lessened_N2) - lessened_N2.begin());
-          diagnosis.causes.push_back(
-              {diagnosis.findings.steps[i].effect.id, trace_of(most, *before, after)});
-        }
-      }
-      before = std::move(after);
-    }
+    diagnosis.causes = causes_of(data_, stairs, diagnosis.findings.steps);
+    diagnosis.session_refits = session_refits_of(data_, nominal);
   }
 
   const ForceData& data_;
@@ -586,9 +324,9 @@ class Report {
   std::vector<ForceSearch::Candidate> stairs_;
   const NominalModel& nominal_;
   const reference::Constants& constants_;
-  const std::vector<ForceCovariate>& covariates_;
+  ModelExtension models_;
   ForceRemainder remainder_;
-  Extended extended_;
+  ExtendedModel extended_;
 };
 
 }  // namespace

@@ -31,6 +31,7 @@ struct HeldOut {
 class ForceData {
  public:
   static constexpr std::size_t kMostSamples = 600;  ///< of a record, or up to twice that
+  static constexpr int kIterations = 15;            ///< of a fit that starts
 
   explicit ForceData(std::vector<ForceRecord> records);
 

@@ -228,11 +228,10 @@ class Forward {
       gain *= 1 - values_.drift_share *
                       std::expm1((record_.time_s.front() - record_.time_s[i]) / values_.drift_s);
     }
-    double off_N = record_.input_N_per_A * off_A;
     if (values_.warm_N_K != 0) {
-      off_N += values_.warm_N_K * (record_.sheath_temperature_C[i] - kReference_C);
+      force_N += values_.warm_N_K * (record_.sheath_temperature_C[i] - kReference_C);
     }
-    return gain * force_N + off_N;
+    return gain * force_N + record_.input_N_per_A * off_A;
   }
 
  private:

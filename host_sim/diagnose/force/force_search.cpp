@@ -17,7 +17,6 @@ namespace {
 constexpr double kFarOff = 0.5;
 constexpr double kHopeless = 0.9;
 
-constexpr int kNominalIterations = 15;
 constexpr int kAnew = 4;    ///< iterations on all samples from where the kept ones have led
 constexpr int kRounds = 3;  ///< of terms that take the place of others
 
@@ -37,7 +36,7 @@ ForceSearch::ForceSearch(ForceData& data, std::span<const ForceRecord> records, 
       records_(records),
       options_(options),
       covariates_(force_covariates(data.records())),
-      nominal_{data.fit({}, {1, friction}, kNominalIterations), {}} {
+      nominal_{data.fit({}, {1, friction}, ForceData::kIterations), {}} {
   for (const ForceCovariate& covariate : covariates_) {
     bins_.emplace_back(data.records(), covariate);
   }
@@ -139,7 +138,7 @@ void ForceSearch::report(double share) const {
 void ForceSearch::learn_covariance() {
   data_.learn_covariance(nominal_.fit, model_.fit, with_timing_);
   for (Candidate* const one : {&nominal_, &model_}) {
-    one->fit = data_.fit(one->fit.terms, one->fit.parameters, kNominalIterations);
+    one->fit = data_.fit(one->fit.terms, one->fit.parameters, ForceData::kIterations);
     one->held = data_.held_out(one->fit);
   }
   for (Added& added : added_) {

@@ -57,9 +57,9 @@ struct Pairs {
   double squares = 0;  ///< of the first of each
   std::size_t count = 0;
 
-  void add(const ForceRecord& record, const std::vector<double>& values, std::size_t later) {
+  void add(const std::vector<bool>& used, const std::vector<double>& values, std::size_t later) {
     for (std::size_t i = 0; i + later < values.size(); ++i) {
-      if (record.used[i] && record.used[i + later]) {
+      if (used[i] && used[i + later]) {
         products += values[i] * values[i + later];
         squares += values[i] * values[i];
         ++count;
@@ -67,6 +67,25 @@ struct Pairs {
     }
   }
 };
+
+/// Below which speed the direction of friction is not settled.
+double settled_m_s(const ForceData& data) {
+  constexpr double kTurnsOver = 2;
+  return kTurnsOver * data.scales().turn_over_m_s;
+}
+
+/// Samples that count where friction turns over neither there nor at the ones beside them.
+std::vector<bool> between_reversals(const ForceRecord& record, double settled_m_s) {
+  const auto goes = [&](std::size_t i, double way) {
+    return way * record.velocity_m_s[i] > settled_m_s;
+  };
+  std::vector<bool> between(record.samples());
+  for (std::size_t i = 1; i + 1 < between.size(); ++i) {
+    const double way = record.velocity_m_s[i] < 0 ? -1 : 1;
+    between[i] = record.used[i] && goes(i - 1, way) && goes(i, way) && goes(i + 1, way);
+  }
+  return between;
+}
 
 /// Mean product of residuals that are so far apart, less twice what chance puts there by its
 /// scatter between sessions.
@@ -76,7 +95,7 @@ double going_on(const ForceData& data, const std::vector<std::vector<double>>& r
   for (std::size_t j = 0; j < residuals_N.size(); ++j) {
     const ForceRecord& record = data.records()[j];
     Pairs pairs;
-    pairs.add(record, weighted_N(data, j, residuals_N[j]),
+    pairs.add(record.used, weighted_N(data, j, residuals_N[j]),
               part_of_stroke(record, data.scales().stroke_m));
     if (pairs.count > 0) {
       of_sessions.push_back(pairs.products / static_cast<double>(pairs.count));
@@ -108,14 +127,13 @@ BinMeans::BinMeans(const ForceData& data, const CovariateBins& bins,
                    const ForceCovariance& noise)
     : means_N_(data.records().size()) {
   const std::vector<ForceRecord>& records = data.records();
-  constexpr double kTurnsOver = 2;
-  const double settled_m_s = kTurnsOver * data.scales().turn_over_m_s;
+  const double least_m_s = settled_m_s(data);
   for (std::size_t j = 0; j < records.size(); ++j) {
     std::array<double, kBins> sums{};
     std::array<double, kBins> weights{};
     std::array<std::size_t, kBins> counts{};
     for (std::size_t i = 0; i < records[j].samples(); ++i) {
-      if (records[j].used[i] && std::abs(records[j].velocity_m_s[i]) > settled_m_s) {
+      if (records[j].used[i] && std::abs(records[j].velocity_m_s[i]) > least_m_s) {
         const double weight = noise.weight(j, i);
         sums[bins.places[j][i]] += weight * residuals_N[j][i];
         weights[bins.places[j][i]] += weight;
@@ -265,6 +283,7 @@ Memory memory_of(const ForceData& data, const std::vector<std::vector<double>>& 
         value = std::min(value * value / square_N2, kMost) - 1;
       }
     }
+    const std::vector<bool> between = between_reversals(record, settled_m_s(data));
     const auto samples_in = [&](double time_s) {
       return static_cast<std::size_t>(
           std::lround(time_s / (record.time_s.back() - record.time_s.front()) *
@@ -272,7 +291,7 @@ Memory memory_of(const ForceData& data, const std::vector<std::vector<double>>& 
     };
     Pairs pairs;
     for (std::size_t later = samples_in(later_s); later <= samples_in(kLater * later_s); ++later) {
-      pairs.add(record, values, later);
+      pairs.add(between, values, later);
     }
     if (pairs.count >= kFewSamples && pairs.squares > 0) {
       correlations.push_back(pairs.products / pairs.squares);

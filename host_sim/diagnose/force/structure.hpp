@@ -66,7 +66,8 @@ struct SessionScatter {
 SessionScatter session_scatter_of(const ForceData& data,
                                   const std::vector<std::vector<double>>& residuals_N);
 
-/// How alike residuals are that lie some time apart.
+/// How alike residuals are that lie some time apart, between reversals: at those noise of the
+/// velocity is large, and comes as often as the motion turns.
 struct Memory {
   double correlation = 0;  ///< mean over sessions
   double p = 1;            ///< that chance alone leaves as much

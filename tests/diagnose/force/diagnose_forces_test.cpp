@@ -541,6 +541,27 @@ TEST(DiagnoseForces, ASensorThatIsNotLinearIsNoFriction) {
   EXPECT_THAT(diagnosis.findings.prose, HasSubstr("a sensor of the output that is not linear"));
 }
 
+/// The sheath warms by 10 K in the course of each session, in which the input rises by 3 %.
+TEST(DiagnoseForces, AnInputThatSettlesInEachSessionIsNoFrictionByTemperature) {
+  std::vector<ForceRecord> records = measured(
+      {.friction = 0.3, .load_N = 15, .still_N = 40, .noise_N = 0.1, .gain_scatter = 0.002}, 12);
+  std::mt19937 engine(12);
+  std::normal_distribution<double> noise_C(0, 0.1);
+  for (ForceRecord& record : records) {
+    record.pulls_alone = true;
+    for (std::size_t i = 0; i < record.samples(); ++i) {
+      const double settled = 1 - std::exp(-record.time_s[i] / 1.5);
+      record.sheath_temperature_C.push_back(20 + 10 * settled + noise_C(engine));
+      record.input_N[i] *= 1 + 0.03 * settled;
+    }
+  }
+  const TensionDiagnosis diagnosis = diagnose_forces(records, nominal(), kWire, {});
+  EXPECT_THAT(ids_of(diagnosis.findings), Not(Contains("friction_temperature")))
+      << diagnosis.findings.prose;
+  EXPECT_EQ(diagnosis.findings.verdict, Verdict::unknown);
+  EXPECT_THAT(diagnosis.findings.prose, HasSubstr("settles in the course of each session"));
+}
+
 /// The cogging that the catalogue does not have is a cause of its own as likely as not.
 TEST(DiagnoseForces, WhatStandsBesideCausesLeavesThemHalfOfTheProbabilityToBeAll) {
   const Findings findings = found(measured({.preload_N = 12, .cogging_N = 3}, 4));

@@ -381,6 +381,28 @@ TEST(ForceModel, ASensorThatIsNotLinearShowsALargeForceTooSmall) {
               1e-9);
 }
 
+/// A tenth of the input after long, 1 - 1/e of it after the time constant: 0.1 s from the start.
+TEST(ForceModel, AnInputThatSettlesStartsAnewInEachSession) {
+  EXPECT_TRUE(definition_of(ForceTerm::drifting_gain).outside);
+  const ForceTerms terms{ForceTerm::drifting_gain};
+  EXPECT_NEAR(predicted(record({0}, 1, 10), terms, {1, 0, 0.1, 0.1}), 10, 1e-9);
+  EXPECT_NEAR(predicted(record({0, 0.1}, 1, 10), terms, {1, 0, 0.1, 0.1}),
+              10 * (1 + 0.1 * (1 - std::exp(-1))), 1e-9);
+  ForceRecord late = record({0, 0.1}, 1, 10);
+  late.time_s = {100, 100.1};
+  EXPECT_NEAR(predicted(late, terms, {1, 0, 0.1, 0.1}), 10 * (1 + 0.1 * (1 - std::exp(-1))), 1e-9);
+}
+
+/// 0.2 N/K at 30 C, of an input that shows twice the force.
+TEST(ForceModel, AZeroThatGoesWithTheTemperatureIsNoFriction) {
+  EXPECT_TRUE(definition_of(ForceTerm::warm_sensor).outside);
+  ForceRecord warm = record({0, 0.1}, 1, 10);
+  EXPECT_FALSE(is_shown(ForceTerm::warm_sensor, std::span(&warm, 1)));
+  warm.sheath_temperature_C = {30, 30};
+  EXPECT_TRUE(is_shown(ForceTerm::warm_sensor, std::span(&warm, 1)));
+  EXPECT_NEAR(predicted(warm, {ForceTerm::warm_sensor}, {2, 0, 0.2}), 24, 1e-9);
+}
+
 TEST(ForceModel, WhatACurrentShowsALoadCellDoesNot) {
   std::vector<ForceRecord> records{record({0, 0.1}, 1, 10), record({0, 0.1}, 1, 10)};
   records[0].input_N_per_A = 2;

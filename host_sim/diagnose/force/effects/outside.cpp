@@ -98,7 +98,7 @@ Parameters parameters(const ForceScales& scales) {
 constexpr ForceEffect kEffect{
     "warm_sensor",
     "a sensor whose zero goes with the temperature",
-    "T_in + c (T - 20 C)",
+    "g (T_in + c (T - 20 C))",
     "",
     has_sheath_temperature,
     parameters,

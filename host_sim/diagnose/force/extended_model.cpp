@@ -1,0 +1,133 @@
+#include "host_sim/diagnose/force/extended_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "host_sim/diagnose/sessions.hpp"
+
+namespace host_sim::diagnose {
+
+ExtendedModel ModelExtension::corrected(ExtendedModel model) const {
+  model.correction = correction_of(data_, model.fit, model.held_N, covariates_, rotor_known());
+  if (model.correction) {
+    model.held_N = model.correction->held_N;
+  }
+  return model;
+}
+
+ExtendedModel ModelExtension::written(const ExtendedModel& model) const {
+  ForceFit fit = model.fit;
+  for (std::size_t i = 0; i < fit.terms.size();) {
+    if (is_writable(fit.terms[i])) {
+      ++i;
+    } else {
+      fit = in_a_written_model(fit, i);
+    }
+  }
+  return fit.terms == model.fit.terms ? model : corrected({fit, data_.held_out(fit).residuals_N});
+}
+
+ForceFit ModelExtension::in_a_written_model(const ForceFit& model, std::size_t place) const {
+  ForceFit without = data_.without(model, place);
+  std::vector<ForceTerm> others;
+  for (const ForceTerm law : kForceTerms) {
+    if (same_effect(law, model.terms[place]) && is_shown(law, data_.records())) {
+      others.push_back(law);
+    }
+  }
+  const auto judged = std::ranges::find(search_.judged(), model.terms[place], &Judged::term);
+  if (judged != search_.judged().end()) {
+    for (const Judged::Other& other : judged->others) {
+      others.push_back(other.term);
+    }
+  }
+  std::erase(others, model.terms[place]);
+  for (const ForceTerm other : others) {
+    if (is_writable(other)) {
+      return data_.with(without, other, 1);
+    }
+  }
+  return without;
+}
+
+/// A controller knows the position by its rotor alone.
+bool ModelExtension::rotor_known() const {
+  return std::ranges::all_of(data_.records(), &ForceRecord::rotor_known);
+}
+
+bool ModelExtension::is_writable(ForceTerm term) const {
+  return definition_of(term).written != nullptr && (term != ForceTerm::position || rotor_known());
+}
+
+/// What the correction adds at a sample.
+double ModelExtension::added_N(const ExtendedModel& model, std::size_t record,
+                               std::size_t i) const {
+  return model.correction ? model.correction->table.at_N(
+                                covariates_[model.correction->covariate].values[record][i],
+                                data_.records()[record].velocity_m_s[i] < 0)
+                          : 0;
+}
+
+std::vector<std::vector<double>> ModelExtension::left_N(const ExtendedModel& model) const {
+  std::vector<std::vector<double>> residuals_N = data_.residuals_N(model.fit);
+  for (std::size_t j = 0; j < residuals_N.size(); ++j) {
+    for (std::size_t i = 0; i < residuals_N[j].size(); ++i) {
+      residuals_N[j][i] -= data_.records()[j].used[i] ? added_N(model, j, i) : 0;
+    }
+  }
+  return residuals_N;
+}
+
+double ModelExtension::output_rmse_N(const ExtendedModel& model) const {
+  constexpr double kStep = 1e-3;
+  const ForceScales& scales = data_.scales();
+  const double step_N = kStep * scales.force_N;
+  const std::vector<std::vector<double>> residuals_N = left_N(model);
+  double square_N2 = 0;
+  std::vector<double> at;
+  std::vector<double> above;
+  for (std::size_t j = 0; j < data_.records().size(); ++j) {
+    ForceRecord moved = data_.records()[j];
+    const Kinematics& kinematics = data_.kinematics()[j];
+    predict_input(moved, kinematics, model.fit.terms, scales, model.fit.parameters, at);
+    for (double& output_N : moved.output_N) {
+      output_N += step_N;
+    }
+    predict_input(moved, kinematics, model.fit.terms, scales, model.fit.parameters, above);
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      constexpr double kLeastSlope = 0.05;
+      const double slope = std::max((above[i] - at[i]) / step_N, kLeastSlope);
+      square_N2 += residuals_N[j][i] * residuals_N[j][i] / (slope * slope);
+    }
+  }
+  return std::sqrt(square_N2 / data_.samples());
+}
+
+double ModelExtension::damage_ratio(const ExtendedModel& model,
+                                    const reference::Constants& constants) const {
+  double sum = 0;
+  double sessions = 0;
+  std::vector<double> before;
+  std::vector<double> after;
+  const ForceFit& nominal = search_.nominal().fit;
+  const ForceScales& scales = data_.scales();
+  for (std::size_t j = 0; j < data_.records().size(); ++j) {
+    const ForceRecord& record = data_.records()[j];
+    const Kinematics& kinematics = data_.kinematics()[j];
+    predict_input(record, kinematics, nominal.terms, scales, nominal.parameters, before);
+    predict_input(record, kinematics, model.fit.terms, scales, model.fit.parameters, after);
+    for (std::size_t i = 0; i < after.size(); ++i) {
+      after[i] += added_N(model, j, i);
+    }
+    const double damage_before = damage_of(before, constants);
+    const double damage_after = damage_of(after, constants);
+    if (damage_before > 0 && damage_after > 0) {
+      sum += std::log(damage_before / damage_after);
+      sessions += 1;
+    }
+  }
+  return sessions > 0 ? std::exp(sum / sessions) : 1;
+}
+
+}  // namespace host_sim::diagnose

@@ -1,0 +1,91 @@
+#include "host_sim/diagnose/force/force_candidates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
+
+namespace host_sim::diagnose {
+namespace {
+
+/// The probability that what is named is all that is wrong, where what is left is no chance: that
+/// has a cause of its own as likely as not.
+constexpr double kOnlyCauses = 0.5;
+
+/// Effects that may be all that is wrong.
+struct Set {
+  std::vector<std::string> ids;
+  double probability = 1;
+
+  [[nodiscard]] Set with(ForceTerm term, double times) const {
+    Set more{ids, times * probability};
+    more.ids.emplace_back(definition_of(term).id);
+    return more;
+  }
+};
+
+/// Each set with an effect or what could be in its place, of those that are as likely the first of
+/// the catalogue first, and where it may not be named without.
+std::vector<Set> with_each_of(const ForceData& data, const Judged& one,
+                              const std::vector<Set>& sets) {
+  std::map<ForceTerm, double> odds{{one.term, 1}};
+  double all_odds = 1;
+  for (const Judged::Other& other : one.others) {
+    odds.emplace(other.term, std::exp(-other.log_odds));
+    all_odds += odds.at(other.term);
+  }
+  const double probability = probability_of(one.term, one.gain, data) * one.share;
+  std::vector<Set> all;
+  for (const Set& set : sets) {
+    for (const auto& [term, of_term] : odds) {
+      all.push_back(set.with(term, probability * of_term / all_odds));
+    }
+    if (probability < kNamed) {
+      all.push_back({set.ids, set.probability * (1 - probability)});
+    }
+  }
+  return all;
+}
+
+void add(std::vector<std::string> ids, double probability, std::vector<Candidate>& candidates) {
+  std::ranges::sort(ids);
+  const std::string id = fmt::format("{}", fmt::join(ids, "+"));
+  const auto same = std::ranges::find(candidates, id, &Candidate::id);
+  if (same == candidates.end()) {
+    candidates.push_back({id, probability});
+  } else {
+    same->probability += probability;  // by another law
+  }
+}
+
+}  // namespace
+
+std::vector<Candidate> candidates_of(const ForceData& data, std::span<const Judged> judged,
+                                     const std::string& rest, bool remainder_stands) {
+  std::vector<Set> sets(1);
+  for (const Judged& one : judged) {
+    sets = with_each_of(data, one, sets);
+  }
+  const double alone = remainder_stands ? kOnlyCauses : 1;
+  std::vector<Candidate> candidates;
+  double all = 0;
+  for (Set& set : sets) {
+    if (set.ids.empty()) {
+      continue;
+    }
+    add(set.ids, alone * set.probability, candidates);
+    all += set.probability;
+    if (remainder_stands) {
+      set.ids.push_back(rest);
+      add(std::move(set.ids), (1 - alone) * set.probability, candidates);
+    }
+  }
+  candidates.push_back({rest, std::max(0.0, 1 - all)});
+  std::ranges::stable_sort(candidates, std::greater<>(), &Candidate::probability);
+  return candidates;
+}
+
+}  // namespace host_sim::diagnose

@@ -1,0 +1,185 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <utility>
+
+#include "host_sim/diagnose/force/force_fit.hpp"
+#include "host_sim/diagnose/force/smoothing.hpp"
+#include "host_sim/statistics/distribution.hpp"
+
+/// What a fit takes from the records before it begins, and what they leave of a model.
+namespace host_sim::diagnose {
+
+ForceData::ForceData(std::vector<ForceRecord> records) {
+  take_records(std::move(records), kMostSamples);
+  take_scales(scales_of(records_));
+  settle_turn_over();
+  settle_resolution();
+}
+
+ForceData ForceData::as_sampled(std::vector<ForceRecord> records, const ForceFit& nominal,
+                                const ForceFit& model) const {
+  ForceData all = *this;
+  all.take_records(std::move(records), std::numeric_limits<std::size_t>::max());
+  all.take_scales(scales_);
+  all.learn_covariance(nominal, model, true);
+  return all;
+}
+
+void ForceData::take_records(std::vector<ForceRecord> records, std::size_t most) {
+  records_ = std::move(records);
+  noise_left_N2_ = smooth_output(records_);
+  counts_.clear();
+  samples_ = 0;
+  for (ForceRecord& record : records_) {
+    record.reversal_m = reversals_m(record);
+    thin(record, most);
+    counts_.push_back(static_cast<double>(std::ranges::count(record.used, true)));
+    samples_ += counts_.back();
+  }
+}
+
+void ForceData::take_scales(const ForceScales& scales) {
+  scales_ = scales;
+  kinematics_.clear();
+  for (const ForceRecord& record : records_) {
+    kinematics_.push_back(kinematics_of(record, scales_));
+  }
+}
+
+/// As sharp as the friction that any drive has shows it, at a gain that is held by what such
+/// friction leaves.
+void ForceData::settle_turn_over() {
+  const ForceTerms plain{ForceTerm::preload, ForceTerm::velocity};
+  std::vector<double> start;
+  for (const ForceParameter& parameter : parameters_of(plain, scales_)) {
+    start.push_back(parameter.starts.front());
+  }
+  gain_weight_N2_ = gain_weight_N2(scales_.input_N * scales_.input_N * samples_);
+  gain_weight_N2_ = gain_weight_N2(fit(plain, start, kIterations).square_N2);
+  turn_over_by({plain, start, 0}, std::numeric_limits<double>::infinity());
+}
+
+bool ForceData::settle_turn_over(const ForceFit& model) {
+  constexpr double kSharper = 0.02;  // of the squares
+  const ForceFit settled = fit(model.terms, model.parameters, kIterations);
+  const double before_m_s = scales_.turn_over_m_s;
+  turn_over_by(settled, (1 - kSharper) * settled.square_N2);
+  return scales_.turn_over_m_s != before_m_s;
+}
+
+/// Of the model from its parameters on, where that leaves less than some squares.
+void ForceData::turn_over_by(const ForceFit& model, double least_N2) {
+  constexpr double kShares[] = {0.002, 0.01, 0.05, 0.15};
+  ForceScales best = scales_;
+  const std::size_t count = parameters_of(model.terms, scales_).size();
+  for (const double share : kShares) {
+    ForceScales sharper = scales_;
+    sharper.turn_over_m_s = share * scales_.speed_m_s;
+    if (parameters_of(model.terms, sharper).size() != count) {
+      continue;  // a law of the speed would be taken for it
+    }
+    take_scales(sharper);
+    const double square_N2 = fit(model.terms, model.parameters, kIterations).square_N2;
+    if (square_N2 < least_N2) {
+      least_N2 = square_N2;
+      best = scales_;
+    }
+  }
+  take_scales(best);
+}
+
+/// A place between two samples is anywhere between them.
+void ForceData::settle_resolution() {
+  double square_m2 = 0;
+  double reversals = 0;
+  for (const ForceRecord& record : records_) {
+    double before_m = 0;
+    for (std::size_t i = 1; i < record.samples(); ++i) {
+      const double moved_m = record.position_m[i] - record.position_m[i - 1];
+      square_m2 += moved_m * moved_m;
+      reversals += moved_m * before_m < 0 ? 1 : 0;
+      before_m = moved_m != 0 ? moved_m : before_m;
+    }
+  }
+  resolution_m_ = std::sqrt(square_m2 / std::max(samples_, 1.0) / 12 / std::max(reversals, 1.0));
+}
+
+ForceData ForceData::without_outliers(const ForceFit& fit) const {
+  std::vector<Eigen::VectorXd> left;  // over the noise of the sample
+  std::vector<double> sizes;
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    const std::vector<double> left_N = residuals_N(j, fit.terms, fit.parameters);
+    left.push_back(covariance_.beside_scatter(j, vector_of(left_N)));
+    for (std::size_t i = 0; i < left_N.size(); ++i) {
+      double& size = left.back()(static_cast<Eigen::Index>(i));
+      size = std::abs(size) * std::sqrt(covariance_.weight(j, i));
+      if (records_[j].used[i]) {
+        sizes.push_back(size);
+      }
+    }
+  }
+  ForceData inliers = *this;
+  if (sizes.empty()) {
+    return inliers;
+  }
+  const double most = statistics::outlier_limit(std::move(sizes));
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    std::vector<bool>& used = inliers.records_[j].used;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+      used[i] = used[i] && left[j](static_cast<Eigen::Index>(i)) <= most;
+    }
+  }
+  inliers.learn_covariance(fit, fit, true);
+  return inliers;
+}
+
+std::vector<double> ForceData::residuals_N(std::size_t record, const ForceTerms& terms,
+                                           std::span<const double> parameters) const {
+  const ForceRecord& of = records_[record];
+  std::vector<double> residuals;
+  predict_input(of, kinematics_[record], terms, scales_, parameters, residuals);
+  for (std::size_t i = 0; i < residuals.size(); ++i) {
+    residuals[i] = of.used[i] ? of.input_N[i] - residuals[i] : 0;
+  }
+  return residuals;
+}
+
+std::vector<std::vector<double>> ForceData::residuals_N(const ForceFit& fit) const {
+  std::vector<std::vector<double>> all;
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    all.push_back(residuals_N(j, fit.terms, fit.parameters));
+  }
+  return all;
+}
+
+double ForceData::noise_taken_N2(const ForceFit& before, const ForceFit& after) const {
+  if (noise_left_N2_ <= 0) {
+    return 0;
+  }
+  std::mt19937 engine(1);
+  std::normal_distribution<double> noise_N(0, std::sqrt(noise_left_N2_));
+  double square_N2 = 0;
+  std::vector<double> once;
+  std::vector<double> again;
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    ForceRecord noisy = records_[j];
+    for (double& output_N : noisy.output_N) {
+      output_N += noise_N(engine);
+    }
+    const auto passed_on_N2 = [&](const ForceFit& by) {
+      predict_input(records_[j], kinematics_[j], by.terms, scales_, by.parameters, once);
+      predict_input(noisy, kinematics_[j], by.terms, scales_, by.parameters, again);
+      double of_record_N2 = 0;
+      for (std::size_t i = 0; i < once.size(); ++i) {
+        of_record_N2 += records_[j].used[i] ? std::pow(again[i] - once[i], 2) : 0;
+      }
+      return of_record_N2;
+    };
+    square_N2 += passed_on_N2(before) - passed_on_N2(after);
+  }
+  return square_N2 / std::max(samples_, 1.0);
+}
+
+}  // namespace host_sim::diagnose

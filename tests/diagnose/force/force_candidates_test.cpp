@@ -1,0 +1,101 @@
+#include "host_sim/diagnose/force/force_candidates.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/diagnose/force/joint.hpp"
+
+namespace host_sim::diagnose {
+namespace {
+
+/// Of 16 sessions a parameter counts ln(16)/2 = ln 4 against an effect, which is there with odds of
+/// 1 to 19 before: evidence z^2/2 of 19 * 4 * odds makes these odds of it.
+Judged of_odds(ForceTerm term, double odds) {
+  Judged one{.term = term, .gain = {}, .without = {}, .held_without = {}};
+  one.gain.z = std::sqrt(2 * std::log(19 * 4 * odds));
+  one.gain.taken_N2 = 1;
+  return one;
+}
+
+std::map<std::string, double> found(const std::vector<Judged>& judged, const std::string& rest,
+                                    bool remainder_stands) {
+  static const ForceData data(measured({}, 3, 16));
+  std::map<std::string, double> all;
+  double sum = 0;
+  double before = 1;
+  for (const Candidate& one : candidates_of(data, judged, rest, remainder_stands)) {
+    EXPECT_LE(one.probability, before) << "most probable first";
+    before = one.probability;
+    sum += one.probability;
+    all.emplace(one.id, one.probability);
+  }
+  EXPECT_NEAR(sum, 1, 1e-12);
+  return all;
+}
+
+TEST(ForceCandidates, WithoutEffectsTheRestIsAll) {
+  EXPECT_EQ(found({}, "none", false), (std::map<std::string, double>{{"none", 1}}));
+}
+
+/// Odds of 99 are 0.99 of both, each by itself.
+TEST(ForceCandidates, EffectsOfAModelAreTogether) {
+  const auto all =
+      found({of_odds(ForceTerm::slack, 99), of_odds(ForceTerm::preload, 99)}, "unknown", false);
+  EXPECT_NEAR(all.at("friction_preload+slack"), 0.99 * 0.99, 1e-9);
+  EXPECT_NEAR(all.at("unknown"), 1 - 0.99 * 0.99, 1e-9);
+  EXPECT_EQ(all.size(), 2);
+}
+
+/// Odds of 4 are 0.8, with and without it beside one that is certain.
+TEST(ForceCandidates, AnEffectThatMayNotBeNamedIsThereOrNot) {
+  const auto alone = found({of_odds(ForceTerm::temperature, 4)}, "none", false);
+  EXPECT_NEAR(alone.at("friction_temperature"), 0.8, 1e-9);
+  EXPECT_NEAR(alone.at("none"), 0.2, 1e-9);
+
+  const auto beside =
+      found({of_odds(ForceTerm::preload, 1e9), of_odds(ForceTerm::temperature, 4)}, "none", false);
+  EXPECT_NEAR(beside.at("friction_preload+friction_temperature"), 0.8, 1e-6);
+  EXPECT_NEAR(beside.at("friction_preload"), 0.2, 1e-6);
+}
+
+/// Another law of the same effect adds to it, another effect in its place has the odds of that.
+TEST(ForceCandidates, WhatCouldBeInItsPlaceHasItsOdds) {
+  Judged one = of_odds(ForceTerm::presliding, 1e9);
+  one.others = {{ForceTerm::compliance, std::log(2.0)}, {ForceTerm::elastic_presliding, 0}};
+  const auto all = found({one}, "unknown", false);
+  EXPECT_NEAR(all.at("presliding"), 0.8, 1e-6);
+  EXPECT_NEAR(all.at("compliance"), 0.2, 1e-6);
+}
+
+TEST(ForceCandidates, OfTwoThatAreEvenTheFirstOfTheCatalogueIsFirst) {
+  static const ForceData data(measured({}, 3, 16));
+  Judged one = of_odds(ForceTerm::delay, 1e9);
+  one.others = {{ForceTerm::lag, 0}};
+  const auto candidates = candidates_of(data, std::vector{one}, "none", false);
+  EXPECT_EQ(candidates[0].id, "filter_lag");
+  EXPECT_EQ(candidates[1].id, "channel_delay");
+  EXPECT_EQ(candidates[0].probability, candidates[1].probability);
+}
+
+TEST(ForceCandidates, WhatIsLeftHasACauseOfItsOwnAsLikelyAsNot) {
+  const auto all = found({of_odds(ForceTerm::preload, 1e9)}, "unknown", true);
+  EXPECT_NEAR(all.at("friction_preload"), 0.5, 1e-6);
+  EXPECT_NEAR(all.at("friction_preload+unknown"), 0.5, 1e-6);
+}
+
+/// What the catalogue does not have is as likely: a half of it is unknown.
+TEST(ForceCandidates, WhatIsImitatedHasItsShare) {
+  Judged one = of_odds(ForceTerm::load, 1e9);
+  one.share = 0.5;
+  const auto all = found({one}, "unknown", false);
+  EXPECT_NEAR(all.at("friction_load"), 0.5, 1e-6);
+  EXPECT_NEAR(all.at("unknown"), 0.5, 1e-6);
+}
+
+}  // namespace
+}  // namespace host_sim::diagnose
