@@ -1,5 +1,6 @@
 #include "host_sim/diagnose/force/structure.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -85,6 +86,45 @@ std::vector<bool> between_reversals(const ForceRecord& record, double settled_m_
     between[i] = record.used[i] && goes(i - 1, way) && goes(i, way) && goes(i + 1, way);
   }
   return between;
+}
+
+/// Squares of residuals over what noise has at the force of their sample, less 1. That is learned
+/// from samples between reversals alone, where weights have a part of those.
+std::vector<double> sizes_of(const ForceRecord& record, const std::vector<double>& residuals_N,
+                             const std::vector<bool>& between) {
+  constexpr double kMost = 9;  // heavy tails say little
+  constexpr int kSizeRounds = 3;
+  std::vector<double> of_force_N2(residuals_N.size());
+  double mean_N2 = 0;
+  double count = 0;
+  for (std::size_t i = 0; i < residuals_N.size(); ++i) {
+    of_force_N2[i] = std::pow(record.input_N[i] - residuals_N[i], 2);
+    mean_N2 += between[i] ? residuals_N[i] * residuals_N[i] : 0;
+    count += between[i] ? 1 : 0;
+  }
+  mean_N2 = std::max(mean_N2 / std::max(count, 1.0), 1e-30);
+  const auto noise_N2 = [&](const Eigen::Vector2d& parts, std::size_t i) {
+    constexpr double kLeast = 0.02;
+    return std::max(parts(0) + parts(1) * of_force_N2[i], kLeast * mean_N2);
+  };
+  Eigen::Vector2d parts(mean_N2, 0);
+  for (int round = 0; round < kSizeRounds; ++round) {
+    Eigen::Matrix2d square = Eigen::Matrix2d::Zero();
+    Eigen::Vector2d product = Eigen::Vector2d::Zero();
+    for (std::size_t i = 0; i < residuals_N.size(); ++i) {
+      if (between[i]) {
+        const Eigen::Vector2d row = Eigen::Vector2d(1, of_force_N2[i]) / noise_N2(parts, i);
+        square += row * row.transpose();
+        product += row * (residuals_N[i] * residuals_N[i] / noise_N2(parts, i));
+      }
+    }
+    parts = square.ldlt().solve(product);
+  }
+  std::vector<double> sizes(residuals_N.size());
+  for (std::size_t i = 0; i < sizes.size(); ++i) {
+    sizes[i] = std::min(residuals_N[i] * residuals_N[i] / noise_N2(parts, i), kMost) - 1;
+  }
+  return sizes;
 }
 
 /// Mean product of residuals that are so far apart, less twice what chance puts there by its
@@ -266,7 +306,6 @@ SessionScatter session_scatter_of(const ForceData& data,
 
 Memory memory_of(const ForceData& data, const std::vector<std::vector<double>>& residuals_N,
                  double later_s, bool of_size) {
-  constexpr double kMost = 9;  // of a square, in terms of their mean: heavy tails say little
   constexpr std::size_t kFewSamples = 20;
   constexpr double kLater = 1.4;  // so that what oscillates is as often alike as not
   std::vector<double> correlations;
@@ -277,13 +316,9 @@ Memory memory_of(const ForceData& data, const std::vector<std::vector<double>>& 
     if (square_N2 <= 0) {
       continue;
     }
-    std::vector<double> values = weighted_N(data, j, residuals_N[j]);
-    if (of_size) {
-      for (double& value : values) {
-        value = std::min(value * value / square_N2, kMost) - 1;
-      }
-    }
     const std::vector<bool> between = between_reversals(record, settled_m_s(data));
+    const std::vector<double> values =
+        of_size ? sizes_of(record, residuals_N[j], between) : weighted_N(data, j, residuals_N[j]);
     const auto samples_in = [&](double time_s) {
       return static_cast<std::size_t>(
           std::lround(time_s / (record.time_s.back() - record.time_s.front()) *
