@@ -93,7 +93,7 @@ std::string imitation_prose(const ForceEffect& effect, const ForceEffect& outsid
 
 std::string doubtful_prose(const ForceEffect& effect, double probability) {
   constexpr double kPercent = 100;
-  return fmt::format(" {} ({}) may be there besides, with a probability of {:.0f} %.", effect.term,
+  return fmt::format(" There may be {} ({}) besides, with a probability of {:.0f} %.", effect.term,
                      effect.id, kPercent * probability);
 }
 

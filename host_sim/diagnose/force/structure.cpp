@@ -118,6 +118,7 @@ std::vector<double> sizes_of(const ForceRecord& record, const std::vector<double
         product += row * (residuals_N[i] * residuals_N[i] / noise_N2(parts, i));
       }
     }
+    square.diagonal() *= 1 + 1e-9;  // of a force that stays the parts are one
     parts = square.ldlt().solve(product);
   }
   std::vector<double> sizes(residuals_N.size());

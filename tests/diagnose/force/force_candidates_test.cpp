@@ -53,13 +53,13 @@ TEST(ForceCandidates, EffectsOfAModelAreTogether) {
 
 /// Odds of 4 are 0.8, with and without it beside one that is certain.
 TEST(ForceCandidates, AnEffectThatMayNotBeNamedIsThereOrNot) {
-  const auto alone = found({of_odds(ForceTerm::temperature, 4)}, "none", false);
-  EXPECT_NEAR(alone.at("friction_temperature"), 0.8, 1e-9);
+  const auto alone = found({of_odds(ForceTerm::load, 4)}, "none", false);
+  EXPECT_NEAR(alone.at("friction_load"), 0.8, 1e-9);
   EXPECT_NEAR(alone.at("none"), 0.2, 1e-9);
 
   const auto beside =
-      found({of_odds(ForceTerm::preload, 1e9), of_odds(ForceTerm::temperature, 4)}, "none", false);
-  EXPECT_NEAR(beside.at("friction_preload+friction_temperature"), 0.8, 1e-6);
+      found({of_odds(ForceTerm::preload, 1e9), of_odds(ForceTerm::load, 4)}, "none", false);
+  EXPECT_NEAR(beside.at("friction_load+friction_preload"), 0.8, 1e-6);
   EXPECT_NEAR(beside.at("friction_preload"), 0.2, 1e-6);
 }
 

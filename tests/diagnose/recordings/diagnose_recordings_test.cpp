@@ -151,9 +151,9 @@ TEST_F(DiagnoseRecordings, NamesALagThatIsShorterThanTheTimeBetweenSamples) {
   EXPECT_NEAR(findings.effects[0].parameters.at(0).value, -0.008, 0.0008);
 }
 
-/// A twentieth of that is seen, but not how a force turns in it.
+/// Less than a tenth of that is seen, but not how a force turns in it.
 TEST_F(DiagnoseRecordings, AShortLagMayAsWellBeADelay) {
-  const Findings findings = diagnose_tension(make({.hidden = lag_of_current(1)}), {}).findings;
+  const Findings findings = diagnose_tension(make({.hidden = lag_of_current(1.5)}), {}).findings;
   EXPECT_EQ(findings.verdict, Verdict::ambiguous) << findings.prose;
   EXPECT_THAT(findings.equivalent_sets,
               ::testing::Contains(::testing::UnorderedElementsAre("filter_lag", "channel_delay")));
