@@ -57,27 +57,25 @@ RefitOfSession refit_of(const Eigen::MatrixX2d& directions_N, const Eigen::Vecto
   return refit;
 }
 
-/// Variance of the noise of a sample: absolute, in proportion to the output force and to the input
-/// force, and of when it was read, in proportion to how fast the input force changes.
+/// Variance of the noise of a sample: absolute, in proportion to the output force, and of when it
+/// was read, in proportion to how fast the input force changes.
 class NoiseVariance {
  public:
-  static constexpr int kParts = 4;
+  static constexpr int kParts = 3;
   using Parts = Eigen::Matrix<double, kParts, 1>;
-  using Square = Eigen::Matrix<double, kParts, kParts>;
 
   explicit NoiseVariance(double absolute_N2) { parts_(0) = absolute_N2; }
 
   /// What the parts of the variance of a sample go with.
-  /// @param input_N of the model
-  static Parts row_of(double output_N, double input_N, double rate_N_s) {
-    return {1, output_N * output_N, input_N * input_N, rate_N_s * rate_N_s};
+  static Parts row_of(double output_N, double rate_N_s) {
+    return {1, output_N * output_N, rate_N_s * rate_N_s};
   }
 
   [[nodiscard]] double at_N2(const Parts& row) const { return parts_.dot(row); }
 
   /// By weighted least squares; a part that would be negative is left out of it.
   /// @param most of each part
-  void solve(Square square, Parts product, const Parts& least, const Parts& most) {
+  void solve(Eigen::Matrix3d square, Parts product, const Parts& least, const Parts& most) {
     square.diagonal() *= 1 + 1e-12;
     for (int round = 0; round < kParts; ++round) {
       parts_ = square.ldlt().solve(product);
@@ -115,7 +113,6 @@ std::vector<double> input_rates(const ForceRecord& record, const std::vector<dou
 /// Of squares by weighted least squares, each by its own variance.
 NoiseVariance noise_of(std::span<const ForceRecord> records,
                        const std::vector<RefitOfSession>& refits,
-                       const std::vector<std::vector<double>>& residuals_N,
                        const std::vector<std::vector<double>>& rates) {
   constexpr int kRounds = 8;
   constexpr double kLeastShare = 0.01;  // of all variance: some noise has no sample
@@ -130,17 +127,17 @@ NoiseVariance noise_of(std::span<const ForceRecord> records,
                                   static_cast<double>(records[j].samples()));
   }
   all_N2 = std::max(all_N2 / std::max(samples, 1.0), 1e-30);
-  const NoiseVariance::Parts least(kLeastShare * all_N2, 0, 0, 0);
-  const NoiseVariance::Parts most(all_N2, HUGE_VAL, HUGE_VAL, std::pow(kMostOfStep * step_s, 2));
+  const NoiseVariance::Parts least(kLeastShare * all_N2, 0, 0);
+  const NoiseVariance::Parts most(all_N2, HUGE_VAL, std::pow(kMostOfStep * step_s, 2));
   NoiseVariance noise(all_N2);
   for (int round = 0; round < kRounds; ++round) {
-    NoiseVariance::Square square = NoiseVariance::Square::Zero();
+    Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
     NoiseVariance::Parts product = NoiseVariance::Parts::Zero();
     for (std::size_t j = 0; j < records.size(); ++j) {
       for (std::size_t i = 0; i < records[j].samples(); ++i) {
         if (records[j].used[i]) {
-          const NoiseVariance::Parts row = NoiseVariance::row_of(
-              records[j].output_N[i], records[j].input_N[i] - residuals_N[j][i], rates[j][i]);
+          const NoiseVariance::Parts row =
+              NoiseVariance::row_of(records[j].output_N[i], rates[j][i]);
           const double left_N = refits[j].left_N(static_cast<Eigen::Index>(i));
           const double weight = 1 / std::pow(noise.at_N2(row), 2);
           square += weight * row * row.transpose();
@@ -187,7 +184,7 @@ ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const For
     rates.push_back(with_timing ? input_rates(records[j], residuals_N[j])
                                 : std::vector<double>(records[j].samples()));
   }
-  const NoiseVariance noise = noise_of(records, refits, residuals_N, rates);
+  const NoiseVariance noise = noise_of(records, refits, rates);
   double sum = 0;
   double samples = 0;
   for (std::size_t j = 0; j < records.size(); ++j) {
@@ -195,8 +192,7 @@ ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const For
     Eigen::VectorXd& weights = weights_.emplace_back(static_cast<Eigen::Index>(record.samples()));
     for (std::size_t i = 0; i < record.samples(); ++i) {
       weights(static_cast<Eigen::Index>(i)) =
-          1 / noise.at_N2(NoiseVariance::row_of(
-                  record.output_N[i], record.input_N[i] - residuals_N[j][i], rates[j][i]));
+          1 / noise.at_N2(NoiseVariance::row_of(record.output_N[i], rates[j][i]));
     }
     sum += weights.sum();
     samples += static_cast<double>(record.samples());

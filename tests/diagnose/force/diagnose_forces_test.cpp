@@ -267,9 +267,9 @@ TEST(DiagnoseForces, WhatIsAsGoodInThePlaceOfACauseIsACandidateToo) {
   }
   EXPECT_NEAR(all, 1, 1e-12);
   // Of twelve sessions a second parameter is 1/sqrt(12) as likely as none.
-  EXPECT_THAT(ids, ElementsAre(AnyOf("friction_preload", "load_cell_zero"),
-                               AnyOf("friction_preload", "load_cell_zero"), "friction_velocity",
-                               "none"));
+  EXPECT_THAT(
+      ids, ElementsAre(AnyOf("friction_preload", "load_cell_zero"),
+                       AnyOf("friction_preload", "load_cell_zero"), "friction_velocity", "none"));
   EXPECT_NE(ids[0], ids[1]);
   const double fewer = 1 / (2 + 1 / std::sqrt(12));
   EXPECT_NEAR(findings.candidates[0].probability, fewer, 0.01);

@@ -139,31 +139,6 @@ TEST(ForceCovariance, ASampleCountsByItsNoise) {
   EXPECT_GT(far, 0);
 }
 
-/// Noise of 3 % of an input that is e times as large while pulling as while letting go, at the same
-/// output: a sample says 1/e^2 of what the other does.
-TEST(ForceCovariance, ASampleCountsByTheNoiseOfItsOwnEnd) {
-  std::vector<ForceRecord> records =
-      measured({.load_N = 2, .still_N = 40, .noise_N = 0.02, .gain_scatter = 0}, 6);
-  for (ForceRecord& record : records) {
-    const Eigen::VectorXd noise = drawn(record, static_cast<unsigned>(records.size()));
-    for (std::size_t i = 0; i < record.samples(); ++i) {
-      const double slip = std::tanh(record.velocity_m_s[i] / 1e-3);
-      record.input_N[i] = record.output_N[i] * std::exp(0.5 * slip) *
-                          (1 + 0.03 * noise(static_cast<Eigen::Index>(i)));
-    }
-  }
-  ForceData data(records);
-  const ForceFit fit = data.fit({}, {1, 0.1}, 15);
-  data.learn_covariance(fit, fit, false);
-  const std::vector<double>& velocity_m_s = data.records()[0].velocity_m_s;
-  const auto of = [&](auto found) {
-    return data.covariance().weight(0, static_cast<std::size_t>(found - velocity_m_s.begin()));
-  };
-  EXPECT_NEAR(
-      of(std::ranges::min_element(velocity_m_s)) / of(std::ranges::max_element(velocity_m_s)),
-      std::exp(2), 2);
-}
-
 /// 24 N of friction that turn within a millisecond and are read 3 ms sooner or later, beside 0.1 N
 /// of noise: a sample at the turn says far less than one in the middle of the stroke, unless no
 /// sample is read at another time than its own.

@@ -4,14 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 #include <random>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "host_sim/diagnose/force/structure.hpp"
 #include "tests/diagnose/force/joint.hpp"
 
 namespace host_sim::diagnose {
@@ -129,25 +127,6 @@ TEST(Remainder, AScatterThatNoRigHasStandsByItself) {
   EXPECT_EQ(remainder.covariate, kSession);
   EXPECT_LT(remainder.p, 1e-6);
   EXPECT_TRUE(remainder.stands);
-}
-
-/// One way gain and friction of the load are the same but where the motion turns over: 0.5 N there,
-/// of either sign, moves both by far more than a rig may, each against the other.
-TEST(SessionScatter, IsNoMoreThanWhatGainAndFrictionTakeOff) {
-  std::mt19937 engine(3);
-  std::normal_distribution<double> normal;
-  ForceData data(changed(3, [&](ForceRecord& record, int) {
-    const double off_N = 0.5 * normal(engine);
-    for (std::size_t i = 0; i < record.samples(); ++i) {
-      record.used[i] = record.velocity_m_s[i] > 0;
-      record.input_N[i] += record.velocity_m_s[i] < 0.005 ? off_N : 0;
-    }
-  }));
-  const ForceFit nominal = data.fit({}, {1, kJointFriction}, 15);
-  data.learn_covariance(nominal, nominal, false);
-  const auto residuals_N = data.residuals_N(nominal);
-  EXPECT_LT(session_scatter_of(data, residuals_N).beyond_N2,
-            std::pow(data.rmse_N(data.mean_squares_N2(residuals_N)), 2));
 }
 
 }  // namespace
