@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <map>
 #include <utility>
 
 namespace host_sim::diagnose {
@@ -27,15 +26,15 @@ struct Set {
   }
 };
 
-/// Each set with an effect or what could be in its place, of those that are as likely the first of
-/// the catalogue first, and where it may not be named without.
+/// Each set with an effect or what could be in its place, the one that the model has first, and
+/// where it may not be named without.
 std::vector<Set> with_each_of(const ForceData& data, const Judged& one,
                               const std::vector<Set>& sets) {
-  std::map<ForceTerm, double> odds{{one.term, 1}};
+  std::vector<std::pair<ForceTerm, double>> odds{{one.term, 1}};
   double all_odds = 1;
   for (const Judged::Other& other : one.others) {
-    odds.emplace(other.term, std::exp(-other.log_odds));
-    all_odds += odds.at(other.term);
+    odds.emplace_back(other.term, std::exp(-other.log_odds));
+    all_odds += odds.back().second;
   }
   const double probability = probability_of(one.term, one.gain, data) * one.share;
   std::vector<Set> all;

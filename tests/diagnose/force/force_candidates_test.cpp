@@ -72,13 +72,13 @@ TEST(ForceCandidates, WhatCouldBeInItsPlaceHasItsOdds) {
   EXPECT_NEAR(all.at("compliance"), 0.2, 1e-6);
 }
 
-TEST(ForceCandidates, OfTwoThatAreEvenTheFirstOfTheCatalogueIsFirst) {
+TEST(ForceCandidates, OfTwoThatAreEvenTheOneThatTheModelHasIsFirst) {
   static const ForceData data(measured({}, 3, 16));
   Judged one = of_odds(ForceTerm::delay, 1e9);
   one.others = {{ForceTerm::lag, 0}};
   const auto candidates = candidates_of(data, std::vector{one}, "none", false);
-  EXPECT_EQ(candidates[0].id, "filter_lag");
-  EXPECT_EQ(candidates[1].id, "channel_delay");
+  EXPECT_EQ(candidates[0].id, "channel_delay");
+  EXPECT_EQ(candidates[1].id, "filter_lag");
   EXPECT_EQ(candidates[0].probability, candidates[1].probability);
 }
 
