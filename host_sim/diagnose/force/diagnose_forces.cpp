@@ -1,7 +1,5 @@
 #include "host_sim/diagnose/force/diagnose_forces.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -98,15 +96,15 @@ class Report {
   }
 
   /// By itself: nothing could be in its place.
-  [[nodiscard]] bool stands(const Judged& one) const {
-    return one.others.empty() && !one.imitated_by &&
-           probability_of(one.term, one.gain, data_) >= kNamed;
+  [[nodiscard]] static bool is_alone(const Judged& one) {
+    return one.others.empty() && !one.imitated_by;
   }
 
-  /// Whether it is likely, and nothing could be in its place.
-  [[nodiscard]] bool is_doubtful(const Judged& one) const {
-    return one.others.empty() && !one.imitated_by && !stands(one);
+  [[nodiscard]] bool stands(const Judged& one) const {
+    return is_alone(one) && probability_of(one.term, one.gain, data_) >= kNamed;
   }
+
+  [[nodiscard]] bool is_doubtful(const Judged& one) const { return is_alone(one) && !stands(one); }
 
   [[nodiscard]] std::vector<Candidate> candidates(Verdict verdict) const {
     const bool none =

@@ -258,6 +258,23 @@ std::vector<ForceCovariance::Refit> refits_of(const ForceData& data,
   return all;
 }
 
+namespace {
+
+/// Mean square by weight that gain and friction of each session take off.
+double taken_by_refits_N2(const ForceData& data,
+                          const std::vector<std::vector<double>>& residuals_N) {
+  const ForceCovariance& covariance = data.covariance();
+  double taken_N2 = 0;
+  for (std::size_t j = 0; j < residuals_N.size(); ++j) {
+    const auto all_N = vector_of(residuals_N[j]);
+    taken_N2 += covariance.weighted_square(j, all_N) -
+                covariance.weighted_square(j, covariance.beside_refit(j, all_N));
+  }
+  return taken_N2 / data.samples();
+}
+
+}  // namespace
+
 SessionScatter session_scatter_of(const ForceData& data,
                                   const std::vector<std::vector<double>>& residuals_N) {
   const std::vector<ForceCovariance::Refit> refits = refits_of(data, residuals_N);
@@ -266,13 +283,6 @@ SessionScatter session_scatter_of(const ForceData& data,
   if (sessions < 2 || !(most > 0).all()) {
     return {};
   }
-  double taken_N2 = 0;
-  for (std::size_t j = 0; j < refits.size(); ++j) {
-    taken_N2 += data.covariance().weighted_square(j, vector_of(residuals_N[j])) -
-                data.covariance().weighted_square(
-                    j, data.covariance().beside_refit(j, vector_of(residuals_N[j])));
-  }
-  taken_N2 /= data.samples();
   const boost::math::chi_squared chance(sessions - 1);
   SessionScatter scatter;
   for (Eigen::Index k = 0; k < 2; ++k) {
@@ -301,7 +311,9 @@ SessionScatter session_scatter_of(const ForceData& data,
     }
   }
   // Gain and friction that stand for each other move far where they take little off.
-  scatter.beyond_N2 = std::min(scatter.beyond_N2, taken_N2);
+  if (scatter.beyond_N2 > 0) {
+    scatter.beyond_N2 = std::min(scatter.beyond_N2, taken_by_refits_N2(data, residuals_N));
+  }
   return scatter;
 }
 

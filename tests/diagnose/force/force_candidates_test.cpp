@@ -22,13 +22,17 @@ Judged of_odds(ForceTerm term, double odds) {
   return one;
 }
 
+const ForceData& sixteen_sessions() {
+  static const ForceData data(measured({}, 3, 16));
+  return data;
+}
+
 std::map<std::string, double> found(const std::vector<Judged>& judged, const std::string& rest,
                                     bool remainder_stands) {
-  static const ForceData data(measured({}, 3, 16));
   std::map<std::string, double> all;
   double sum = 0;
   double before = 1;
-  for (const Candidate& one : candidates_of(data, judged, rest, remainder_stands)) {
+  for (const Candidate& one : candidates_of(sixteen_sessions(), judged, rest, remainder_stands)) {
     EXPECT_LE(one.probability, before) << "most probable first";
     before = one.probability;
     sum += one.probability;
@@ -73,10 +77,9 @@ TEST(ForceCandidates, WhatCouldBeInItsPlaceHasItsOdds) {
 }
 
 TEST(ForceCandidates, OfTwoThatAreEvenTheOneThatTheModelHasIsFirst) {
-  static const ForceData data(measured({}, 3, 16));
   Judged one = of_odds(ForceTerm::delay, 1e9);
   one.others = {{ForceTerm::lag, 0}};
-  const auto candidates = candidates_of(data, std::vector{one}, "none", false);
+  const auto candidates = candidates_of(sixteen_sessions(), std::vector{one}, "none", false);
   EXPECT_EQ(candidates[0].id, "channel_delay");
   EXPECT_EQ(candidates[1].id, "filter_lag");
   EXPECT_EQ(candidates[0].probability, candidates[1].probability);
