@@ -36,11 +36,12 @@ Diagnosis diagnose(const Campaign& campaign, const DiagnoseOptions& options) {
   refuse_unknown_lives(campaign);
   Diagnosis diagnosis;
   if (has_recordings(campaign)) {
-    const RecordedSessions recorded = recorded_sessions(campaign);
-    for (const recording::FaultSummary& summary : recording::summary_of(recorded.faults)) {
+    const auto recordings = recording::read_recordings(campaign.folder, campaign.columns);
+    const auto faults = recording::faults_of(recordings, campaign.two_sided);
+    for (const recording::FaultSummary& summary : recording::summary_of(faults)) {
       diagnosis.warnings.push_back(summary.words);
     }
-    diagnosis.tension = diagnose_recordings(campaign, recorded, options);
+    diagnosis.tension = diagnose_recordings(campaign, recordings, faults, options);
   }
   if (!campaign.specimens.empty()) {
     diagnosis.lives = diagnose_lives(campaign, options);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +12,7 @@
 #include "host_sim/diagnose/audit/audit.hpp"
 #include "host_sim/diagnose/force/diagnose_forces.hpp"
 #include "host_sim/diagnose/force/remainder.hpp"
+#include "host_sim/diagnose/force_records.hpp"
 
 namespace host_sim::diagnose {
 
@@ -38,86 +38,29 @@ reference::Constants constants_of(const NominalModel& nominal) {
   return constants;
 }
 
-TensionDiagnosis nothing_to_see(const RecordedSessions& recorded) {
+TensionDiagnosis nothing_to_see(bool faulty) {
   TensionDiagnosis diagnosis;
   diagnosis.findings.candidates = {{"none", 1}};
   diagnosis.findings.credible_set = {"none"};
   diagnosis.findings.prose =
-      recorded.faults.empty()
-          ? "The recordings contain no motion from which friction could be determined: nothing can "
-            "be diagnosed."
-          : "Nothing is left of the recordings once the faults of their sensors are taken out: "
-            "nothing can be diagnosed.";
-  for (const auto& effect : effects::tension_effects()) {
+      faulty ? "Nothing is left of the recordings once the faults of their sensors are taken out: "
+               "nothing can be diagnosed."
+             : "The recordings contain no motion from which friction could be determined: nothing "
+               "can be diagnosed.";
+  for (const effects::TensionEffect* const effect : effects::tension_effects()) {
     diagnosis.findings.invisible.push_back(
-        {std::string(effect->id()), "no recording with motion and both tensions"});
+        {std::string(effect->id), "no recording with motion and both tensions"});
   }
   return diagnosis;
-}
-
-/// Noise of ln T_out - ln T_in, root mean square of all samples.
-double sample_sd_of(const std::vector<Session>& sessions) {
-  double square = 0;
-  double samples = 0;
-  for (const Session& session : sessions) {
-    const recording::Covariates& covariates = session.covariates;
-    for (const auto* const noise : {&covariates.input_noise, &covariates.output_noise}) {
-      for (const double variance : *noise) {
-        square += variance;
-      }
-    }
-    samples += static_cast<double>(covariates.samples());
-  }
-  return std::sqrt(square / std::max(samples, 1.0));
-}
-
-double refitted(const Findings& findings, std::string_view name) {
-  return std::ranges::find(findings.refitted, name, &Estimate::name)->value;
-}
-
-/// By the friction and the scatter of sessions that a diagnosis has found.
-Audit audit_of(const std::vector<Session>& sessions, const TensionDiagnosis& diagnosis,
-               unsigned threads) {
-  NoiseModel noise;
-  noise.sample_sd = std::max(sample_sd_of(sessions), kLeastNoise.sample_sd);
-  noise.session_gain_sd =
-      std::max(refitted(diagnosis.findings, "session_gain_sd"), kLeastNoise.session_gain_sd);
-  noise.session_friction_sd = std::max(refitted(diagnosis.findings, "session_friction_sd"),
-                                       kLeastNoise.session_friction_sd);
-  GramOptions options;
-  options.baseline.friction_coefficient = diagnosis.friction_coefficient;
-  options.threads = threads;
-  return audit(gram_of(sessions, options), noise);
-}
-
-void add_audit(const Audit& audited, Findings& findings) {
-  for (const EffectAudit& effect : audited.effects) {
-    if (!effect.visible()) {
-      findings.invisible.push_back({std::string(effect.effect->id()), effect.prose});
-    }
-  }
-  for (const EquivalenceClass& group : audited.classes) {
-    std::vector<std::string> ids;
-    for (const std::size_t member : group.members) {
-      ids.emplace_back(audited.effects[member].effect->id());
-    }
-    const bool known = std::ranges::any_of(findings.equivalent_sets, [&](const auto& other) {
-      return std::ranges::is_permutation(ids, other);
-    });
-    if (ids.size() > 1 && !known) {
-      findings.equivalent_sets.push_back(std::move(ids));
-    }
-  }
 }
 
 /// The first effect of one candidate that the other does not hold; null where there is none.
 const effects::TensionEffect* other_than(std::string_view one, std::string_view other) {
   const std::vector<std::string_view> known = effects_in(other);
   for (const std::string_view id : effects_in(one)) {
-    for (const auto& effect : effects::tension_effects()) {
-      if (effect->id() == id && std::ranges::find(known, id) == known.end()) {
-        return effect.get();
-      }
+    const effects::TensionEffect* const effect = effects::tension_effect(id);
+    if (effect != nullptr && std::ranges::find(known, id) == known.end()) {
+      return effect;
     }
   }
   return nullptr;
@@ -147,37 +90,35 @@ std::string next_experiment(const Findings& findings) {
              : fmt::format(
                    "record more sessions in which {} would show: a wider range of what it "
                    "depends on, at the same poses and loads",
-                   doubtful->term());
+                   doubtful->term);
 }
 
 }  // namespace
 
-TensionDiagnosis diagnose_recordings(const Campaign& campaign, const RecordedSessions& recorded,
+TensionDiagnosis diagnose_recordings(const Campaign& campaign,
+                                     const std::vector<recording::Recording>& recordings,
+                                     const std::vector<recording::Fault>& faults,
                                      const DiagnoseOptions& options) {
-  if (!campaign.two_sided && recorded.sessions.empty()) {
-    return nothing_to_see(recorded);
-  }
-  if (!campaign.two_sided && !campaign.nominal.sheath) {
+  if (!campaign.two_sided && !recordings.empty() && !campaign.nominal.sheath) {
     throw InputError((campaign.folder / "campaign.toml").string(), 0, 0,
                      "no table [model.sheath], which friction is compared with",
                      "[model.sheath] with friction_coefficient and bend_angle_deg");
   }
-  const std::vector<ForceRecord> records =
-      force_records(recorded.recordings, recorded.faults, campaign.nominal, !campaign.two_sided);
+  const std::vector<effects::ForceRecord> records =
+      force_records(recordings, faults, campaign.nominal, !campaign.two_sided);
   if (records.empty()) {
-    return nothing_to_see(recorded);
+    return nothing_to_see(!faults.empty());
   }
   TensionDiagnosis diagnosis =
       diagnose_forces(records, campaign.nominal, constants_of(campaign.nominal), options);
-  if (!campaign.two_sided) {
-    add_audit(audit_of(recorded.sessions, diagnosis, options.threads), diagnosis.findings);
-  }
   diagnosis.findings.next_experiment = next_experiment(diagnosis.findings);
   return diagnosis;
 }
 
 TensionDiagnosis diagnose_tension(const Campaign& campaign, const DiagnoseOptions& options) {
-  return diagnose_recordings(campaign, recorded_sessions(campaign), options);
+  const auto recordings = recording::read_recordings(campaign.folder, campaign.columns);
+  return diagnose_recordings(campaign, recordings,
+                             recording::faults_of(recordings, campaign.two_sided), options);
 }
 
 }  // namespace host_sim::diagnose

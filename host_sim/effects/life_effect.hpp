@@ -8,9 +8,16 @@
 #include <vector>
 
 #include "host_sim/campaign/campaign.hpp"
-#include "host_sim/effects/tension_effect.hpp"
+#include "host_sim/effects/effect.hpp"
 
 namespace host_sim::effects {
+
+/// Columns that are linear in their coefficients, for one value of the parameters that are not
+/// linear.
+struct Signature {
+  std::vector<double> shape;                 ///< nonlinear parameters, in order; may be empty
+  std::vector<std::vector<double>> columns;  ///< each as long as the specimens
+};
 
 /// The nominal life that effects change: alpha = A / T_eff^gamma (19), T_eff by Gerber (11).
 struct LifeBaseline {

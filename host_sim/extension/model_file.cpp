@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <vector>
 
 #include "hal/files/input_file.hpp"
 #include "host_sim/effects/life_effect.hpp"
-#include "host_sim/effects/tension_effect.hpp"
+#include "host_sim/effects/tension/tension_effect.hpp"
 #include "host_sim/model/model.hpp"
 #include "host_sim/model/model_tables.hpp"
 
@@ -91,7 +90,7 @@ void read_per_pose(const TomlTable& table, const NumberKey& key, Extension& exte
   extension.values.push_back({std::string(kBendAngles.name), angles_deg});
 }
 
-void read_key(const TomlTable& table, const ExtensionKey& key, Extension& extension) {
+void read_key(const TomlTable& table, const effects::TableKey& key, Extension& extension) {
   if (key.per_pose) {
     read_per_pose(table, key.number, extension);
   } else if (table.has(key.number.name) || !key.otherwise) {
@@ -104,7 +103,7 @@ void read_key(const TomlTable& table, const ExtensionKey& key, Extension& extens
 void refuse_unknown_keys(const TomlTable& table, const ExtensionKeys& keys) {
   std::vector<NumberKey> numbers;
   bool per_pose = false;
-  for (const ExtensionKey& key : keys.keys) {
+  for (const effects::TableKey& key : keys.keys) {
     numbers.push_back(key.number);
     per_pose = per_pose || key.per_pose;
   }
@@ -172,7 +171,7 @@ Extension read_extension(const TomlTable& table, const ExtensionKeys& keys) {
     return read_empirical(table);
   }
   Extension extension{std::string(keys.id), {}};
-  for (const ExtensionKey& key : keys.keys) {
+  for (const effects::TableKey& key : keys.keys) {
     read_key(table, key, extension);
   }
   if (keys.id == "friction_wear") {
@@ -183,48 +182,23 @@ Extension read_extension(const TomlTable& table, const ExtensionKeys& keys) {
   return extension;
 }
 
-/// What an equation needs besides the parameters that are fitted.
+/// What an equation of a life needs besides the parameters that are fitted.
 struct Companion {
   std::string_view id;
-  ExtensionKey key;
+  effects::TableKey key;
 };
-
-/// Where nobody has given a number and the effect cannot be evaluated without.
-constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 constexpr Companion kCompanions[] = {
-    {"friction_temperature", {{"sheath_reference_C", "C", {-50, 150}}, 20, false}},
-    {"torque_gain", {{"winding_reference_C", "C", {-50, 200}}, 20, false}},
-    {"bending_fatigue", {{"wire_to_bend_ratio", "", {0, 1}}, kUnknown, false}},
-    {"endurance_limit", {{"lowest_effective_N", "N", {0, 1e6, true}}, kUnknown, false}},
-    {"friction_velocity", {{"viscous_N_s_m", "N_s_m", {0, 1e6}}, kUnknown, false}},
+    {"bending_fatigue", {{"wire_to_bend_ratio", "", {0, 1}}, effects::TableKey::kUnknown}},
+    {"endurance_limit", {{"lowest_effective_N", "N", {0, 1e6, true}}, effects::TableKey::kUnknown}},
 };
-
-/// Parameters that a model may leave out, and those that a drive may have beyond the bounds within
-/// which signatures look for them.
-constexpr ExtensionKey kOfModels[] = {
-    {{"preload_N", "N", {0, 1e4}}, std::nullopt, false},
-    {{"lag_s", "s", {-0.1, 0.1}}, std::nullopt, false},
-    {{"presliding_share", "", {0, 1}}, kUnknown, false},
-    {{"presliding_length_m", "m", {0, 1, true}}, std::nullopt, false},
-    {{"stribeck_friction", "", {-0.5, 0.5}}, kUnknown, false},
-    {{"viscous_friction_s_m", "s_m", {-80, 80}}, kUnknown, false},
-    {{"stribeck_velocity_m_s", "m_s", {0.002, 0.1}}, kUnknown, false},
-    {{"wavelength_m", "m", {0, 100, true}}, std::nullopt, false},
-};
-
-/// Effects on recordings that the catalogue of signatures does not have.
-ExtensionKeys load_cell_zero() {
-  return {"load_cell_zero", {{{"zero_N", "N", {-1e4, 1e4}}, std::nullopt, false}}};
-}
 
 /// The suffix of a name that is its unit, as files have it.
 std::string_view unit_of(const effects::Parameter& parameter) {
   if (parameter.unit == "1") {
     return "";
   }
-  for (const std::string_view suffix :
-       {"1_K", "1_day", "s_m", "m_s", "N_m", "cycles", "rad", "A", "N", "s", "m"}) {
+  for (const std::string_view suffix : {"1_day", "N"}) {
     if (parameter.name.ends_with(suffix)) {
       return suffix;
     }
@@ -232,25 +206,15 @@ std::string_view unit_of(const effects::Parameter& parameter) {
   return "";
 }
 
-ExtensionKeys keys_of(std::string_view id, std::span<const effects::Parameter> parameters,
-                      bool per_pose) {
-  ExtensionKeys result{id, {}};
-  // A share that only says how far another parameter is off is multiplied into that one.
-  const bool shared = std::ranges::any_of(parameters, &effects::Parameter::scaled_by_share);
-  for (const effects::Parameter& parameter : parameters.subspan(shared ? 1 : 0)) {
-    const auto of_models = std::ranges::find(
-        kOfModels, parameter.name, [](const ExtensionKey& key) { return key.number.name; });
-    if (of_models != std::end(kOfModels)) {
-      result.keys.push_back(*of_models);
-      continue;
-    }
+ExtensionKeys keys_of(const effects::LifeEffect& effect) {
+  ExtensionKeys result{effect.id(), {}};
+  for (const effects::Parameter& parameter : effect.parameters()) {
     result.keys.push_back(
         {{parameter.name, unit_of(parameter), {parameter.minimum, parameter.maximum}},
-         parameter.off_line ? std::optional<double>(0) : std::nullopt,
-         per_pose});
+         parameter.off_line ? std::optional<double>(0) : std::nullopt});
   }
   for (const Companion& companion : kCompanions) {
-    if (companion.id == id) {
+    if (companion.id == effect.id()) {
       result.keys.push_back(companion.key);
     }
   }
@@ -260,23 +224,24 @@ ExtensionKeys keys_of(std::string_view id, std::span<const effects::Parameter> p
 ExtensionKeys empirical() {
   ExtensionKeys keys{kEmpirical, {}};
   for (const NumberKey& key : kEmpiricalCovariates) {
-    keys.keys.push_back({key, kUnknown, false});
+    keys.keys.push_back({key, effects::TableKey::kUnknown});
   }
   for (const NumberKey& key : kEmpiricalForces) {
-    keys.keys.push_back({key, std::nullopt, false});
+    keys.keys.push_back({key});
   }
   return keys;
 }
 
 std::vector<ExtensionKeys> all_keys() {
   std::vector<ExtensionKeys> all;
-  for (const auto& effect : effects::tension_effects()) {
-    all.push_back(keys_of(effect->id(), effect->parameters(), effect->per_pose()));
+  for (const effects::TensionEffect* const effect : effects::tension_effects()) {
+    if (!effect->table.empty()) {
+      all.push_back({effect->id, {effect->table.begin(), effect->table.end()}});
+    }
   }
   for (const auto& effect : effects::life_effects()) {
-    all.push_back(keys_of(effect->id(), effect->parameters(), false));
+    all.push_back(keys_of(*effect));
   }
-  all.push_back(load_cell_zero());
   all.push_back(empirical());
   std::ranges::sort(all, {}, &ExtensionKeys::id);
   return all;

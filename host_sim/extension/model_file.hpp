@@ -2,7 +2,6 @@
 
 #include <array>
 #include <filesystem>
-#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -10,27 +9,20 @@
 
 #include "hal/files/text.hpp"
 #include "hal/files/toml_table.hpp"
+#include "host_sim/effects/tension/tension_effect.hpp"
 #include "host_sim/model/model.hpp"
 
 namespace host_sim {
-
-/// A number that a table [extension.<id>] may hold.
-struct ExtensionKey {
-  hal::files::NumberKey number;
-  std::optional<double>
-      otherwise;          ///< what it is where the table leaves it out; else it must be there
-  bool per_pose = false;  ///< one number, or an array with one for each bend angle
-};
 
 /// What the table [extension.<id>] of an effect holds: the parameters that the catalogue fits, in
 /// its order, then what else its equation needs.
 struct ExtensionKeys {
   std::string_view id;
-  std::vector<ExtensionKey> keys;
+  std::vector<effects::TableKey> keys;
 };
 
-/// Of all effects on tension and life, of the zero of the load cell and of the empirical
-/// correction, in order of their ids. Effects on counting extend no model.
+/// Of all effects on tension and life that a model holds, and of the empirical correction, in order
+/// of their ids. Effects on counting extend no model.
 std::span<const ExtensionKeys> extension_keys();
 
 /// The keys of one effect; null where there is none of that id.

@@ -6,7 +6,7 @@
 #include "firmware/protocol/schema/plan.hpp"
 #include "host_sim/effects/counting_effect.hpp"
 #include "host_sim/effects/life_effect.hpp"
-#include "host_sim/effects/tension_effect.hpp"
+#include "host_sim/effects/tension/tension_effect.hpp"
 #include "host_sim/fmeca/table.hpp"
 
 namespace host_sim::fmeca {
@@ -33,21 +33,23 @@ std::string names_of(const Things& things, Name name_of) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-template <class Effects>
-void look_in(const Effects& effects, std::string_view id, Watch& watch) {
-  for (const auto& effect : effects) {
-    if (effect->id() == id) {
-      watch.words = fmt::format("{} (diagnose)", effect->term());
-    }
-    watch.accepted += fmt::format("{}{}", watch.accepted.empty() ? "" : ", ", effect->id());
-  }
-}
-
 Watch effect_of(std::string_view id) {
   Watch watch;
-  look_in(effects::tension_effects(), id, watch);
-  look_in(effects::life_effects(), id, watch);
-  look_in(effects::counting_effects(), id, watch);
+  const auto look_at = [&](std::string_view known, std::string_view term) {
+    if (known == id) {
+      watch.words = fmt::format("{} (diagnose)", term);
+    }
+    watch.accepted += fmt::format("{}{}", watch.accepted.empty() ? "" : ", ", known);
+  };
+  for (const effects::TensionEffect* const effect : effects::tension_effects()) {
+    look_at(effect->id, effect->term);
+  }
+  for (const auto& effect : effects::life_effects()) {
+    look_at(effect->id(), effect->term());
+  }
+  for (const effects::CountingEffect& effect : effects::kCountingEffects) {
+    look_at(effect.id, effect.term);
+  }
   watch.accepted = "effect. and one of " + watch.accepted;
   return watch;
 }

@@ -1,7 +1,6 @@
 #include "host_sim/recording/signal.hpp"
 
 #include <Eigen/Cholesky>
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -101,78 +100,6 @@ std::vector<double> smoothed(std::span<const double> time_s, std::span<const dou
     }
   }
   return smooth;
-}
-
-std::vector<double> moving_mean(std::span<const double> time_s, std::span<const double> values,
-                                std::span<const Stretch> pieces, double reach_s) {
-  std::vector<double> means(values.begin(), values.end());
-  std::vector<double> sums;
-  for (const Stretch& piece : pieces) {
-    sums.assign(1, 0);
-    for (std::size_t i = piece.first; i < piece.end(); ++i) {
-      sums.push_back(sums.back() + values[i]);
-    }
-    std::size_t reach = 0;  // samples to each side: from one sample to the next it hardly changes
-    for (std::size_t k = 0; k < piece.count; ++k) {
-      const std::size_t most = std::min(k, piece.count - 1 - k);
-      const auto within = [&](std::size_t samples) {
-        const std::size_t i = piece.first + k;
-        return samples <= most && time_s[i + samples] - time_s[i - samples] <= 2 * reach_s;
-      };
-      while (within(reach + 1)) {
-        ++reach;
-      }
-      while (reach > 0 && !within(reach)) {
-        --reach;
-      }
-      means[piece.first + k] =
-          (sums[k + reach + 1] - sums[k - reach]) / static_cast<double>(2 * reach + 1);
-    }
-  }
-  return means;
-}
-
-namespace {
-
-constexpr std::size_t kReach = 2;
-
-double difference_1_s(std::span<const double> time_s, std::span<const double> tension_N,
-                      const Stretch& piece, std::size_t i) {
-  const std::size_t first = i - std::min(kReach, i - piece.first);
-  const std::size_t last = std::min(i + kReach, piece.end() - 1);
-  return std::log(tension_N[last] / tension_N[first]) / (time_s[last] - time_s[first]);
-}
-
-}  // namespace
-
-std::vector<double> log_rate_1_s(std::span<const double> time_s, std::span<const double> tension_N,
-                                 std::span<const Stretch> pieces) {
-  std::vector<double> rate_1_s(time_s.size());
-  for (const Stretch& piece : pieces) {
-    for (std::size_t i = piece.first; i < piece.end(); ++i) {
-      rate_1_s[i] = difference_1_s(time_s, tension_N, piece, i);
-    }
-  }
-  return rate_1_s;
-}
-
-std::vector<double> smooth_log_rate_1_s(std::span<const double> time_s,
-                                        std::span<const double> tension_N,
-                                        std::span<const Stretch> pieces) {
-  std::vector<double> logs(time_s.size());
-  std::vector<double> rate_1_s(time_s.size());
-  for (const Stretch& piece : pieces) {
-    for (std::size_t i = piece.first; i < piece.end(); ++i) {
-      logs[i] = std::log(tension_N[i]);
-    }
-    for (std::size_t i = piece.first; i < piece.end(); ++i) {
-      LocalFit fit;
-      rate_1_s[i] = fit_locally(time_s, logs, piece, i, kSmooth_s, fit)
-                        ? fit.slope_1_s
-                        : difference_1_s(time_s, tension_N, piece, i);
-    }
-  }
-  return rate_1_s;
 }
 
 }  // namespace host_sim::recording

@@ -39,24 +39,4 @@ bool fit_locally(std::span<const double> time_s, std::span<const double> values,
 std::vector<double> smoothed(std::span<const double> time_s, std::span<const double> values,
                              std::span<const Stretch> pieces, double reach_s);
 
-/// Means over as many samples to each side as lie within `reach_s` of the sample and are in its
-/// piece, the same number on both sides: what is linear stays. Outside of the pieces the values as
-/// they are.
-std::vector<double> moving_mean(std::span<const double> time_s, std::span<const double> values,
-                                std::span<const Stretch> pieces, double reach_s);
-
-/// d ln T / dt by differences over two samples to each side, fewer at the ends of a piece: each
-/// piece, of at least two samples, stands for itself. Zero outside of the pieces.
-/// @param tension_N above 0 within the pieces
-std::vector<double> log_rate_1_s(std::span<const double> time_s, std::span<const double> tension_N,
-                                 std::span<const Stretch> pieces);
-
-/// The same of a tension without jumps: the slope of fit_locally() over kSmooth_s to each side.
-/// Where those are too few samples it is log_rate_1_s().
-std::vector<double> smooth_log_rate_1_s(std::span<const double> time_s,
-                                        std::span<const double> tension_N,
-                                        std::span<const Stretch> pieces);
-
-inline constexpr double kSmooth_s = 0.05;
-
 }  // namespace host_sim::recording

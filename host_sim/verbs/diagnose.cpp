@@ -10,12 +10,12 @@
 #include "hal/files/output_file.hpp"
 #include "host_sim/command_line/options.hpp"
 #include "host_sim/diagnose/diagnosis.hpp"
-#include "host_sim/diagnose/force/force_model.hpp"
 #include "host_sim/diagnose/output/extended_model.hpp"
 #include "host_sim/diagnose/output/results.hpp"
 #include "host_sim/diagnose/output/summary.hpp"
 #include "host_sim/effects/counting_effect.hpp"
 #include "host_sim/effects/life_effect.hpp"
+#include "host_sim/effects/tension/tension_effect.hpp"
 #include "host_sim/extension/model_file.hpp"
 #include "host_sim/io/progress.hpp"
 #include "host_sim/recording/recording.hpp"
@@ -161,14 +161,11 @@ int run(const Arguments& arguments) {
 
 std::vector<std::string> catalogue() {
   std::vector<std::string> ids;
-  for (const diagnose::ForceTerm term : diagnose::kForceTerms) {
-    const diagnose::ForceEffect& effect = diagnose::definition_of(term);
-    if (!effect.outside && std::ranges::find(ids, effect.id) == ids.end()) {
-      ids.emplace_back(effect.id);
-    }
+  for (const effects::TensionEffect* const effect : effects::tension_effects()) {
+    ids.emplace_back(effect->id);
   }
-  for (const auto& effect : effects::counting_effects()) {
-    ids.emplace_back(effect->id());
+  for (const effects::CountingEffect& effect : effects::kCountingEffects) {
+    ids.emplace_back(effect.id);
   }
   for (const auto& effect : effects::life_effects()) {
     ids.emplace_back(effect->id());

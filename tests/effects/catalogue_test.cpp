@@ -1,51 +1,61 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "host_sim/effects/counting_effect.hpp"
 #include "host_sim/effects/life_effect.hpp"
-#include "tests/effects/trace.hpp"
+#include "host_sim/effects/tension/force_model.hpp"
 
 namespace host_sim::effects::testing {
 namespace {
 
 using ::testing::ElementsAre;
 
-template <typename Effects>
-std::vector<std::string> ids_of(const Effects& effects) {
+std::vector<std::string> ids_of_tension() {
   std::vector<std::string> ids;
-  for (const auto& effect : effects) {
+  for (const TensionEffect* const effect : tension_effects()) {
+    ids.emplace_back(effect->id);
+  }
+  return ids;
+}
+
+std::vector<std::string> ids_of_lives() {
+  std::vector<std::string> ids;
+  for (const auto& effect : life_effects()) {
     ids.emplace_back(effect->id());
   }
   return ids;
 }
 
 TEST(Catalogue, HoldsTheTensionEffectsInOrder) {
-  EXPECT_THAT(ids_of(tension_effects()),
-              ElementsAre("bend_angle", "compliance", "current_offset", "filter_lag",
-                          "friction_load", "friction_position", "friction_preload",
-                          "friction_temperature", "friction_velocity", "friction_wear",
-                          "gear_asymmetry", "presliding", "slack", "torque_gain", "torque_ripple"));
+  EXPECT_THAT(
+      ids_of_tension(),
+      ElementsAre("bend_angle", "channel_delay", "compliance", "current_offset", "filter_lag",
+                  "friction_load", "friction_position", "friction_preload", "friction_temperature",
+                  "friction_velocity", "friction_wear", "gear_asymmetry", "load_cell_zero",
+                  "presliding", "slack", "torque_gain", "torque_ripple"));
+  EXPECT_EQ(tension_effect("slack")->term, "backlash or dead zone");
+  EXPECT_EQ(tension_effect("giving_sheath"), nullptr);
 }
 
-TEST(Catalogue, HoldsTheCountingAndTheLifeEffectsInOrder) {
-  EXPECT_THAT(ids_of(counting_effects()), ElementsAre("small_cycles", "undersampling"));
-  EXPECT_THAT(ids_of(life_effects()),
+TEST(Catalogue, HoldsTheLifeEffectsInOrder) {
+  EXPECT_THAT(ids_of_lives(),
               ElementsAre("ageing", "bending_fatigue", "endurance_limit", "load_sequence",
                           "lot_frailty", "mean_stress", "second_mode"));
 }
 
 std::set<std::string> all_ids() {
   std::set<std::string> ids;
-  for (const auto& some :
-       {ids_of(tension_effects()), ids_of(counting_effects()), ids_of(life_effects())}) {
+  for (const auto& some : {ids_of_tension(), ids_of_lives()}) {
     ids.insert(some.begin(), some.end());
+  }
+  for (const CountingEffect& effect : kCountingEffects) {
+    ids.emplace(effect.id);
   }
   return ids;
 }
@@ -70,32 +80,59 @@ void expect_unit_in_name(const Parameter& parameter) {
   EXPECT_TRUE(parameter.name.ends_with(suffix)) << parameter.name << " in " << parameter.unit;
 }
 
-template <typename Effect>
-void expect_told(const Effect& effect) {
-  EXPECT_FALSE(effect.term().empty()) << effect.id();
-  EXPECT_FALSE(effect.equation().empty()) << effect.id();
-  EXPECT_FALSE(effect.life_consequence().empty()) << effect.id();
-  EXPECT_FALSE(effect.separations().empty()) << effect.id();
+void expect_separations(std::string_view id, std::span<const Separation> separations) {
+  EXPECT_FALSE(separations.empty()) << id;
   const std::set<std::string> ids = all_ids();
-  for (const Separation& separation : effect.separations()) {
+  for (const Separation& separation : separations) {
     EXPECT_TRUE(ids.contains(std::string(separation.other))) << separation.other;
-    EXPECT_NE(separation.other, effect.id());
-    EXPECT_FALSE(separation.experiment.empty()) << effect.id();
+    EXPECT_NE(separation.other, id);
+    EXPECT_FALSE(separation.experiment.empty()) << id;
   }
 }
 
-template <typename Effect>
-void expect_parameters(const Effect& effect) {
-  ASSERT_FALSE(effect.parameters().empty()) << effect.id();
-  for (const Parameter& parameter : effect.parameters()) {
-    expect_sound(parameter);
-    expect_unit_in_name(parameter);
+TEST(Catalogue, SaysAllThatIsKnownOfATensionEffect) {
+  for (const TensionEffect* const effect : tension_effects()) {
+    EXPECT_FALSE(effect->term.empty()) << effect->id;
+    EXPECT_FALSE(effect->life_consequence.empty()) << effect->id;
+    expect_separations(effect->id, effect->separations);
+    for (const TableKey& key : effect->table) {
+      EXPECT_TRUE(key.number.name.ends_with(key.number.unit)) << key.number.name;
+    }
   }
 }
 
-/// Shape parameters come last, and each value is within its bounds.
-template <typename Effect>
-void expect_shapes(const Effect& effect) {
+const ForceScales kScales{.speed_m_s = 0.1,
+                          .stroke_m = 0.2,
+                          .force_N = 10,
+                          .input_N = 12,
+                          .turn_over_m_s = 0.005,
+                          .step_s = 0.01,
+                          .cycles = 10000,
+                          .poses_rad = {1.5, 3}};
+
+TEST(Catalogue, EachLawStartsWithinItsBounds) {
+  for (const ForceTerm term : kForceTerms) {
+    const ForceLaw& law = law_of(term);
+    EXPECT_FALSE(law.equation.empty()) << law.id();
+    EXPECT_FALSE(law.term().empty()) << law.id();
+    EXPECT_EQ(law.outside, tension_effect(law.id()) == nullptr) << law.id();
+    const auto parameters = parameters_of(term, kScales);
+    ASSERT_FALSE(parameters.empty()) << law.id();
+    for (const ForceParameter& parameter : parameters) {
+      ASSERT_FALSE(parameter.starts.empty()) << law.id();
+      EXPECT_LT(parameter.minimum, parameter.maximum) << parameter.name;
+      for (const double start : parameter.starts) {
+        EXPECT_GE(start, parameter.minimum) << parameter.name;
+        EXPECT_LE(start, parameter.maximum) << parameter.name;
+        EXPECT_GE(parameter.usual, parameter.minimum < 0 ? parameter.minimum : 0) << parameter.name;
+        EXPECT_LE(std::abs(parameter.usual), parameter.maximum) << parameter.name;
+      }
+    }
+  }
+}
+
+/// Values of shape come last, each within its bounds.
+void expect_shapes(const LifeEffect& effect) {
   ASSERT_FALSE(effect.shapes().empty()) << effect.id();
   const std::span<const Parameter> parameters = effect.parameters();
   std::set<std::vector<double>> distinct;
@@ -110,97 +147,18 @@ void expect_shapes(const Effect& effect) {
   }
 }
 
-TEST(Catalogue, SaysAllThatIsKnownOfATensionEffect) {
-  for (const auto& effect : tension_effects()) {
-    expect_told(*effect);
-    expect_parameters(*effect);
-    expect_shapes(*effect);
-  }
-}
-
 TEST(Catalogue, SaysAllThatIsKnownOfALifeEffect) {
   for (const auto& effect : life_effects()) {
-    expect_told(*effect);
-    expect_parameters(*effect);
+    EXPECT_FALSE(effect->term().empty()) << effect->id();
+    EXPECT_FALSE(effect->equation().empty()) << effect->id();
+    EXPECT_FALSE(effect->life_consequence().empty()) << effect->id();
+    expect_separations(effect->id(), effect->separations());
+    ASSERT_FALSE(effect->parameters().empty()) << effect->id();
+    for (const Parameter& parameter : effect->parameters()) {
+      expect_sound(parameter);
+      expect_unit_in_name(parameter);
+    }
     expect_shapes(*effect);
-  }
-}
-
-TEST(Catalogue, SaysAllThatIsKnownOfACountingEffect) {
-  for (const auto& effect : counting_effects()) {
-    expect_told(*effect);
-    expect_sound(effect->parameter());
-    expect_unit_in_name(effect->parameter());
-  }
-}
-
-/// One session at one pose, one temperature and so few cycles that they are one.
-recording::Covariates one_session() {
-  recording::Covariates c = trace();
-  for (auto* const same :
-       {&c.cycle, &c.bend_angle_rad, &c.sheath_temperature_C, &c.winding_temperature_C}) {
-    std::ranges::fill(*same, same->front());
-  }
-  return c;
-}
-
-/// Whether all that the columns hold is a gain and a friction: one value while pulling, another
-/// while letting go.
-bool is_gain_and_friction(const std::vector<std::vector<double>>& columns,
-                          const std::vector<double>& direction) {
-  for (const std::vector<double>& column : columns) {
-    std::map<double, double> values;
-    for (std::size_t i = 0; i < column.size(); ++i) {
-      const double value = values.emplace(direction[i], column[i]).first->second;
-      if (std::abs(column[i] - value) > 1e-12) {
-        return false;
-      }
-    }
-  }
-  return true;
-}
-
-TEST(Catalogue, SaysWhichEffectsShiftSessionsOnly) {
-  const recording::Covariates session = one_session();
-  Baseline baseline = kBaseline;
-  baseline.poses_rad = {session.bend_angle_rad.front()};
-  for (const auto& effect : tension_effects()) {
-    bool in_every_shape = true;
-    for (const std::vector<double>& shape : effect->shapes()) {
-      in_every_shape =
-          in_every_shape &&
-          is_gain_and_friction(columns(effect->id(), session, shape, baseline), session.direction);
-    }
-    EXPECT_EQ(effect->shifts_sessions(), in_every_shape) << effect->id();
-  }
-}
-
-TEST(Catalogue, GivesOneColumnForEachLinearParameterInEachShape) {
-  const recording::Covariates c = trace();
-  for (const auto& effect : tension_effects()) {
-    for (const std::vector<double>& shape : effect->shapes()) {
-      const Signature signature = effect->signature(c, kBaseline, shape);
-      EXPECT_EQ(signature.shape, shape);
-      EXPECT_EQ(signature.columns.size(), effect->parameters().size() - shape.size())
-          << effect->id();
-      for (const std::vector<double>& column : signature.columns) {
-        EXPECT_EQ(column.size(), c.samples()) << effect->id();
-      }
-    }
-  }
-}
-
-TEST(Catalogue, EveryShapeIsASignatureOfItsOwn) {
-  const recording::Covariates c = trace();
-  for (const auto& effect : tension_effects()) {
-    if (effect->id() == "compliance" || effect->id() == "slack") {
-      continue;  // steps: neighbouring shapes agree where no sample lies between
-    }
-    std::set<std::vector<std::vector<double>>> seen;
-    for (const std::vector<double>& shape : effect->shapes()) {
-      EXPECT_TRUE(seen.insert(effect->signature(c, kBaseline, shape).columns).second)
-          << effect->id();
-    }
   }
 }
 

@@ -80,7 +80,7 @@ TEST(ActingExtensions, NoEffectOfTheCatalogueIsUnknown) {
   for (const ExtensionKeys& keys : extension_keys()) {
     Model model = model_with("");
     Extension extension{std::string(keys.id), {}};
-    for (const ExtensionKey& key : keys.keys) {
+    for (const effects::TableKey& key : keys.keys) {
       extension.values.push_back({std::string(key.number.name), {key.number.range.maximum}});
     }
     model.extensions.push_back(extension);

@@ -181,24 +181,23 @@ TEST(ExtensionRead, WhoEvaluatesNoExtensionsRefusesThem) {
 }
 
 TEST(ExtensionRead, EveryEffectOfTheCatalogueHasItsKeys) {
+  // All but the delay of a channel, which is no part of a model; and the empirical correction.
   EXPECT_EQ(extension_keys().size(),
-            effects::tension_effects().size() + effects::life_effects().size() + 2);
+            effects::tension_effects().size() - 1 + effects::life_effects().size() + 1);
   EXPECT_NE(extension_keys("empirical"), nullptr);
-  EXPECT_NE(extension_keys("load_cell_zero"), nullptr);
-  for (const auto& effect : effects::tension_effects()) {
-    ASSERT_NE(extension_keys(effect->id()), nullptr) << effect->id();
-    // A share that only scales another parameter is no key of its own.
-    const bool shared =
-        std::ranges::any_of(effect->parameters(), &effects::Parameter::scaled_by_share);
-    EXPECT_GE(extension_keys(effect->id())->keys.size(),
-              effect->parameters().size() - (shared ? 1 : 0));
+  EXPECT_EQ(extension_keys("channel_delay"), nullptr);
+  for (const effects::TensionEffect* const effect : effects::tension_effects()) {
+    if (!effect->table.empty()) {
+      ASSERT_NE(extension_keys(effect->id), nullptr) << effect->id;
+      EXPECT_EQ(extension_keys(effect->id)->keys.size(), effect->table.size());
+    }
   }
   EXPECT_EQ(extension_keys("undersampling"), nullptr);
 }
 
 TEST(ExtensionRead, TheUnitOfAKeyIsItsSuffix) {
   for (const ExtensionKeys& keys : extension_keys()) {
-    for (const ExtensionKey& key : keys.keys) {
+    for (const effects::TableKey& key : keys.keys) {
       if (!key.number.unit.empty()) {
         const std::size_t unit_at = key.number.name.size() - key.number.unit.size();
         EXPECT_EQ(key.number.name.substr(unit_at), key.number.unit);
@@ -261,7 +260,7 @@ Extension any_extension(const ExtensionKeys& keys) {
     return any_correction();
   }
   Extension extension{std::string(keys.id), {}};
-  for (const ExtensionKey& key : keys.keys) {
+  for (const effects::TableKey& key : keys.keys) {
     NumberRange range = key.number.range;
     if (key.number.name == "run_in_cycles") {
       range.minimum = 1;  // with an exponent of 0 it may not be less

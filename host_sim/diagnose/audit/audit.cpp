@@ -5,7 +5,6 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <string>
@@ -17,42 +16,21 @@
 namespace host_sim::diagnose {
 namespace {
 
-/// One shape of an effect as the campaign shows it, its columns at their typical size.
-struct BlockView {
-  Eigen::Index first = 0, count = 0;
-  Eigen::VectorXd typical;  ///< size of each column
-  double share = 0;         ///< see EffectAudit
-  double sigmas = 0;
-  double sigmas_at_bound = 0;
-  /// Takes the columns to an orthonormal base of what is left of them, count x rank.
-  Eigen::MatrixXd base;
-};
-
-struct Likeness {
-  double cosine = 0;
-  double canonical = 0;
-};
-
-using effects::Parameter;
 using Eigen::Index;
 
 /// Of the energy before the projection: what is smaller is no direction of its own.
 constexpr double kNoDirection = 1e-9;
 
-/// The linear parameter that a column stands for.
-const Parameter& parameter_of(const effects::TensionEffect& effect, Index column) {
-  return effect.parameters()[effect.per_pose() ? 0 : static_cast<std::size_t>(column)];
-}
-
-double bound_of(const Parameter& parameter) {
-  return std::max(std::abs(parameter.minimum), std::abs(parameter.maximum));
-}
-
-/// Energy of the columns at these sizes, each by itself.
-double energy(const Eigen::MatrixXd& matrix, const BlockView& view, const Eigen::VectorXd& sizes) {
-  const Eigen::VectorXd diagonal = matrix.diagonal().segment(view.first, view.count);
-  return std::max(0.0, diagonal.dot(sizes.cwiseAbs2()));
-}
+/// One case of an effect as the campaign shows it.
+struct CaseView {
+  Index first = 0;
+  double energy = 0;  ///< that is left
+  double share = 0;   ///< see EffectAudit
+  double sigmas = 0;
+  double sigmas_at_bound = 0;
+  /// Takes the columns of the case to an orthonormal base of what is left of them, count x rank.
+  Eigen::MatrixXd base;
+};
 
 Eigen::MatrixXd base_of(const Eigen::MatrixXd& left, double least) {
   const auto [values, vectors] = statistics::eigen_system(left);
@@ -64,86 +42,44 @@ Eigen::MatrixXd base_of(const Eigen::MatrixXd& left, double least) {
   return vectors.rightCols(kept) * values.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
 }
 
-/// The block of `left` between two views, at the typical sizes.
-Eigen::MatrixXd between(const BlockView& one, const BlockView& other, const Eigen::MatrixXd& left) {
-  return one.typical.asDiagonal() * left.block(one.first, other.first, one.count, other.count) *
-         other.typical.asDiagonal();
-}
-
-/// Share of the energy of `one` that the columns of `other` explain.
-double imitated(const BlockView& one, const BlockView& other, const Eigen::MatrixXd& cross,
-                const Eigen::MatrixXd& left) {
-  const double whole = energy(left, one, one.typical);
-  return whole > 0 ? (cross * other.base).squaredNorm() / whole : 0;
-}
-
-double distance(const std::vector<double>& shape, std::span<const Parameter> parameters) {
-  double sum = 0;
-  for (std::size_t i = 0; i < shape.size(); ++i) {
-    const Parameter& parameter = parameters[parameters.size() - shape.size() + i];
-    const double apart = (shape[i] - parameter.typical) / (parameter.maximum - parameter.minimum);
-    sum += apart * apart;
+CaseView view_of(const GramLayout::Case& one, const Projection& projection) {
+  const auto first = static_cast<Index>(one.first);
+  const auto count = static_cast<Index>(one.count);
+  CaseView view{.first = first, .base = {}};
+  const double before = projection.before(first, first);
+  view.energy = std::max(0.0, projection.left(first, first));
+  view.share = before > 0 ? std::min(1.0, std::sqrt(view.energy / before)) : 0;
+  view.sigmas = std::sqrt(view.energy);
+  view.sigmas_at_bound = one.most * view.sigmas;
+  // Each column by its own size: parameters have units of their own.
+  Eigen::VectorXd unit(count);
+  double least = kNoDirection;
+  for (Index k = 0; k < count; ++k) {
+    const double square = projection.before(first + k, first + k);
+    unit(k) = square > 0 ? 1 / std::sqrt(square) : 0;
+    least = std::max(least, projection.rounding(first + k) * unit(k) * unit(k));
   }
-  return sum;
-}
-
-BlockView view_of(const GramLayout::Effect& effect, const GramLayout::Block& block,
-                  const Projection& projection) {
-  BlockView view{.first = static_cast<Index>(block.first),
-                 .count = static_cast<Index>(block.count),
-                 .typical = {},
-                 .base = {}};
-  view.typical.resize(view.count);
-  Eigen::VectorXd bounds(view.count);
-  for (Index column = 0; column < view.count; ++column) {
-    const Parameter& parameter = parameter_of(*effect.effect, column);
-    view.typical(column) = std::abs(parameter.typical);
-    bounds(column) = bound_of(parameter);
-  }
-  const double before = energy(projection.before, view, view.typical);
-  const double left = energy(projection.left, view, view.typical);
-  view.share = before > 0 ? std::min(1.0, std::sqrt(left / before)) : 0;
-  view.sigmas = std::sqrt(left);
-  view.sigmas_at_bound = std::sqrt(energy(projection.left, view, bounds));
-  const double rounding =
-      projection.rounding.segment(view.first, view.count).dot(view.typical.cwiseAbs2());
-  view.base =
-      base_of(between(view, view, projection.left), std::max(kNoDirection * before, rounding));
+  const Eigen::MatrixXd left = projection.left.block(first, first, count, count);
+  view.base = unit.asDiagonal() * base_of(unit.asDiagonal() * left * unit.asDiagonal(), least);
   return view;
 }
 
-/// The place of the block whose shape is nearest to the typical one, relative to the bounds.
-std::size_t typical_block(const GramLayout::Effect& effect) {
-  std::size_t nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < effect.blocks.size(); ++i) {
-    const double apart = distance(effect.blocks[i].shape, effect.effect->parameters());
-    if (apart < least) {
-      least = apart;
-      nearest = i;
-    }
-  }
-  return nearest;
+/// Share of the energy of `one` that the columns of `other` explain.
+double imitated(const CaseView& one, const CaseView& other, const Projection& projection) {
+  const Eigen::RowVectorXd cross =
+      projection.left.block(one.first, other.first, 1, other.base.rows());
+  return one.energy > 0 ? (cross * other.base).squaredNorm() / one.energy : 0;
 }
 
 /// See PairAudit.
-Likeness likeness_of(const BlockView& one, const BlockView& other, const Projection& projection) {
-  if (one.base.cols() == 0 || other.base.cols() == 0) {
-    return {};
-  }
-  const Eigen::MatrixXd cross = between(one, other, projection.left);
-  const double least = std::min(imitated(one, other, cross, projection.left),
-                                imitated(other, one, cross.transpose(), projection.left));
-  const Eigen::MatrixXd correlations = one.base.transpose() * cross * other.base;
-  const double square =
-      statistics::eigen_system(correlations.transpose() * correlations).values.maxCoeff();
-  return {.cosine = std::sqrt(std::clamp(least, 0.0, 1.0)),
-          .canonical = std::sqrt(std::clamp(square, 0.0, 1.0))};
+double cosine_of(const CaseView& one, const CaseView& other, const Projection& projection) {
+  const double least = std::min(imitated(one, other, projection), imitated(other, one, projection));
+  return std::sqrt(std::clamp(least, 0.0, 1.0));
 }
 
 std::string advice(const effects::TensionEffect& effect) {
-  const auto separations = effect.separations();
-  return separations.empty() ? std::string() : fmt::format("; {}", separations.front().experiment);
+  return effect.separations.empty() ? std::string()
+                                    : fmt::format("; {}", effect.separations.front().experiment);
 }
 
 /// Three digits or all before the point, never an exponent.
@@ -156,7 +92,7 @@ std::string names_of(const EquivalenceClass& members, const std::vector<EffectAu
   std::string names;
   for (const std::size_t member : members.members) {
     names += names.empty() ? "" : ", ";
-    names += effects[member].effect->id();
+    names += effects[member].effect->id;
   }
   return names;
 }
@@ -180,7 +116,7 @@ std::string prose_of(const EffectAudit& effect) {
       return effect.prose;
     case EffectAudit::Verdict::nothing_left:
       return fmt::format(
-          "{:.1f} % of its signature is left once gain and friction coefficient are refitted{}",
+          "{:.1f} % of what it does is left once gain and friction coefficient are refitted{}",
           100 * effect.share, advice(*effect.effect));
     case EffectAudit::Verdict::too_weak:
       return fmt::format(
@@ -200,7 +136,7 @@ std::string prose_of(const Audit& audit) {
   std::string text;
   for (const EffectAudit& effect : audit.effects) {
     if (!effect.visible()) {
-      text += fmt::format("{} is not detectable: {}.\n", effect.effect->id(), effect.prose);
+      text += fmt::format("{} is not detectable: {}.\n", effect.effect->id, effect.prose);
     }
   }
   for (const EquivalenceClass& members : audit.classes) {
@@ -213,8 +149,8 @@ std::string prose_of(const Audit& audit) {
 
 const effects::Separation* separation_of(const effects::TensionEffect& one,
                                          const effects::TensionEffect& other) {
-  for (const effects::Separation& separation : one.separations()) {
-    if (separation.other == other.id()) {
+  for (const effects::Separation& separation : one.separations) {
+    if (separation.other == other.id) {
       return &separation;
     }
   }
@@ -234,17 +170,17 @@ std::vector<std::size_t> least_members(std::size_t count, const std::vector<Pair
   return least;
 }
 
-/// The shapes of one effect that physics makes visible, and which of them stands for it.
+/// The cases of one effect that physics makes visible, and which of them stands for it.
 struct EffectView {
-  std::vector<BlockView> blocks;
+  std::vector<CaseView> cases;
   std::size_t typical = 0;
 };
 
-bool shows(const BlockView& block) {
-  return block.share >= Audit::kLeastShare && block.sigmas_at_bound >= Audit::kLeastSigmas;
+bool shows(const CaseView& one) {
+  return one.share >= Audit::kLeastShare && one.sigmas_at_bound >= Audit::kLeastSigmas;
 }
 
-EffectAudit::Verdict verdict_of(const BlockView& best) {
+EffectAudit::Verdict verdict_of(const CaseView& best) {
   if (best.share < Audit::kLeastShare) {
     return EffectAudit::Verdict::nothing_left;
   }
@@ -253,55 +189,51 @@ EffectAudit::Verdict verdict_of(const BlockView& best) {
 }
 
 /// One that shows before one that does not, then the clearer at its bounds.
-bool shows_less(const BlockView& one, const BlockView& other) {
+bool shows_less(const CaseView& one, const CaseView& other) {
   return shows(one) != shows(other) ? shows(other) : one.sigmas_at_bound < other.sigmas_at_bound;
 }
 
-EffectAudit effect_audit(const GramLayout::Effect& effect, const std::vector<BlockView>& blocks) {
+EffectAudit effect_audit(const GramLayout::Effect& effect, const std::vector<CaseView>& cases) {
   EffectAudit result{.effect = effect.effect, .prose = effect.missing};
-  if (blocks.empty()) {
-    result.verdict = EffectAudit::Verdict::missing_channel;
+  if (cases.empty()) {
+    // An effect of what this campaign has one of.
+    result.verdict = effect.missing.empty() ? EffectAudit::Verdict::nothing_left
+                                            : EffectAudit::Verdict::missing_channel;
     return result;
   }
-  const BlockView& best = *std::ranges::max_element(blocks, shows_less);
+  const CaseView& best = *std::ranges::max_element(cases, shows_less);
   result.share = best.share;
-  result.sigmas = blocks[typical_block(effect)].sigmas;
+  result.sigmas = cases[effect.typical].sigmas;
   result.sigmas_at_bound = best.sigmas_at_bound;
   result.verdict = verdict_of(best);
   return result;
 }
 
-EffectView effect_view(const GramLayout::Effect& effect, std::vector<BlockView> blocks) {
+EffectView effect_view(const GramLayout::Effect& effect, std::vector<CaseView> cases) {
   EffectView view;
-  const std::size_t typical = typical_block(effect);
   double clearest = -1;
   bool typical_shows = false;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    if (!shows(blocks[i])) {
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    if (!shows(cases[i])) {
       continue;
     }
-    typical_shows = typical_shows || i == typical;
-    if (i == typical || (!typical_shows && blocks[i].sigmas_at_bound > clearest)) {
-      clearest = blocks[i].sigmas_at_bound;
-      view.typical = view.blocks.size();
+    typical_shows = typical_shows || i == effect.typical;
+    if (i == effect.typical || (!typical_shows && cases[i].sigmas_at_bound > clearest)) {
+      clearest = cases[i].sigmas_at_bound;
+      view.typical = view.cases.size();
     }
-    view.blocks.push_back(std::move(blocks[i]));
+    view.cases.push_back(std::move(cases[i]));
   }
   return view;
 }
 
-void keep_larger(Likeness& kept, const Likeness& other) {
-  kept.cosine = std::max(kept.cosine, other.cosine);
-  kept.canonical = std::max(kept.canonical, other.canonical);
-}
-
-Likeness worst_case(const EffectView& one, const EffectView& other, const Projection& projection) {
-  Likeness worst;
-  for (const BlockView& block : other.blocks) {
-    keep_larger(worst, likeness_of(one.blocks[one.typical], block, projection));
+double worst_cosine(const EffectView& one, const EffectView& other, const Projection& projection) {
+  double worst = 0;
+  for (const CaseView& of_other : other.cases) {
+    worst = std::max(worst, cosine_of(one.cases[one.typical], of_other, projection));
   }
-  for (const BlockView& block : one.blocks) {
-    keep_larger(worst, likeness_of(block, other.blocks[other.typical], projection));
+  for (const CaseView& of_one : one.cases) {
+    worst = std::max(worst, cosine_of(of_one, other.cases[other.typical], projection));
   }
   return worst;
 }
@@ -313,11 +245,9 @@ std::vector<PairAudit> pairs_of(const std::vector<EffectAudit>& effects,
   for (std::size_t i = 0; i < effects.size(); ++i) {
     for (std::size_t j = i + 1; j < effects.size(); ++j) {
       if (effects[i].visible() && effects[j].visible()) {
-        const Likeness likeness = worst_case(views[i], views[j], projection);
         pairs.push_back({.first = i,
                          .second = j,
-                         .cosine = likeness.cosine,
-                         .canonical = likeness.canonical,
+                         .cosine = worst_cosine(views[i], views[j], projection),
                          .experiment = experiment_for(*effects[i].effect, *effects[j].effect)});
       }
     }
@@ -363,7 +293,7 @@ std::vector<EquivalenceClass> classes_of(const std::vector<EffectAudit>& effects
 
 const EffectAudit& Audit::of(std::string_view id) const {
   for (const EffectAudit& effect : effects) {
-    if (effect.effect->id() == id) {
+    if (effect.effect->id == id) {
       return effect;
     }
   }
@@ -372,8 +302,8 @@ const EffectAudit& Audit::of(std::string_view id) const {
 
 const PairAudit* Audit::pair(std::string_view one, std::string_view other) const {
   for (const PairAudit& pair : pairs) {
-    const std::string_view first = effects[pair.first].effect->id();
-    const std::string_view second = effects[pair.second].effect->id();
+    const std::string_view first = effects[pair.first].effect->id;
+    const std::string_view second = effects[pair.second].effect->id;
     if ((first == one && second == other) || (first == other && second == one)) {
       return &pair;
     }
@@ -381,18 +311,21 @@ const PairAudit* Audit::pair(std::string_view one, std::string_view other) const
   return nullptr;
 }
 
-Audit audit(const Grams& grams, const NoiseModel& noise) {
+Audit audit(std::span<const effects::ForceRecord> records, double friction_coefficient,
+            const NoiseModel& noise, unsigned threads) {
+  const Grams grams = gram_of(records, friction_coefficient, noise, threads);
   const Projection projection = project(grams, noise);
   Audit result;
   std::vector<EffectView> views;
   for (const GramLayout::Effect& effect : grams.layout.effects) {
-    std::vector<BlockView> blocks;
-    for (const GramLayout::Block& block : effect.blocks) {
-      blocks.push_back(view_of(effect, block, projection));
+    std::vector<CaseView> cases;
+    cases.reserve(effect.cases.size());
+    for (const GramLayout::Case& one : effect.cases) {
+      cases.push_back(view_of(one, projection));
     }
-    result.effects.push_back(effect_audit(effect, blocks));
+    result.effects.push_back(effect_audit(effect, cases));
     result.effects.back().prose = prose_of(result.effects.back());
-    views.push_back(effect_view(effect, std::move(blocks)));
+    views.push_back(effect_view(effect, std::move(cases)));
   }
   result.pairs = pairs_of(result.effects, views, projection);
   result.classes = classes_of(result.effects, result.pairs);

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "host_sim/diagnose/audit/gram.hpp"
-#include "host_sim/diagnose/audit/projection.hpp"
 
 namespace host_sim::diagnose {
 
@@ -20,28 +19,24 @@ struct EffectAudit {
   };
   const effects::TensionEffect* effect = nullptr;
   Verdict verdict = Verdict::visible;
-  /// Root of the share of the signature's energy that is left after the projection, each column at
-  /// its typical size, for the shape that the campaign shows best. 0 .. 1.
+  /// Root of the share of its energy that is left after the projection, for the case that the
+  /// campaign shows best. 0 .. 1.
   double share = 0;
-  /// How many standard deviations the typical effect makes.
-  double sigmas = 0;
-  /// The same at the largest size that physics allows, for the shape shown best.
-  double sigmas_at_bound = 0;
+  double sigmas = 0;           ///< how many standard deviations the typical case makes
+  double sigmas_at_bound = 0;  ///< the case shown best, as large as physics allows
   std::string prose;  ///< why it is invisible and what would show it; else how well it shows
 
   [[nodiscard]] bool visible() const { return verdict == Verdict::visible; }
 };
 
-/// How alike two visible effects are in this campaign. Where the effects have shapes: the typical
-/// shape of each against all of the other that physics makes visible, the worst case.
+/// How alike two visible effects are in this campaign: the typical case of each against all of the
+/// other that physics makes visible, the worst one.
 struct PairAudit {
   std::size_t first = 0, second = 0;  ///< indices in Audit::effects, first < second
-  /// Root of the share of one's energy, each column at its typical size, that the other imitates;
-  /// the smaller of both ways. |cos| for single columns. Where one holds the other as a special
-  /// case it alone can imitate, and this is small.
+  /// Root of the share of one case's energy that the other imitates with its parameters near its
+  /// own; the smaller of both ways. |cos| of cases that a factor alone changes. Where one holds the
+  /// other as a special case it alone can imitate, and this is small.
   double cosine = 0;
-  /// The largest canonical correlation: |cos| of the most alike members of both.
-  double canonical = 0;
   std::string experiment;  ///< that distinguishes them
 };
 
@@ -67,8 +62,11 @@ struct Audit {
   [[nodiscard]] const PairAudit* pair(std::string_view one, std::string_view other) const;
 };
 
-/// What a campaign can show and distinguish, from its design alone.
-Audit audit(const Grams& grams, const NoiseModel& noise);
+/// What a campaign can show and distinguish, from its design alone: what effects of usual size
+/// would do to the input forces of its records.
+/// @param threads 0: all cores
+Audit audit(std::span<const effects::ForceRecord> records, double friction_coefficient,
+            const NoiseModel& noise, unsigned threads);
 
 /// The experiment that distinguishes two effects, as the catalogue has it from either side; a
 /// crossed design where it names none.

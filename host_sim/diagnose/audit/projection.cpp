@@ -56,11 +56,11 @@ Eigen::Matrix2d inverse_of(const Eigen::Matrix2d& matrix, const Eigen::Vector2d&
   return vectors * inverse.asDiagonal() * vectors.transpose();
 }
 
-/// The inverse of what the scatter of a session adds: D^1/2 (sd^2 I + D^1/2 Z'Z D^1/2)^-1 D^1/2.
+/// The inverse of what the scatter of a session adds: D^1/2 (I + D^1/2 Z'Z D^1/2)^-1 D^1/2.
 Eigen::Matrix2d shrinkage(const Eigen::Matrix2d& gram, const NoiseModel& noise) {
   const Eigen::Vector2d sd(noise.session_gain_sd, noise.session_friction_sd);
-  const Eigen::Matrix2d inner = noise.sample_sd * noise.sample_sd * Eigen::Matrix2d::Identity() +
-                                Eigen::Matrix2d(sd.asDiagonal() * gram * sd.asDiagonal());
+  const Eigen::Matrix2d inner =
+      Eigen::Matrix2d::Identity() + Eigen::Matrix2d(sd.asDiagonal() * gram * sd.asDiagonal());
   return sd.asDiagonal() * inner.inverse() * sd.asDiagonal();
 }
 
@@ -74,7 +74,6 @@ Eigen::MatrixXd without_common(const Eigen::MatrixXd& matrix, const Eigen::Matri
 }  // namespace
 
 Projection project(const Grams& grams, const NoiseModel& noise) {
-  const double variance = noise.sample_sd * noise.sample_sd;
   const auto size = static_cast<Eigen::Index>(grams.layout.size);
   Eigen::MatrixXd information = Eigen::MatrixXd::Zero(size, size);
   // The first two columns of all sessions side by side, so that it is one product.
@@ -82,14 +81,14 @@ Projection project(const Grams& grams, const NoiseModel& noise) {
   Eigen::MatrixXd shrunk(shared.rows(), shared.cols());
   Eigen::Index place = 0;
   for (const Eigen::MatrixXd& gram : grams.sessions) {
-    information += gram / variance;
+    information += gram;
     shared.middleCols<2>(place) = gram.leftCols<2>();
     shrunk.middleCols<2>(place) = gram.leftCols<2>() * shrinkage(gram.topLeftCorner<2, 2>(), noise);
     place += 2;
   }
   Projection projection;
   projection.rounding = kRounding * information.diagonal();
-  information.noalias() -= shrunk * shared.transpose() / variance;
+  information.noalias() -= shrunk * shared.transpose();
   const Eigen::Matrix2d common = information.topLeftCorner<2, 2>();
   projection.left = without_common(information, inverse_of(common, projection.rounding.head<2>()));
   projection.before = std::move(information);

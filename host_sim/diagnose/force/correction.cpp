@@ -81,7 +81,7 @@ class TableFit {
   /// What the table leaves of a record.
   [[nodiscard]] std::vector<double> left_N(std::size_t record, std::vector<double> residuals_N,
                                            const ForceTable& table) const {
-    const ForceRecord& of = data_.records()[record];
+    const effects::ForceRecord& of = data_.records()[record];
     for (std::size_t i = 0; i < of.samples(); ++i) {
       if (of.used[i]) {
         residuals_N[i] -= table.at_N(covariate_.values[record][i], of.velocity_m_s[i] < 0);
@@ -93,7 +93,7 @@ class TableFit {
  private:
   void add(std::size_t record, const std::vector<double>& residuals_N, bool letting_go,
            Eigen::MatrixXd& matrix, Eigen::VectorXd& vector) const {
-    const ForceRecord& of = data_.records()[record];
+    const effects::ForceRecord& of = data_.records()[record];
     for (std::size_t i = 0; i < of.samples(); ++i) {
       if (!of.used[i] || (of.velocity_m_s[i] < 0) != letting_go) {
         continue;

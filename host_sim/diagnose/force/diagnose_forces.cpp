@@ -10,9 +10,9 @@
 #include "host_sim/diagnose/force/force_candidates.hpp"
 #include "host_sim/diagnose/force/force_pictures.hpp"
 #include "host_sim/diagnose/force/force_search.hpp"
+#include "host_sim/diagnose/force/invisible.hpp"
 #include "host_sim/diagnose/force/prose.hpp"
 #include "host_sim/diagnose/force/remainder.hpp"
-#include "host_sim/diagnose/sessions.hpp"
 #include "host_sim/extension/model_file.hpp"
 
 namespace host_sim::diagnose {
@@ -35,7 +35,7 @@ class Report {
         remainder_(remainder_of(data, search.nominal().fit, search.model().fit, search.covariates(),
                                 search.bins(), seed)) {}
 
-  TensionDiagnosis diagnosis() {
+  TensionDiagnosis diagnosis(unsigned threads) {
     TensionDiagnosis diagnosis;
     Findings& findings = diagnosis.findings;
     findings.verdict = verdict();
@@ -56,16 +56,17 @@ class Report {
                      doubts(data_.records(), search_.model().fit.parameters, nominal_);
     for (const Judged& one : search_.judged()) {
       if (one.imitated_by) {
-        findings.prose += imitation_prose(definition_of(one.term), definition_of(*one.imitated_by));
+        findings.prose += imitation_prose(law_of(one.term), law_of(*one.imitated_by));
       } else if (findings.verdict == Verdict::named && is_doubtful(one)) {
         findings.prose +=
-            doubtful_prose(definition_of(one.term), probability_of(one.term, one.gain, data_));
+            doubtful_prose(law_of(one.term), probability_of(one.term, one.gain, data_));
       }
     }
     if (withdraw_unless_improved(findings)) {
       findings.prose += no_gain_prose(findings);
     }
     extend(diagnosis);
+    add_invisible(data_, search_.model().fit, threads, findings);
     findings.discrepancies = remainder_.discrepancies;
     diagnosis.remainders = remainder_.pictures;
     add_pictures(diagnosis);
@@ -115,18 +116,18 @@ class Report {
 
   /// A term with its parameters, but for its probability.
   /// @param half 95 % half-widths of the parameters of the model
-  [[nodiscard]] FoundEffect effect_of(ForceTerm term, const ForceFit& model,
+  [[nodiscard]] FoundEffect effect_of(effects::ForceTerm term, const ForceFit& model,
                                       std::span<const double> half) const {
-    const ForceEffect& of = definition_of(term);
-    FoundEffect found{.id = std::string(of.id),
-                      .term = std::string(of.term),
+    const effects::ForceLaw& of = law_of(term);
+    FoundEffect found{.id = std::string(of.id()),
+                      .term = std::string(of.term()),
                       .equation = std::string(of.equation),
-                      .life_consequence = std::string(of.life_consequence),
+                      .life_consequence = std::string(of.effect->life_consequence),
                       .probability = 0,
                       .parameters = {}};
     std::size_t next = 2;
-    for (const ForceTerm before : model.terms) {
-      for (const ForceParameter& parameter : parameters_of(before, data_.scales())) {
+    for (const effects::ForceTerm before : model.terms) {
+      for (const effects::ForceParameter& parameter : parameters_of(before, data_.scales())) {
         const double value = model.parameters[next];
         if (before == term) {
           found.parameters.push_back({std::string(parameter.name), std::string(parameter.unit),
@@ -152,7 +153,7 @@ class Report {
       if (!one.others.empty()) {
         std::vector<std::string> same{found.id};
         for (const Judged::Other& other : one.others) {
-          same.emplace_back(definition_of(other.term).id);
+          same.emplace_back(law_of(other.term).id());
         }
         findings.equivalent_sets.push_back(std::move(same));
       }
@@ -230,7 +231,7 @@ class Report {
     double sum = 0;
     double sessions = 0;
     for (std::size_t j = 0; j < residuals_N.size(); ++j) {
-      const ForceRecord& record = data_.records()[j];
+      const effects::ForceRecord& record = data_.records()[j];
       std::vector<double> predicted_N = record.input_N;
       for (std::size_t i = 0; i < predicted_N.size(); ++i) {
         predicted_N[i] -= residuals_N[j][i];
@@ -329,14 +330,14 @@ class Report {
 
 }  // namespace
 
-TensionDiagnosis diagnose_forces(const std::vector<ForceRecord>& records,
+TensionDiagnosis diagnose_forces(const std::vector<effects::ForceRecord>& records,
                                  const NominalModel& nominal, const reference::Constants& constants,
                                  const DiagnoseOptions& options) {
   ForceData data(records);
   ForceSearch search(data, records, nominal.sheath ? nominal.sheath->friction_coefficient : 0.1,
                      options);
   search.run();
-  return Report(data, search, nominal, constants, options.seed).diagnosis();
+  return Report(data, search, nominal, constants, options.seed).diagnosis(options.threads);
 }
 
 }  // namespace host_sim::diagnose

@@ -1,23 +1,13 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "host_sim/campaign/campaign.hpp"
 #include "host_sim/diagnose/diagnosis.hpp"
-#include "host_sim/diagnose/force/force_model.hpp"
-#include "host_sim/recording/recording.hpp"
+#include "host_sim/effects/tension/force_model.hpp"
 #include "host_sim/reference/constants.hpp"
 
 namespace host_sim::diagnose {
-
-/// The recordings as records in newtons. Samples that a fault touches do not count; left out are
-/// recordings without both forces and a velocity.
-/// @param pulls_alone whether all forces are of one tendon
-/// @throws InputError where the drive or the bend angle is missing
-std::vector<ForceRecord> force_records(const std::vector<recording::Recording>& recordings,
-                                       const std::vector<recording::Fault>& faults,
-                                       const NominalModel& nominal, bool pulls_alone);
 
 /// Causes in a forward model in newtons: effects of the catalogue are added as long as they gain on
 /// sessions that the fit never saw, those are taken out again without which it does as well, and
@@ -26,7 +16,7 @@ std::vector<ForceRecord> force_records(const std::vector<recording::Recording>& 
 /// Verdict: named where an effect is material and certain and none of the catalogue could stand in
 /// its place; ambiguous where one could; else unknown where something is left, or none. What is
 /// left and repeats in sessions that the fit never saw gets a correction, which has no cause.
-TensionDiagnosis diagnose_forces(const std::vector<ForceRecord>& records,
+TensionDiagnosis diagnose_forces(const std::vector<effects::ForceRecord>& records,
                                  const NominalModel& nominal, const reference::Constants& constants,
                                  const DiagnoseOptions& options);
 

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <utility>
 
-#include "host_sim/diagnose/sessions.hpp"
+#include "host_sim/extension/model_file.hpp"
+#include "host_sim/reference/reference.hpp"
 
 namespace host_sim::diagnose {
 
@@ -30,8 +31,8 @@ ExtendedModel ModelExtension::written(const ExtendedModel& model) const {
 
 ForceFit ModelExtension::in_a_written_model(const ForceFit& model, std::size_t place) const {
   ForceFit without = data_.without(model, place);
-  std::vector<ForceTerm> others;
-  for (const ForceTerm law : kForceTerms) {
+  std::vector<effects::ForceTerm> others;
+  for (const effects::ForceTerm law : effects::kForceTerms) {
     if (same_effect(law, model.terms[place]) && is_shown(law, data_.records())) {
       others.push_back(law);
     }
@@ -43,7 +44,7 @@ ForceFit ModelExtension::in_a_written_model(const ForceFit& model, std::size_t p
     }
   }
   std::erase(others, model.terms[place]);
-  for (const ForceTerm other : others) {
+  for (const effects::ForceTerm other : others) {
     if (is_writable(other)) {
       return data_.with(without, other, 1);
     }
@@ -53,11 +54,11 @@ ForceFit ModelExtension::in_a_written_model(const ForceFit& model, std::size_t p
 
 /// A controller knows the position by its rotor alone.
 bool ModelExtension::rotor_known() const {
-  return std::ranges::all_of(data_.records(), &ForceRecord::rotor_known);
+  return std::ranges::all_of(data_.records(), &effects::ForceRecord::rotor_known);
 }
 
-bool ModelExtension::is_writable(ForceTerm term) const {
-  return definition_of(term).written != nullptr && (term != ForceTerm::position || rotor_known());
+bool ModelExtension::is_writable(effects::ForceTerm term) const {
+  return law_of(term).written != nullptr && (term != effects::ForceTerm::position || rotor_known());
 }
 
 /// What the correction adds at a sample.
@@ -81,15 +82,15 @@ std::vector<std::vector<double>> ModelExtension::left_N(const ExtendedModel& mod
 
 double ModelExtension::output_rmse_N(const ExtendedModel& model) const {
   constexpr double kStep = 1e-3;
-  const ForceScales& scales = data_.scales();
+  const effects::ForceScales& scales = data_.scales();
   const double step_N = kStep * scales.force_N;
   const std::vector<std::vector<double>> residuals_N = left_N(model);
   double square_N2 = 0;
   std::vector<double> at;
   std::vector<double> above;
   for (std::size_t j = 0; j < data_.records().size(); ++j) {
-    ForceRecord moved = data_.records()[j];
-    const Kinematics& kinematics = data_.kinematics()[j];
+    effects::ForceRecord moved = data_.records()[j];
+    const effects::Kinematics& kinematics = data_.kinematics()[j];
     predict_input(moved, kinematics, model.fit.terms, scales, model.fit.parameters, at);
     for (double& output_N : moved.output_N) {
       output_N += step_N;
@@ -111,10 +112,10 @@ double ModelExtension::damage_ratio(const ExtendedModel& model,
   std::vector<double> before;
   std::vector<double> after;
   const ForceFit& nominal = search_.nominal().fit;
-  const ForceScales& scales = data_.scales();
+  const effects::ForceScales& scales = data_.scales();
   for (std::size_t j = 0; j < data_.records().size(); ++j) {
-    const ForceRecord& record = data_.records()[j];
-    const Kinematics& kinematics = data_.kinematics()[j];
+    const effects::ForceRecord& record = data_.records()[j];
+    const effects::Kinematics& kinematics = data_.kinematics()[j];
     predict_input(record, kinematics, nominal.terms, scales, nominal.parameters, before);
     predict_input(record, kinematics, model.fit.terms, scales, model.fit.parameters, after);
     for (std::size_t i = 0; i < after.size(); ++i) {
@@ -128,6 +129,23 @@ double ModelExtension::damage_ratio(const ExtendedModel& model,
     }
   }
   return sessions > 0 ? std::exp(sum / sessions) : 1;
+}
+
+double damage_of(std::span<const double> tension_N, const reference::Constants& constants) {
+  reference::Reference count(constants);
+  for (const double value_N : tension_N) {
+    count.push(value_N);
+  }
+  return count.reading().damage.total;
+}
+
+double written_friction(double friction, std::span<const Extension> extensions,
+                        const effects::ForceScales& scales) {
+  constexpr double kReference_N = 50;
+  const Extension* const load = extension_of(extensions, "friction_load");
+  return load == nullptr ? friction
+                         : friction * std::pow(kReference_N / scales.force_N,
+                                               -value_of(*load, "load_exponent"));
 }
 
 }  // namespace host_sim::diagnose

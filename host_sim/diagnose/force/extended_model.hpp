@@ -41,7 +41,7 @@ class ModelExtension {
 
  private:
   [[nodiscard]] bool rotor_known() const;
-  [[nodiscard]] bool is_writable(ForceTerm term) const;
+  [[nodiscard]] bool is_writable(effects::ForceTerm term) const;
   [[nodiscard]] ForceFit in_a_written_model(const ForceFit& model, std::size_t place) const;
   [[nodiscard]] double added_N(const ExtendedModel& model, std::size_t record, std::size_t i) const;
 
@@ -49,5 +49,13 @@ class ModelExtension {
   const ForceSearch& search_;
   const std::vector<ForceCovariate>& covariates_;
 };
+
+/// Damage of a tension over time, counted whole.
+double damage_of(std::span<const double> tension_N, const reference::Constants& constants);
+
+/// The friction coefficient that a written model has beside these tables, for which
+/// [extension.friction_load] is relative to 50 N.
+double written_friction(double friction, std::span<const Extension> extensions,
+                        const effects::ForceScales& scales);
 
 }  // namespace host_sim::diagnose

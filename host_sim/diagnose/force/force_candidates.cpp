@@ -19,9 +19,9 @@ struct Set {
   std::vector<std::string> ids;
   double probability = 1;
 
-  [[nodiscard]] Set with(ForceTerm term, double times) const {
+  [[nodiscard]] Set with(effects::ForceTerm term, double times) const {
     Set more{ids, times * probability};
-    more.ids.emplace_back(definition_of(term).id);
+    more.ids.emplace_back(law_of(term).id());
     return more;
   }
 };
@@ -30,7 +30,7 @@ struct Set {
 /// where it may not be named without.
 std::vector<Set> with_each_of(const ForceData& data, const Judged& one,
                               const std::vector<Set>& sets) {
-  std::vector<std::pair<ForceTerm, double>> odds{{one.term, 1}};
+  std::vector<std::pair<effects::ForceTerm, double>> odds{{one.term, 1}};
   double all_odds = 1;
   for (const Judged::Other& other : one.others) {
     odds.emplace_back(other.term, std::exp(-other.log_odds));

@@ -8,14 +8,15 @@
 namespace host_sim::diagnose {
 namespace {
 
-Eigen::MatrixX2d directions_of(const ForceRecord& record, const ForceScales& scales,
+Eigen::MatrixX2d directions_of(const effects::ForceRecord& record,
+                               const effects::ForceScales& scales,
                                std::span<const double> parameters) {
   constexpr double kStep = 1e-4;
   std::vector<double> at_N;
   std::vector<double> above_N;
   const double gain = parameters[0];
   const double friction = parameters[1];
-  const Kinematics kinematics = kinematics_of(record, scales);
+  const effects::Kinematics kinematics = kinematics_of(record, scales);
   predict_input(record, kinematics, {}, scales, std::vector{gain, friction}, at_N);
   predict_input(record, kinematics, {}, scales, std::vector{gain, friction + kStep}, above_N);
   Eigen::MatrixX2d directions_N(static_cast<Eigen::Index>(at_N.size()), 2);
@@ -97,7 +98,8 @@ class NoiseVariance {
 
 /// How fast the input force of a model changes at each sample: as it turns over faster than the
 /// samples follow each other, the larger one of the two sides.
-std::vector<double> input_rates(const ForceRecord& record, const std::vector<double>& residuals_N) {
+std::vector<double> input_rates(const effects::ForceRecord& record,
+                                const std::vector<double>& residuals_N) {
   std::vector<double> rates(record.samples());
   for (std::size_t i = 1; i < rates.size(); ++i) {
     const double step_N =
@@ -111,7 +113,7 @@ std::vector<double> input_rates(const ForceRecord& record, const std::vector<dou
 }
 
 /// Of squares by weighted least squares, each by its own variance.
-NoiseVariance noise_of(std::span<const ForceRecord> records,
+NoiseVariance noise_of(std::span<const effects::ForceRecord> records,
                        const std::vector<RefitOfSession>& refits,
                        const std::vector<std::vector<double>>& rates) {
   constexpr int kRounds = 8;
@@ -164,7 +166,8 @@ double inflation_of(const Eigen::VectorXd& residuals) {
   return (1 + correlation) / (1 - correlation);
 }
 
-ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const ForceScales& scales,
+ForceCovariance::ForceCovariance(std::span<const effects::ForceRecord> records,
+                                 const effects::ForceScales& scales,
                                  std::span<const double> parameters,
                                  const std::vector<std::vector<double>>& residuals_N,
                                  bool with_timing) {
@@ -188,7 +191,7 @@ ForceCovariance::ForceCovariance(std::span<const ForceRecord> records, const For
   double sum = 0;
   double samples = 0;
   for (std::size_t j = 0; j < records.size(); ++j) {
-    const ForceRecord& record = records[j];
+    const effects::ForceRecord& record = records[j];
     Eigen::VectorXd& weights = weights_.emplace_back(static_cast<Eigen::Index>(record.samples()));
     for (std::size_t i = 0; i < record.samples(); ++i) {
       weights(static_cast<Eigen::Index>(i)) =

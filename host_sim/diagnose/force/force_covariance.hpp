@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "host_sim/diagnose/force/force_model.hpp"
+#include "host_sim/effects/tension/force_model.hpp"
 
 namespace host_sim::diagnose {
 
@@ -27,7 +27,7 @@ class ForceCovariance {
   /// @param parameters of the nominal model: what gain and friction do to the force is taken there
   /// @param residuals_N of the best model so far, by record, 0 where a sample does not count
   /// @param with_timing whether samples may have been read sooner or later than their time
-  ForceCovariance(std::span<const ForceRecord> records, const ForceScales& scales,
+  ForceCovariance(std::span<const effects::ForceRecord> records, const effects::ForceScales& scales,
                   std::span<const double> parameters,
                   const std::vector<std::vector<double>>& residuals_N, bool with_timing);
 

@@ -11,7 +11,7 @@
 namespace host_sim::diagnose {
 namespace {
 
-std::vector<double> travel_of(const ForceRecord& record) {
+std::vector<double> travel_of(const effects::ForceRecord& record) {
   std::vector<double> travel_m(record.samples());
   double since_m = record.samples() == 0 ? 0 : record.position_m.front();
   for (std::size_t i = 1; i < record.samples(); ++i) {
@@ -24,7 +24,7 @@ std::vector<double> travel_of(const ForceRecord& record) {
 }
 
 /// By a cubic over some samples to each side.
-std::vector<double> acceleration_of(const ForceRecord& record) {
+std::vector<double> acceleration_of(const effects::ForceRecord& record) {
   const recording::Stretch whole{0, record.samples()};
   const double duration_s = record.samples() < 2 ? 0 : record.time_s.back() - record.time_s.front();
   constexpr double kSamples = 4;
@@ -55,12 +55,12 @@ std::vector<double> sizes_of(std::vector<double> values) {
 }
 
 /// Adds a covariate of sessions where all have it and they differ by more than `least`.
-void add_of_sessions(std::vector<ForceCovariate>& all, const std::vector<ForceRecord>& records,
-                     ForceCovariate covariate, std::vector<double> ForceRecord::*values,
-                     double least) {
+void add_of_sessions(std::vector<ForceCovariate>& all,
+                     const std::vector<effects::ForceRecord>& records, ForceCovariate covariate,
+                     std::vector<double> effects::ForceRecord::*values, double least) {
   double low = HUGE_VAL;
   double high = -HUGE_VAL;
-  for (const ForceRecord& record : records) {
+  for (const effects::ForceRecord& record : records) {
     if ((record.*values).empty()) {
       return;
     }
@@ -73,7 +73,7 @@ void add_of_sessions(std::vector<ForceCovariate>& all, const std::vector<ForceRe
   }
 }
 
-std::vector<double> smoothed_over_strokes(const ForceRecord& record,
+std::vector<double> smoothed_over_strokes(const effects::ForceRecord& record,
                                           const std::vector<double>& values) {
   constexpr double kToEachSide = 0.25;
   double strokes = 1;
@@ -91,7 +91,7 @@ double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 
-std::vector<ForceCovariate> force_covariates(const std::vector<ForceRecord>& records) {
+std::vector<ForceCovariate> force_covariates(const std::vector<effects::ForceRecord>& records) {
   std::vector<ForceCovariate> all{{"output tension", "N", {}, false, true},
                                   {"position", "m", {}, false, false},
                                   {"speed", "m/s", {}, false, false},
@@ -99,7 +99,7 @@ std::vector<ForceCovariate> force_covariates(const std::vector<ForceRecord>& rec
                                   {"rate of tension", "N/s", {}, false, false},
                                   {"acceleration", "m/s2", {}, false, false},
                                   {"time", "s", {}, false, false}};
-  for (const ForceRecord& record : records) {
+  for (const effects::ForceRecord& record : records) {
     all[0].values.push_back(sizes_of(record.output_N));
     all[1].values.push_back(record.position_m);
     all[2].values.push_back(sizes_of(record.velocity_m_s));
@@ -110,17 +110,17 @@ std::vector<ForceCovariate> force_covariates(const std::vector<ForceRecord>& rec
   }
   constexpr double kSamePose_rad = 0.02;
   constexpr double kSame_K = 3;
-  add_of_sessions(all, records, {"cycle", "1", {}, true, false}, &ForceRecord::cycle, 1);
+  add_of_sessions(all, records, {"cycle", "1", {}, true, false}, &effects::ForceRecord::cycle, 1);
   add_of_sessions(all, records, {"bend angle", "rad", {}, true, false},
-                  &ForceRecord::bend_angle_rad, kSamePose_rad);
+                  &effects::ForceRecord::bend_angle_rad, kSamePose_rad);
   add_of_sessions(all, records, {"sheath temperature", "C", {}, true, false},
-                  &ForceRecord::sheath_temperature_C, kSame_K);
+                  &effects::ForceRecord::sheath_temperature_C, kSame_K);
   add_of_sessions(all, records, {"winding temperature", "C", {}, true, false},
-                  &ForceRecord::winding_temperature_C, kSame_K);
+                  &effects::ForceRecord::winding_temperature_C, kSame_K);
   return all;
 }
 
-CovariateBins::CovariateBins(const std::vector<ForceRecord>& records,
+CovariateBins::CovariateBins(const std::vector<effects::ForceRecord>& records,
                              const ForceCovariate& covariate)
     : of_sessions(covariate.of_sessions) {
   std::vector<std::vector<double>> smooth;

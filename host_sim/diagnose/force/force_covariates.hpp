@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host_sim/diagnose/force/force_model.hpp"
+#include "host_sim/effects/tension/force_model.hpp"
 
 namespace host_sim::diagnose {
 
@@ -21,7 +21,7 @@ struct ForceCovariate {
 /// kEmpiricalCovariates; after these rate of the output force, acceleration and time, which no
 /// correction is made of; then those of whole sessions that there are and that differ: cycle of the
 /// tendon's life, bend angle, temperatures of sheath and winding.
-std::vector<ForceCovariate> force_covariates(const std::vector<ForceRecord>& records);
+std::vector<ForceCovariate> force_covariates(const std::vector<effects::ForceRecord>& records);
 
 /// @pre one value or more
 double mean_of(const std::vector<double>& values);
@@ -33,7 +33,7 @@ double mean_of(const std::vector<double>& values);
 struct CovariateBins {
   static constexpr std::size_t kCount = 8;
 
-  CovariateBins(const std::vector<ForceRecord>& records, const ForceCovariate& covariate);
+  CovariateBins(const std::vector<effects::ForceRecord>& records, const ForceCovariate& covariate);
 
   bool of_sessions = false;  ///< see ForceCovariate
   std::vector<double> centres;

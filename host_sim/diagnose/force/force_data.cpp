@@ -11,14 +11,14 @@
 /// What a fit takes from the records before it begins, and what they leave of a model.
 namespace host_sim::diagnose {
 
-ForceData::ForceData(std::vector<ForceRecord> records) {
+ForceData::ForceData(std::vector<effects::ForceRecord> records) {
   take_records(std::move(records), kMostSamples);
   take_scales(scales_of(records_));
   settle_turn_over();
   settle_resolution();
 }
 
-ForceData ForceData::as_sampled(std::vector<ForceRecord> records, const ForceFit& nominal,
+ForceData ForceData::as_sampled(std::vector<effects::ForceRecord> records, const ForceFit& nominal,
                                 const ForceFit& model) const {
   ForceData all = *this;
   all.take_records(std::move(records), std::numeric_limits<std::size_t>::max());
@@ -27,12 +27,12 @@ ForceData ForceData::as_sampled(std::vector<ForceRecord> records, const ForceFit
   return all;
 }
 
-void ForceData::take_records(std::vector<ForceRecord> records, std::size_t most) {
+void ForceData::take_records(std::vector<effects::ForceRecord> records, std::size_t most) {
   records_ = std::move(records);
   noise_left_N2_ = smooth_output(records_);
   counts_.clear();
   samples_ = 0;
-  for (ForceRecord& record : records_) {
+  for (effects::ForceRecord& record : records_) {
     record.reversal_m = reversals_m(record);
     thin(record, most);
     counts_.push_back(static_cast<double>(std::ranges::count(record.used, true)));
@@ -40,10 +40,10 @@ void ForceData::take_records(std::vector<ForceRecord> records, std::size_t most)
   }
 }
 
-void ForceData::take_scales(const ForceScales& scales) {
+void ForceData::take_scales(const effects::ForceScales& scales) {
   scales_ = scales;
   kinematics_.clear();
-  for (const ForceRecord& record : records_) {
+  for (const effects::ForceRecord& record : records_) {
     kinematics_.push_back(kinematics_of(record, scales_));
   }
 }
@@ -51,9 +51,9 @@ void ForceData::take_scales(const ForceScales& scales) {
 /// As sharp as the friction that any drive has shows it, at a gain that is held by what such
 /// friction leaves.
 void ForceData::settle_turn_over() {
-  const ForceTerms plain{ForceTerm::preload, ForceTerm::velocity};
+  const effects::ForceTerms plain{effects::ForceTerm::preload, effects::ForceTerm::velocity};
   std::vector<double> start;
-  for (const ForceParameter& parameter : parameters_of(plain, scales_)) {
+  for (const effects::ForceParameter& parameter : parameters_of(plain, scales_)) {
     start.push_back(parameter.starts.front());
   }
   gain_weight_N2_ = gain_weight_N2(scales_.input_N * scales_.input_N * samples_);
@@ -72,10 +72,10 @@ bool ForceData::settle_turn_over(const ForceFit& model) {
 /// Of the model from its parameters on, where that leaves less than some squares.
 void ForceData::turn_over_by(const ForceFit& model, double least_N2) {
   constexpr double kShares[] = {0.002, 0.01, 0.05, 0.15};
-  ForceScales best = scales_;
+  effects::ForceScales best = scales_;
   const std::size_t count = parameters_of(model.terms, scales_).size();
   for (const double share : kShares) {
-    ForceScales sharper = scales_;
+    effects::ForceScales sharper = scales_;
     sharper.turn_over_m_s = share * scales_.speed_m_s;
     if (parameters_of(model.terms, sharper).size() != count) {
       continue;  // a law of the speed would be taken for it
@@ -94,7 +94,7 @@ void ForceData::turn_over_by(const ForceFit& model, double least_N2) {
 void ForceData::settle_resolution() {
   double square_m2 = 0;
   double reversals = 0;
-  for (const ForceRecord& record : records_) {
+  for (const effects::ForceRecord& record : records_) {
     double before_m = 0;
     for (std::size_t i = 1; i < record.samples(); ++i) {
       const double moved_m = record.position_m[i] - record.position_m[i - 1];
@@ -135,9 +135,9 @@ ForceData ForceData::without_outliers(const ForceFit& fit) const {
   return inliers;
 }
 
-std::vector<double> ForceData::residuals_N(std::size_t record, const ForceTerms& terms,
+std::vector<double> ForceData::residuals_N(std::size_t record, const effects::ForceTerms& terms,
                                            std::span<const double> parameters) const {
-  const ForceRecord& of = records_[record];
+  const effects::ForceRecord& of = records_[record];
   std::vector<double> residuals;
   predict_input(of, kinematics_[record], terms, scales_, parameters, residuals);
   for (std::size_t i = 0; i < residuals.size(); ++i) {
@@ -164,7 +164,7 @@ double ForceData::noise_taken_N2(const ForceFit& before, const ForceFit& after) 
   std::vector<double> once;
   std::vector<double> again;
   for (std::size_t j = 0; j < records_.size(); ++j) {
-    ForceRecord noisy = records_[j];
+    effects::ForceRecord noisy = records_[j];
     for (double& output_N : noisy.output_N) {
       output_N += noise_N(engine);
     }

@@ -33,7 +33,7 @@ double ForceData::gain_weight_N2(double square_N2) const {
          (kLogGain * kLogGain);
 }
 
-double ForceData::square_of(const ForceTerms& terms, std::span<const double> parameters,
+double ForceData::square_of(const effects::ForceTerms& terms, std::span<const double> parameters,
                             int fold) const {
   const double log_gain = std::log(parameters[0]);
   double square_N2 = gain_weight_N2_ * log_gain * log_gain;
@@ -46,11 +46,9 @@ double ForceData::square_of(const ForceTerms& terms, std::span<const double> par
   return square_N2;
 }
 
-ForceData::Normal ForceData::normal_of(const ForceTerms& terms, std::span<const double> parameters,
-                                       int fold) const {
+ForceData::Normal ForceData::normal_of(const effects::ForceTerms& terms,
+                                       std::span<const double> parameters, int fold) const {
   const auto all = parameters_of(terms, scales_);
-  constexpr double kFine = 1e-5;  // relative
-  constexpr double kWide = 0.05;  // over many steps
   const auto count = static_cast<Eigen::Index>(all.size());
   Normal normal{.matrix = Eigen::MatrixXd::Zero(count, count),
                 .gradient = Eigen::VectorXd::Zero(count),
@@ -64,21 +62,19 @@ ForceData::Normal ForceData::normal_of(const ForceTerms& terms, std::span<const 
     // All that a load cell reads is in proportion to the gain.
     const bool by_gain = records_[j].input_N_per_A == 0;
     for (std::size_t i = 0; by_gain && i < at.size(); ++i) {
-      const ForceRecord& of = records_[j];
+      const effects::ForceRecord& of = records_[j];
       jacobian(static_cast<Eigen::Index>(i), 0) =
           of.used[i] ? (of.input_N[i] - at[i]) / parameters[0] : 0;
     }
     for (Eigen::Index k = by_gain ? 1 : 0; k < count; ++k) {
-      const ForceParameter& parameter = all[static_cast<std::size_t>(k)];
+      const effects::ForceParameter& parameter = all[static_cast<std::size_t>(k)];
       if (parameter.chosen) {
         jacobian.col(k).setZero();
         continue;
       }
       std::vector<double> moved(parameters.begin(), parameters.end());
       double& value = moved[static_cast<std::size_t>(k)];
-      double step = (parameter.stepped ? kWide : kFine) *
-                    std::max(std::abs(value), std::abs(parameter.starts.front()));
-      step = value + step > parameter.maximum ? -step : step;
+      const double step = step_of(parameter, value);
       value += step;
       jacobian.col(k) = (vector_of(at) - vector_of(residuals_N(j, terms, moved))) / step;
     }
@@ -91,7 +87,7 @@ ForceData::Normal ForceData::normal_of(const ForceTerms& terms, std::span<const 
   return normal;
 }
 
-ForceFit ForceData::fit(const ForceTerms& terms, std::vector<double> start, int iterations,
+ForceFit ForceData::fit(const effects::ForceTerms& terms, std::vector<double> start, int iterations,
                         int fold) const {
   constexpr double kEnough = 1e-7;
   constexpr int kTries = 8;
@@ -144,7 +140,8 @@ ForceFit ForceData::fit(const ForceTerms& terms, std::vector<double> start, int 
   return best;
 }
 
-std::vector<ForceFit> ForceData::started(const ForceFit& from, std::span<const ForceTerm> more,
+std::vector<ForceFit> ForceData::started(const ForceFit& from,
+                                         std::span<const effects::ForceTerm> more,
                                          unsigned threads) const {
   struct Start {
     std::size_t term;
@@ -154,19 +151,19 @@ std::vector<ForceFit> ForceData::started(const ForceFit& from, std::span<const F
   for (std::size_t term = 0; term < more.size(); ++term) {
     const auto added = parameters_of(more[term], scales_);
     std::size_t count = 0;
-    for (const ForceParameter& parameter : added) {
+    for (const effects::ForceParameter& parameter : added) {
       count = std::max(count, parameter.starts.size());
     }
     for (std::size_t start = 0; start < count; ++start) {
       std::vector<double> parameters = from.parameters;
-      for (const ForceParameter& parameter : added) {
+      for (const effects::ForceParameter& parameter : added) {
         parameters.push_back(parameter.starts[std::min(start, parameter.starts.size() - 1)]);
       }
       starts.push_back({term, std::move(parameters)});
     }
   }
   const auto fit_one = [&](std::size_t term, const std::vector<double>& parameters, int fold) {
-    ForceTerms terms = from.terms;
+    effects::ForceTerms terms = from.terms;
     terms.push_back(more[term]);
     return fit(terms, parameters, kFirstIterations, fold);
   };
@@ -219,7 +216,7 @@ ForceFit ForceData::beyond_steps(ForceFit best) const {
 }
 
 ForceFit ForceData::without(const ForceFit& from, std::size_t place) const {
-  ForceTerms terms;
+  effects::ForceTerms terms;
   std::vector<double> parameters(from.parameters.begin(), from.parameters.begin() + 2);
   std::size_t next = 2;
   for (std::size_t i = 0; i < from.terms.size(); ++i) {
@@ -325,7 +322,7 @@ bool ForceData::is_physical(const ForceFit& fit, std::size_t term) const {
   const auto parameters = parameters_of(fit.terms[term], scales_);
   constexpr double kNear = 1e-3;
   for (std::size_t k = 0; k < values.size(); ++k) {
-    const ForceParameter& parameter = parameters[k];
+    const effects::ForceParameter& parameter = parameters[k];
     const double range = parameter.maximum - parameter.minimum;
     // What lies within a range of many decades is near its lower bound by a share of that.
     const double lowest =

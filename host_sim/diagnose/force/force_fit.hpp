@@ -5,13 +5,16 @@
 #include <vector>
 
 #include "host_sim/diagnose/force/force_covariance.hpp"
-#include "host_sim/diagnose/force/force_model.hpp"
+#include "host_sim/effects/tension/force_model.hpp"
 
 namespace host_sim::diagnose {
 
+/// Below this many sessions their scatter is not known, and no effect is named.
+inline constexpr std::size_t kLeastSessions = 4;
+
 /// A forward model that was fitted to the input forces of records.
 struct ForceFit {
-  ForceTerms terms;
+  effects::ForceTerms terms;
   std::vector<double> parameters;
   double square_N2 = 0;  ///< of the residuals of the records that it was fitted to, by the scatter
 };
@@ -33,15 +36,15 @@ class ForceData {
   static constexpr std::size_t kMostSamples = 600;  ///< of a record, or up to twice that
   static constexpr int kIterations = 15;            ///< of a fit that starts
 
-  explicit ForceData(std::vector<ForceRecord> records);
+  explicit ForceData(std::vector<effects::ForceRecord> records);
 
   /// All samples of the same records, beside the scatter that a model leaves.
-  [[nodiscard]] ForceData as_sampled(std::vector<ForceRecord> records, const ForceFit& nominal,
-                                     const ForceFit& model) const;
+  [[nodiscard]] ForceData as_sampled(std::vector<effects::ForceRecord> records,
+                                     const ForceFit& nominal, const ForceFit& model) const;
 
-  [[nodiscard]] const std::vector<ForceRecord>& records() const { return records_; }
-  [[nodiscard]] const ForceScales& scales() const { return scales_; }
-  [[nodiscard]] const std::vector<Kinematics>& kinematics() const { return kinematics_; }
+  [[nodiscard]] const std::vector<effects::ForceRecord>& records() const { return records_; }
+  [[nodiscard]] const effects::ForceScales& scales() const { return scales_; }
+  [[nodiscard]] const std::vector<effects::Kinematics>& kinematics() const { return kinematics_; }
   [[nodiscard]] double samples() const { return samples_; }
   /// Of samples that count, by record.
   [[nodiscard]] const std::vector<double>& counts() const { return counts_; }
@@ -68,7 +71,8 @@ class ForceData {
   [[nodiscard]] ForceData without_outliers(const ForceFit& fit) const;
 
   /// Residuals of a record in N, those of samples that do not count as 0.
-  [[nodiscard]] std::vector<double> residuals_N(std::size_t record, const ForceTerms& terms,
+  [[nodiscard]] std::vector<double> residuals_N(std::size_t record,
+                                                const effects::ForceTerms& terms,
                                                 std::span<const double> parameters) const;
 
   /// Of all records.
@@ -77,16 +81,18 @@ class ForceData {
   /// Least squares beside the scatter of sessions, within the bounds (Levenberg-Marquardt), from
   /// these parameters on.
   /// @param fold records of this number modulo kFolds stay out; none: all take part
-  [[nodiscard]] ForceFit fit(const ForceTerms& terms, std::vector<double> start, int iterations,
-                             int fold = -1) const;
+  [[nodiscard]] ForceFit fit(const effects::ForceTerms& terms, std::vector<double> start,
+                             int iterations, int fold = -1) const;
 
   /// With one of these terms more, one each, from the best of its starts, after a few iterations.
-  [[nodiscard]] std::vector<ForceFit> started(const ForceFit& fit, std::span<const ForceTerm> more,
+  [[nodiscard]] std::vector<ForceFit> started(const ForceFit& fit,
+                                              std::span<const effects::ForceTerm> more,
                                               unsigned threads) const;
   /// The same with all iterations, or fewer where it is there before.
   [[nodiscard]] ForceFit finished(const ForceFit& fit) const;
   /// With one term more and all iterations.
-  [[nodiscard]] ForceFit with(const ForceFit& from, ForceTerm term, unsigned threads) const {
+  [[nodiscard]] ForceFit with(const ForceFit& from, effects::ForceTerm term,
+                              unsigned threads) const {
     return finished(started(from, std::span(&term, 1), threads).front());
   }
   /// Without one of its terms.
@@ -133,23 +139,23 @@ class ForceData {
                          : is_held_out(record, fold);
   }
 
-  void take_records(std::vector<ForceRecord> records, std::size_t most);
+  void take_records(std::vector<effects::ForceRecord> records, std::size_t most);
   void settle_turn_over();
   void turn_over_by(const ForceFit& model, double least_N2);
-  void take_scales(const ForceScales& scales);
+  void take_scales(const effects::ForceScales& scales);
   /// @param square_N2 of the residuals of all sessions
   [[nodiscard]] double gain_weight_N2(double square_N2) const;
   void settle_resolution();
   [[nodiscard]] ForceFit beyond_steps(ForceFit best) const;
   struct Normal;
-  [[nodiscard]] Normal normal_of(const ForceTerms& terms, std::span<const double> parameters,
-                                 int fold) const;
-  [[nodiscard]] double square_of(const ForceTerms& terms, std::span<const double> parameters,
-                                 int fold) const;
+  [[nodiscard]] Normal normal_of(const effects::ForceTerms& terms,
+                                 std::span<const double> parameters, int fold) const;
+  [[nodiscard]] double square_of(const effects::ForceTerms& terms,
+                                 std::span<const double> parameters, int fold) const;
 
-  std::vector<ForceRecord> records_;
-  ForceScales scales_;
-  std::vector<Kinematics> kinematics_;  ///< of each record
+  std::vector<effects::ForceRecord> records_;
+  effects::ForceScales scales_;
+  std::vector<effects::Kinematics> kinematics_;  ///< of each record
   ForceCovariance covariance_;
   double noise_left_N2_ = 0;
   double gain_weight_N2_ = 0;   ///< of the square of ln gain, beside the residuals

@@ -10,8 +10,8 @@ namespace host_sim::diagnose {
 namespace {
 
 /// The output force that each model has for the input of a session.
-TracePicture trace_of(const ForceRecord& record, std::size_t session, const PicturedModel& before,
-                      const PicturedModel& after) {
+TracePicture trace_of(const effects::ForceRecord& record, std::size_t session,
+                      const PicturedModel& before, const PicturedModel& after) {
   const auto output_N = [&](const PicturedModel& model) {
     std::vector<double> all_N = record.output_N;
     for (std::size_t i = 0; i < all_N.size(); ++i) {

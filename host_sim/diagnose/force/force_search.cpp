@@ -24,14 +24,14 @@ ForceFit fitted_anew(const ForceData& data, const ForceFit& fit) {
   return data.fit(fit.terms, fit.parameters, kAnew);
 }
 
-bool is_seen(ForceTerm term, const PairedGain& gain) {
+bool is_seen(effects::ForceTerm term, const PairedGain& gain) {
   return 2 * evidence_of(term, gain) >= kSeen * kSeen && gain.any();
 }
 
 }  // namespace
 
-ForceSearch::ForceSearch(ForceData& data, std::span<const ForceRecord> records, double friction,
-                         const DiagnoseOptions& options)
+ForceSearch::ForceSearch(ForceData& data, std::span<const effects::ForceRecord> records,
+                         double friction, const DiagnoseOptions& options)
     : data_(data),
       records_(records),
       options_(options),
@@ -85,7 +85,7 @@ void ForceSearch::run() {
 bool ForceSearch::grow_on() {
   bool of_sessions = false;
   while (model_.fit.terms.size() < kMostForceTerms && grow()) {
-    of_sessions = of_sessions || is_of(ForceEffect::Of::session, model_.fit.terms.back());
+    of_sessions = of_sessions || is_of(effects::ForceLaw::Of::session, model_.fit.terms.back());
   }
   return of_sessions;
 }
@@ -150,7 +150,7 @@ std::vector<ForceSearch::Candidate> ForceSearch::stairs() const {
   std::vector<Candidate> stairs{nominal_};
   bool all_so_far = true;
   for (const Added& added : added_) {
-    const ForceTerms& before = stairs.back().fit.terms;
+    const effects::ForceTerms& before = stairs.back().fit.terms;
     const bool stays =
         judged_.empty() || std::ranges::find(judged_, added.term, &Judged::term) != judged_.end();
     if (!stays || std::ranges::find(before, added.term) != before.end()) {
@@ -175,15 +175,15 @@ std::vector<ForceSearch::Candidate> ForceSearch::stairs() const {
 }
 
 /// Laws of effects of which none is taken, and no other that it cannot be beside.
-std::vector<ForceTerm> ForceSearch::beside(const ForceTerms& taken) const {
-  std::vector<ForceTerm> terms;
-  for (const ForceTerm term : kForceTerms) {
-    const auto same = [&](ForceTerm one) {
-      return same_effect(one, term) || both_of(ForceEffect::Of::time, one, term);
+std::vector<effects::ForceTerm> ForceSearch::beside(const effects::ForceTerms& taken) const {
+  std::vector<effects::ForceTerm> terms;
+  for (const effects::ForceTerm term : effects::kForceTerms) {
+    const auto same = [&](effects::ForceTerm one) {
+      return same_effect(one, term) || both_of(effects::ForceLaw::Of::time, one, term);
     };
     const bool wanted =
-        std::ranges::find(options_.without, definition_of(term).id) == options_.without.end();
-    if (wanted && !definition_of(term).outside && is_shown(term, data_.records()) &&
+        std::ranges::find(options_.without, law_of(term).id()) == options_.without.end();
+    if (wanted && !law_of(term).outside && is_shown(term, data_.records()) &&
         std::ranges::none_of(taken, same) && !parameters_of(term, data_.scales()).empty()) {
       terms.push_back(term);
     }
@@ -194,9 +194,8 @@ std::vector<ForceTerm> ForceSearch::beside(const ForceTerms& taken) const {
 /// The model with one of these more, those that start best and stay within physics, the least
 /// squares first.
 /// @param most_N2 that a term may start with
-std::vector<ForceSearch::Candidate> ForceSearch::with_each(const ForceFit& from,
-                                                           const std::vector<ForceTerm>& terms,
-                                                           double most_N2) const {
+std::vector<ForceSearch::Candidate> ForceSearch::with_each(
+    const ForceFit& from, const std::vector<effects::ForceTerm>& terms, double most_N2) const {
   constexpr std::size_t kFinished = 5;
   const auto by_squares = [](const Candidate& one) { return one.fit.square_N2; };
   std::vector<Candidate> all;
@@ -236,10 +235,10 @@ void ForceSearch::hold_out(std::vector<Candidate>& all) const {
 /// there.
 bool ForceSearch::grow() {
   constexpr std::size_t kTried = 4;
-  std::vector<ForceTerm> terms = beside(model_.fit.terms);
-  const auto of_sessions = std::stable_partition(terms.begin(), terms.end(), [](ForceTerm term) {
-    return !is_of(ForceEffect::Of::session, term);
-  });
+  std::vector<effects::ForceTerm> terms = beside(model_.fit.terms);
+  const auto of_sessions = std::stable_partition(
+      terms.begin(), terms.end(),
+      [](effects::ForceTerm term) { return !is_of(effects::ForceLaw::Of::session, term); });
   std::vector<Candidate> all = with_each(model_.fit, {terms.begin(), of_sessions}, HUGE_VAL);
   all.resize(std::min(all.size(), kTried));
   hold_out(all);
@@ -251,7 +250,7 @@ bool ForceSearch::grow() {
   if (all.empty()) {
     all = with_session_effects({of_sessions, terms.end()});
     best = std::ranges::max_element(all, {}, [&](const Candidate& one) {
-      const ForceTerm term = one.fit.terms.back();
+      const effects::ForceTerm term = one.fit.terms.back();
       return evidence_of(term, paired_gain(data_, model_.held, one.held, true)) -
              freedom_of(term, data_);
     });
@@ -267,7 +266,7 @@ bool ForceSearch::grow() {
 /// What sessions differ in is a part of what they scatter by until it is in the model: each such
 /// effect is fitted as if nothing scattered, and asked beside what then does.
 std::vector<ForceSearch::Candidate> ForceSearch::with_session_effects(
-    std::span<const ForceTerm> terms) const {
+    std::span<const effects::ForceTerm> terms) const {
   std::vector<Candidate> all(terms.size());
   statistics::parallel_for(
       terms.size(),
@@ -295,7 +294,7 @@ std::vector<ForceSearch::Candidate>::iterator ForceSearch::first_law_as_good(
     std::vector<Candidate>& all, std::vector<Candidate>::iterator best) const {
   auto first = best;
   for (auto one = all.begin(); one != all.end(); ++one) {
-    const ForceTerm term = one->fit.terms.back();
+    const effects::ForceTerm term = one->fit.terms.back();
     if (term < first->fit.terms.back() && same_effect(term, best->fit.terms.back()) &&
         paired_gain(data_, one->held, best->held, false).z < kSeen) {
       first = one;
@@ -353,7 +352,7 @@ PairedGain ForceSearch::lost_as_sampled(const ForceFit& other) const {
 /// where either is too short beside the time between samples.
 PairedGain ForceSearch::lost_in_time(const Judged& one, const Candidate& other) const {
   constexpr double kOfStep = 0.1;
-  const auto late_s = [&](const ForceFit& fit, ForceTerm term) {
+  const auto late_s = [&](const ForceFit& fit, effects::ForceTerm term) {
     const auto place = std::ranges::find(fit.terms, term) - fit.terms.begin();
     return parameters_at(static_cast<std::size_t>(place), fit.terms, fit.parameters, data_.scales())
         .front();
@@ -369,7 +368,7 @@ PairedGain ForceSearch::lost_in_time(const Judged& one, const Candidate& other) 
   if (one_s < 0 || other_s < 0) {
     return paired_gain(data_, other.held, model_.held, false);
   }
-  const ForceFit& lagging = one.term == ForceTerm::lag ? model_.fit : other.fit;
+  const ForceFit& lagging = one.term == effects::ForceTerm::lag ? model_.fit : other.fit;
   return Judgement::late_output(one, late_output(as_sampled(), records_, lagging));
 }
 
@@ -380,15 +379,15 @@ bool ForceSearch::exchange(bool allowed) {
   for (std::size_t place = 0; place < judged_.size(); ++place) {
     Judged& judged = judged_[place];
     for (Candidate& one : in_place_of(place)) {
-      const ForceTerm other = one.fit.terms.back();
-      const PairedGain lost = both_of(ForceEffect::Of::time, judged.term, other)
+      const effects::ForceTerm other = one.fit.terms.back();
+      const PairedGain lost = both_of(effects::ForceLaw::Of::time, judged.term, other)
                                   ? lost_in_time(judged, one)
                                   : paired_gain(data_, one.held, model_.held, false);
       if (judgement.is_worse_than_none(judged, lost) ||
           !may_be(other, paired_gain(data_, judged.held_without, one.held, true), data_)) {
         continue;
       }
-      if (definition_of(other).outside) {
+      if (law_of(other).outside) {
         Judgement::beside_catalogue(other, lost, judged);
         continue;
       }
@@ -407,10 +406,10 @@ bool ForceSearch::exchange(bool allowed) {
 
 /// The model with another term in the place of one, where it fits nearly as well or better.
 std::vector<ForceSearch::Candidate> ForceSearch::in_place_of(std::size_t place) const {
-  std::vector<ForceTerm> others = beside(judged_[place].without.terms);
+  std::vector<effects::ForceTerm> others = beside(judged_[place].without.terms);
   std::erase(others, judged_[place].term);
-  for (const ForceTerm term : kForceTerms) {
-    if (definition_of(term).outside && is_shown(term, data_.records())) {
+  for (const effects::ForceTerm term : effects::kForceTerms) {
+    if (law_of(term).outside && is_shown(term, data_.records())) {
       others.push_back(term);
     }
   }

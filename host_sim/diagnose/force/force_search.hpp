@@ -24,7 +24,7 @@ class ForceSearch {
 
   /// @param records that the data are of, with all samples; kept by reference
   /// @param friction coefficient that the nominal model starts with
-  ForceSearch(ForceData& data, std::span<const ForceRecord> records, double friction,
+  ForceSearch(ForceData& data, std::span<const effects::ForceRecord> records, double friction,
               const DiagnoseOptions& options);
 
   void run();
@@ -49,7 +49,7 @@ class ForceSearch {
 
  private:
   struct Added {
-    ForceTerm term{};
+    effects::ForceTerm term{};
     std::optional<Candidate> grown;  ///< from the one added before; none: it took a place
   };
 
@@ -57,14 +57,15 @@ class ForceSearch {
   bool settle();
   void leave_out_outliers();
   void learn_covariance();
-  [[nodiscard]] std::vector<ForceTerm> beside(const ForceTerms& taken) const;
+  [[nodiscard]] std::vector<effects::ForceTerm> beside(const effects::ForceTerms& taken) const;
   [[nodiscard]] std::vector<Candidate> with_each(const ForceFit& from,
-                                                 const std::vector<ForceTerm>& terms,
+                                                 const std::vector<effects::ForceTerm>& terms,
                                                  double most_N2) const;
   void hold_out(std::vector<Candidate>& all) const;
   bool grow_on();
   bool grow();
-  [[nodiscard]] std::vector<Candidate> with_session_effects(std::span<const ForceTerm> terms) const;
+  [[nodiscard]] std::vector<Candidate> with_session_effects(
+      std::span<const effects::ForceTerm> terms) const;
   [[nodiscard]] std::vector<Candidate>::iterator first_law_as_good(
       std::vector<Candidate>& all, std::vector<Candidate>::iterator best) const;
   bool reduce();
@@ -81,7 +82,7 @@ class ForceSearch {
   [[nodiscard]] std::vector<Candidate> in_place_of(std::size_t place) const;
 
   ForceData& data_;
-  std::span<const ForceRecord> records_;
+  std::span<const effects::ForceRecord> records_;
   const DiagnoseOptions& options_;
   std::vector<ForceCovariate> covariates_;
   std::vector<CovariateBins> bins_;  ///< of each covariate
@@ -91,7 +92,7 @@ class ForceSearch {
   Structure left_;  ///< by the model that they are judged in
   std::vector<Added> added_;
   bool with_timing_ = false;          ///< noise of when samples were read is learned, too
-  ForceTerms settled_by_;             ///< by which friction turns over as it does
+  effects::ForceTerms settled_by_;    ///< by which friction turns over as it does
   std::optional<ForceData> inliers_;  ///< of the model
 };
 

@@ -77,54 +77,55 @@ constexpr double kShiftOfSession = 0.2;
 /// What an effect takes off: of what sessions differ in what it moves them by, as their scatter is
 /// left with it and hides what is taken off.
 double taken_N2(const Judged& one) {
-  return is_of(ForceEffect::Of::session, one.term) ? std::max(one.gain.taken_N2, one.gain.moved_N2)
-                                                   : one.gain.taken_N2;
+  return is_of(effects::ForceLaw::Of::session, one.term)
+             ? std::max(one.gain.taken_N2, one.gain.moved_N2)
+             : one.gain.taken_N2;
 }
 
 bool moves_sessions(const Judged& one) {
-  const bool of_session = is_of(ForceEffect::Of::session, one.term);
+  const bool of_session = is_of(effects::ForceLaw::Of::session, one.term);
   return one.gain.beside_scatter_N2 < (of_session ? kShiftOfSession : kShift) * taken_N2(one);
 }
 
 }  // namespace
 
-bool is_of(ForceEffect::Of kind, ForceTerm term) {
-  return definition_of(term).of == kind;
+bool is_of(effects::ForceLaw::Of kind, effects::ForceTerm term) {
+  return law_of(term).of == kind;
 }
 
-bool both_of(ForceEffect::Of kind, ForceTerm one, ForceTerm other) {
+bool both_of(effects::ForceLaw::Of kind, effects::ForceTerm one, effects::ForceTerm other) {
   return is_of(kind, one) && is_of(kind, other);
 }
 
-bool same_effect(ForceTerm one, ForceTerm other) {
-  return definition_of(one).id == definition_of(other).id;
+bool same_effect(effects::ForceTerm one, effects::ForceTerm other) {
+  return law_of(one).id() == law_of(other).id();
 }
 
-double evidence_of(ForceTerm term, const PairedGain& gain) {
+double evidence_of(effects::ForceTerm term, const PairedGain& gain) {
   const auto half_square = [](double z) { return z > 0 ? z * z / 2 : 0; };
-  if (!is_of(ForceEffect::Of::session, term)) {
+  if (!is_of(effects::ForceLaw::Of::session, term)) {
     return half_square(gain.z);
   }
   const bool within = gain.within_N2 >= kShift * gain.moved_N2;
   return gain.of_sessions + (within ? half_square(gain.z_within) : 0);
 }
 
-double freedom_of(ForceTerm term, const ForceData& data) {
+double freedom_of(effects::ForceTerm term, const ForceData& data) {
   double freedom = 0;
-  for (const ForceParameter& parameter : parameters_of(term, data.scales())) {
+  for (const effects::ForceParameter& parameter : parameters_of(term, data.scales())) {
     freedom += parameter.chosen ? std::log(static_cast<double>(parameter.starts.size()))
                                 : std::log(static_cast<double>(data.records().size())) / 2;
   }
   return freedom;
 }
 
-double probability_of(ForceTerm term, const PairedGain& gain, const ForceData& data) {
+double probability_of(effects::ForceTerm term, const PairedGain& gain, const ForceData& data) {
   const double evidence = evidence_of(term, gain);
   const double log_odds = evidence + std::log(kPrior / (1 - kPrior)) - freedom_of(term, data);
   return evidence > 0 && gain.any() ? 1 / (1 + std::exp(-log_odds)) : 0;
 }
 
-bool may_be(ForceTerm term, const PairedGain& gain, const ForceData& data) {
+bool may_be(effects::ForceTerm term, const PairedGain& gain, const ForceData& data) {
   return probability_of(term, gain, data) >= kMayBe;
 }
 
@@ -137,15 +138,15 @@ bool Judgement::stays(std::size_t place) const {
   const bool told_apart =
       one.gain.beside_scatter_N2 >= kAll * left_.beside_scatter_N2 ||
       std::ranges::all_of(judged_, [&](const Judged& other) {
-        return !both_of(ForceEffect::Of::friction, one.term, other.term) ||
+        return !both_of(effects::ForceLaw::Of::friction, one.term, other.term) ||
                one.gain.beside_scatter_N2 >= kLawError * other.gain.beside_scatter_N2 ||
                (moves_sessions(one) && taken_N2(one) >= kLawError * other.gain.taken_N2);
       });
   // Beside the scatter of sessions, or as it is where it is of what they differ in, or that scatter
   // takes up nearly all of it: what shifts whole sessions.
   const bool large = !data_.records().front().pulls_alone || one.gain.mean >= kLargeGain;
-  const bool of_session = is_of(ForceEffect::Of::session, one.term);
-  const bool of_time = is_of(ForceEffect::Of::time, one.term);
+  const bool of_session = is_of(effects::ForceLaw::Of::session, one.term);
+  const bool of_time = is_of(effects::ForceLaw::Of::time, one.term);
   const double alone = of_session ? kMaterialShareOfSession : kMaterialShareAlone;
   const double share = large ? kMaterialShare : alone;
   const double least = of_session || of_time ? kLeastShareApart : kLeastShare;
@@ -187,30 +188,31 @@ bool Judgement::is_worse_than_none(const Judged& one, const PairedGain& lost) co
   return one.gain.plain_N2 - lost.plain_N2 < -not_worse_N2();
 }
 
-bool Judgement::takes_place(const Judged& one, ForceTerm other, const PairedGain& lost) const {
-  const double log_odds = both_of(ForceEffect::Of::session, one.term, other)
+bool Judgement::takes_place(const Judged& one, effects::ForceTerm other,
+                            const PairedGain& lost) const {
+  const double log_odds = both_of(effects::ForceLaw::Of::session, one.term, other)
                               ? log_odds_between_sessions(one, other, lost)
                               : lost.log_odds;
   return log_odds < -kOdds && (!same_effect(one.term, other) || lost.z < -kSeen);
 }
 
-double Judgement::of_freedom(const Judged& one, ForceTerm other) const {
+double Judgement::of_freedom(const Judged& one, effects::ForceTerm other) const {
   return freedom_of(other, data_) - freedom_of(one.term, data_);
 }
 
 /// By what is seen of them within sessions, or by how those scatter.
-double Judgement::log_odds_between_sessions(const Judged& one, ForceTerm other,
+double Judgement::log_odds_between_sessions(const Judged& one, effects::ForceTerm other,
                                             const PairedGain& lost) const {
   const bool by_scatter = alike(one, lost) || std::abs(lost.of_sessions) > std::abs(lost.log_odds);
   return (by_scatter ? lost.of_sessions : lost.log_odds) + of_freedom(one, other);
 }
 
-std::optional<double> Judgement::log_odds_of(const Judged& one, ForceTerm other,
+std::optional<double> Judgement::log_odds_of(const Judged& one, effects::ForceTerm other,
                                              const PairedGain& lost) const {
   if (same_effect(one.term, other)) {
     return std::nullopt;
   }
-  if (both_of(ForceEffect::Of::session, one.term, other)) {
+  if (both_of(effects::ForceLaw::Of::session, one.term, other)) {
     const double log_odds = log_odds_between_sessions(one, other, lost);
     return log_odds < kOdds ? std::optional(std::max(log_odds, -kOdds)) : std::nullopt;
   }
@@ -224,7 +226,7 @@ std::optional<double> Judgement::log_odds_of(const Judged& one, ForceTerm other,
   return std::clamp(lost.log_odds, -most, most) + of_freedom(one, other);
 }
 
-void Judgement::beside_catalogue(ForceTerm other, const PairedGain& lost, Judged& one) {
+void Judgement::beside_catalogue(effects::ForceTerm other, const PairedGain& lost, Judged& one) {
   const double share = 1 / (1 + std::exp(-lost.log_odds));
   if (lost.log_odds < kOdds && share < one.share) {
     one.share = share;
@@ -240,7 +242,7 @@ PairedGain Judgement::late_input(const Judged& one, const PairedGain& lost) {
 
 PairedGain Judgement::late_output(const Judged& one, const LateOutput& late) {
   const double error = std::hypot(late.error, kLateOutputError);
-  const double of_model = one.term == ForceTerm::delay ? 1 : 0;
+  const double of_model = one.term == effects::ForceTerm::delay ? 1 : 0;
   const double off_model = std::abs(late.as_delay - of_model) / error;
   const double off_other = std::abs(late.as_delay - (1 - of_model)) / error;
   const double log_odds = (off_other * off_other - off_model * off_model) / 2;

@@ -16,40 +16,40 @@ inline constexpr double kSeen = 3;
 
 /// A term in a model, by what the model does without it.
 struct Judged {
-  ForceTerm term{};
+  effects::ForceTerm term{};
   PairedGain gain;
   ForceFit without;
   HeldOut held_without;
   struct Other {
-    ForceTerm term{};
+    effects::ForceTerm term{};
     double log_odds = 0;  ///< against it
   };
   std::vector<Other> others = {};  ///< that could stand in its place
   /// The same of what the catalogue does not have, and the probability that it is not that.
-  std::optional<ForceTerm> imitated_by = {};
+  std::optional<effects::ForceTerm> imitated_by = {};
   double share = 1;
 };
 
 /// Whether one, or both, are laws of such effects.
-bool is_of(ForceEffect::Of kind, ForceTerm term);
-bool both_of(ForceEffect::Of kind, ForceTerm one, ForceTerm other);
+bool is_of(effects::ForceLaw::Of kind, effects::ForceTerm term);
+bool both_of(effects::ForceLaw::Of kind, effects::ForceTerm one, effects::ForceTerm other);
 
 /// Whether both are laws of one effect.
-bool same_effect(ForceTerm one, ForceTerm other);
+bool same_effect(effects::ForceTerm one, effects::ForceTerm other);
 
 /// For a term, as a logarithm of odds: the standard errors of the gain, of what sessions differ in
 /// those within sessions and the likelihood of what they differ by.
-double evidence_of(ForceTerm term, const PairedGain& gain);
+double evidence_of(effects::ForceTerm term, const PairedGain& gain);
 
 /// What the freedom of a term's parameters counts against it, as a logarithm of odds (Laplace).
-double freedom_of(ForceTerm term, const ForceData& data);
+double freedom_of(effects::ForceTerm term, const ForceData& data);
 
 /// That the effect of a term is there: Laplace, evidence against as many parameters, of so many
 /// sessions, and of what is tried one by one each as likely before.
-double probability_of(ForceTerm term, const PairedGain& gain, const ForceData& data);
+double probability_of(effects::ForceTerm term, const PairedGain& gain, const ForceData& data);
 
 /// That what could be in the place of a cause is there at all.
-bool may_be(ForceTerm term, const PairedGain& gain, const ForceData& data);
+bool may_be(effects::ForceTerm term, const PairedGain& gain, const ForceData& data);
 
 /// Whether the error is larger, sample by sample, by no more than is allowed and sessions scatter.
 bool within_scatter(const PairedGain& gain, double allowed_N2 = 0);
@@ -74,15 +74,16 @@ class Judgement {
   [[nodiscard]] bool is_worse_than_none(const Judged& one, const PairedGain& lost) const;
 
   /// Whether another term does better in the place of one.
-  [[nodiscard]] bool takes_place(const Judged& one, ForceTerm other, const PairedGain& lost) const;
+  [[nodiscard]] bool takes_place(const Judged& one, effects::ForceTerm other,
+                                 const PairedGain& lost) const;
 
   /// Against another effect in the place of one; none where it is told that it is not that, or is
   /// the same.
-  [[nodiscard]] std::optional<double> log_odds_of(const Judged& one, ForceTerm other,
+  [[nodiscard]] std::optional<double> log_odds_of(const Judged& one, effects::ForceTerm other,
                                                   const PairedGain& lost) const;
 
   /// What is no effect of the catalogue takes no place, but may be as likely as one that has it.
-  static void beside_catalogue(ForceTerm other, const PairedGain& lost, Judged& one);
+  static void beside_catalogue(effects::ForceTerm other, const PairedGain& lost, Judged& one);
 
   /// What is lost by a lag of the input in the place of a delay, or the other way about: nothing is
   /// known of it before they are seen to differ.
@@ -95,8 +96,8 @@ class Judgement {
  private:
   [[nodiscard]] double not_worse_N2() const;
   [[nodiscard]] bool alike(const Judged& one, const PairedGain& lost) const;
-  [[nodiscard]] double of_freedom(const Judged& one, ForceTerm other) const;
-  [[nodiscard]] double log_odds_between_sessions(const Judged& one, ForceTerm other,
+  [[nodiscard]] double of_freedom(const Judged& one, effects::ForceTerm other) const;
+  [[nodiscard]] double log_odds_between_sessions(const Judged& one, effects::ForceTerm other,
                                                  const PairedGain& lost) const;
 
   const ForceData& data_;

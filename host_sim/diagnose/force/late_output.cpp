@@ -15,7 +15,7 @@ constexpr std::size_t kReach = 6;  ///< samples to each side, of which a half ta
 
 /// Value, slope and second derivative of the output force at a sample, by a cubic through those of
 /// a half around it; none near a reversal, the ends, or samples that do not count.
-std::optional<Eigen::Vector3d> cubic_at(const ForceRecord& record, std::size_t i,
+std::optional<Eigen::Vector3d> cubic_at(const effects::ForceRecord& record, std::size_t i,
                                         std::size_t half) {
   if (i < kReach || i + kReach >= record.samples()) {
     return std::nullopt;
@@ -40,11 +40,11 @@ std::optional<Eigen::Vector3d> cubic_at(const ForceRecord& record, std::size_t i
 
 /// A record as one half of its samples shows it. Their own values stay: smoothing would bend them.
 struct Half {
-  ForceRecord record;
+  effects::ForceRecord record;
   std::vector<double> bend_N_s2;  ///< second derivative of the output force
   std::vector<bool> known;
 
-  Half(const ForceRecord& all, std::size_t half)
+  Half(const effects::ForceRecord& all, std::size_t half)
       : record(all), bend_N_s2(all.samples()), known(all.samples()) {
     for (std::size_t i = 0; i < all.samples(); ++i) {
       if (const auto cubic = cubic_at(all, i, half)) {
@@ -64,22 +64,23 @@ struct Columns {
   Eigen::MatrixXd by_session_N;  ///< of gain and friction
 };
 
-Columns columns_of(const Half& half, const Kinematics& kinematics, const ForceScales& scales,
-                   const ForceFit& model, double late_s) {
+Columns columns_of(const Half& half, const effects::Kinematics& kinematics,
+                   const effects::ForceScales& scales, const ForceFit& model, double late_s) {
   constexpr double kStep = 1e-4;
-  const auto predicted_N = [&](const ForceRecord& record, const std::vector<double>& parameters) {
+  const auto predicted_N = [&](const effects::ForceRecord& record,
+                               const std::vector<double>& parameters) {
     std::vector<double> input_N;
     predict_input(record, kinematics, model.terms, scales, parameters, input_N);
     return Eigen::VectorXd(vector_of(input_N));
   };
   const Eigen::VectorXd at_N = predicted_N(half.record, model.parameters);
-  ForceRecord delayed = half.record;
+  effects::ForceRecord delayed = half.record;
   for (std::size_t i = 0; i < delayed.samples(); ++i) {
     delayed.output_N[i] += late_s * late_s / 2 * half.bend_N_s2[i];
   }
   const auto count = static_cast<Eigen::Index>(model.parameters.size());
   Eigen::MatrixXd by_N(at_N.size(), count);
-  const std::vector<ForceParameter> all = parameters_of(model.terms, scales);
+  const std::vector<effects::ForceParameter> all = parameters_of(model.terms, scales);
   for (Eigen::Index k = 0; k < count; ++k) {
     const auto at = static_cast<std::size_t>(k);
     std::vector<double> parameters = model.parameters;
@@ -100,8 +101,8 @@ struct Equations {
   Eigen::VectorXd product;
 };
 
-Equations equations_of(const ForceData& all, std::size_t session, const ForceRecord& record,
-                       const ForceFit& model, double late_s) {
+Equations equations_of(const ForceData& all, std::size_t session,
+                       const effects::ForceRecord& record, const ForceFit& model, double late_s) {
   const std::array<Half, 2> halves{Half(record, 0), Half(record, 1)};
   std::array<Columns, 2> columns;
   for (std::size_t half = 0; half < halves.size(); ++half) {
@@ -139,9 +140,10 @@ Equations equations_of(const ForceData& all, std::size_t session, const ForceRec
 
 }  // namespace
 
-LateOutput late_output(const ForceData& all, std::span<const ForceRecord> records,
+LateOutput late_output(const ForceData& all, std::span<const effects::ForceRecord> records,
                        const ForceFit& lagging) {
-  const auto place = std::ranges::find(lagging.terms, ForceTerm::lag) - lagging.terms.begin();
+  const auto place =
+      std::ranges::find(lagging.terms, effects::ForceTerm::lag) - lagging.terms.begin();
   const double late_s = parameters_at(static_cast<std::size_t>(place), lagging.terms,
                                       lagging.parameters, all.scales())
                             .front();
@@ -149,7 +151,7 @@ LateOutput late_output(const ForceData& all, std::span<const ForceRecord> record
   Equations sum{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
   std::vector<Equations> of_sessions;
   for (std::size_t j = 0; j < records.size(); ++j) {
-    ForceRecord record = all.records()[j];
+    effects::ForceRecord record = all.records()[j];
     record.output_N = records[j].output_N;
     of_sessions.push_back(equations_of(all, j, record, lagging, late_s));
     sum.square += of_sessions.back().square;

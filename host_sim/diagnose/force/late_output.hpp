@@ -18,7 +18,7 @@ struct LateOutput {
 /// @param all data as sampled, by their weights
 /// @param records of the same samples, not smoothed
 /// @param lagging a model with ForceTerm::lag of the output
-LateOutput late_output(const ForceData& all, std::span<const ForceRecord> records,
+LateOutput late_output(const ForceData& all, std::span<const effects::ForceRecord> records,
                        const ForceFit& lagging);
 
 }  // namespace host_sim::diagnose

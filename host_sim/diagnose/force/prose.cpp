@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "host_sim/diagnose/sessions.hpp"
+#include "host_sim/diagnose/force/force_fit.hpp"
 
 namespace host_sim::diagnose {
 namespace {
@@ -85,23 +85,23 @@ std::string verdict_prose(const Findings& findings, std::size_t sessions, double
   return text;
 }
 
-std::string imitation_prose(const ForceEffect& effect, const ForceEffect& outside) {
+std::string imitation_prose(const effects::ForceLaw& effect, const effects::ForceLaw& outside) {
   return fmt::format(
       " What looks like {} ({}) may as well be {}, {}, which the catalogue does not have.",
-      effect.term, effect.id, outside.term, outside.equation);
+      effect.term(), effect.id(), outside.term(), outside.equation);
 }
 
-std::string doubtful_prose(const ForceEffect& effect, double probability) {
+std::string doubtful_prose(const effects::ForceLaw& effect, double probability) {
   constexpr double kPercent = 100;
-  return fmt::format(" There may be {} ({}) besides, with a probability of {:.0f} %.", effect.term,
-                     effect.id, kPercent * probability);
+  return fmt::format(" There may be {} ({}) besides, with a probability of {:.0f} %.",
+                     effect.term(), effect.id(), kPercent * probability);
 }
 
-std::string either_way_prose(const ForceTerms& written) {
+std::string either_way_prose(const effects::ForceTerms& written) {
   std::vector<std::string> terms;
   terms.reserve(written.size());
-  for (const ForceTerm term : written) {
-    terms.emplace_back(definition_of(term).term);
+  for (const effects::ForceTerm term : written) {
+    terms.emplace_back(law_of(term).term());
   }
   return fmt::format(
       " A model that is written holds {}, by which it predicts as well as by others.",
@@ -116,8 +116,8 @@ std::string correction_prose(const Correction& correction) {
       correction.covariate, correction.before_N, correction.after_N);
 }
 
-std::string doubts(std::span<const ForceRecord> records, std::span<const double> parameters,
-                   const NominalModel& nominal) {
+std::string doubts(std::span<const effects::ForceRecord> records,
+                   std::span<const double> parameters, const NominalModel& nominal) {
   constexpr double kDoubtfulLogGain = 0.3;
   constexpr double kTimesNominal = 3;
   std::string text;
@@ -135,7 +135,7 @@ std::string doubts(std::span<const ForceRecord> records, std::span<const double>
   double product = 0;
   double moved_square = 0;
   double square = 0;
-  for (const ForceRecord& record : records) {
+  for (const effects::ForceRecord& record : records) {
     for (std::size_t i = 1; i < record.samples(); ++i) {
       const double moved_m = record.position_m[i] - record.position_m[i - 1];
       const double expected_m = (record.velocity_m_s[i] + record.velocity_m_s[i - 1]) / 2 *

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "host_sim/diagnose/diagnosis.hpp"
-#include "host_sim/diagnose/force/force_model.hpp"
+#include "host_sim/effects/tension/force_model.hpp"
 
 namespace host_sim::diagnose {
 
@@ -24,14 +24,14 @@ std::string listed(const std::vector<FoundEffect>& effects);
 std::string how_far(const std::vector<Step>& steps);
 
 /// Why an effect is not named that explains what is there, behind other sentences.
-std::string imitation_prose(const ForceEffect& effect, const ForceEffect& outside);
+std::string imitation_prose(const effects::ForceLaw& effect, const effects::ForceLaw& outside);
 
 /// What is likely beside the causes, but not named, behind other sentences.
-std::string doubtful_prose(const ForceEffect& effect, double probability);
+std::string doubtful_prose(const effects::ForceLaw& effect, double probability);
 
 /// Which of causes that could be each other's a model holds that is written, behind other
 /// sentences.
-std::string either_way_prose(const ForceTerms& written);
+std::string either_way_prose(const effects::ForceTerms& written);
 
 /// "A correction ... takes the error ... from ... to ..." behind other sentences.
 std::string correction_prose(const Correction& correction);
@@ -39,7 +39,7 @@ std::string correction_prose(const Correction& correction);
 /// What a user may have got wrong before any physics does: units, signs and ratios, behind other
 /// sentences.
 /// @param parameters gain and friction coefficient of the model first
-std::string doubts(std::span<const ForceRecord> records, std::span<const double> parameters,
-                   const NominalModel& nominal);
+std::string doubts(std::span<const effects::ForceRecord> records,
+                   std::span<const double> parameters, const NominalModel& nominal);
 
 }  // namespace host_sim::diagnose

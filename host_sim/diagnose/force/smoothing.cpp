@@ -12,15 +12,15 @@ namespace host_sim::diagnose {
 namespace {
 
 /// Samples in a row that count.
-std::vector<recording::Stretch> pieces_of(const ForceRecord& record) {
+std::vector<recording::Stretch> pieces_of(const effects::ForceRecord& record) {
   return recording::stretches_of(record.used, true);
 }
 
 /// Mean square of what a sample is off the cubic through the two to each side of it.
-double off_neighbours(const std::vector<ForceRecord>& records) {
+double off_neighbours(const std::vector<effects::ForceRecord>& records) {
   double square_N2 = 0;
   double count = 0;
-  for (const ForceRecord& record : records) {
+  for (const effects::ForceRecord& record : records) {
     const std::vector<double>& at_N = record.output_N;
     for (const recording::Stretch& piece : pieces_of(record)) {
       for (std::size_t i = piece.first + 2; i + 2 < piece.end(); ++i) {
@@ -41,13 +41,13 @@ struct Smoothed {
 };
 
 /// By cubics over some samples to each side.
-Smoothed smoothed_over(int samples, const std::vector<ForceRecord>& records) {
+Smoothed smoothed_over(int samples, const std::vector<effects::ForceRecord>& records) {
   const double reach = samples;
   const double own = 3 * (3 * reach * reach + 3 * reach - 1) /
                      ((2 * reach + 3) * (2 * reach + 1) * (2 * reach - 1));
   Smoothed smoothed{.output_N = {}, .rate_N_s = {}, .off_N2 = 0, .own = own};
   double count = 0;
-  for (const ForceRecord& record : records) {
+  for (const effects::ForceRecord& record : records) {
     std::vector<double>& output_N = smoothed.output_N.emplace_back(record.output_N);
     std::vector<double>& rate_N_s = smoothed.rate_N_s.emplace_back(record.output_rate_N_s);
     const double step_s = record.step_s();
@@ -78,7 +78,7 @@ void thin(std::vector<T>& values, std::size_t step) {
 }
 
 /// Of all places since the sample that is kept before one, the farthest beyond both; else its own.
-double reversal_m(const ForceRecord& record, std::size_t before, std::size_t at) {
+double reversal_m(const effects::ForceRecord& record, std::size_t before, std::size_t at) {
   const auto [low_m, high_m] = std::minmax(record.position_m[before], record.position_m[at]);
   double turned_m = record.position_m[at];
   double farthest_m = 0;
@@ -96,7 +96,7 @@ double reversal_m(const ForceRecord& record, std::size_t before, std::size_t at)
 
 }  // namespace
 
-double smooth_output(std::vector<ForceRecord>& records) {
+double smooth_output(std::vector<effects::ForceRecord>& records) {
   constexpr int kSamples[] = {4, 8, 16};
   constexpr double kOfNeighbours = 35.0 / 18;  // of the noise, 1 + (2 * 4^2 + 2 * 1^2)/6^2
   double least_N2 = off_neighbours(records);
@@ -118,7 +118,7 @@ double smooth_output(std::vector<ForceRecord>& records) {
   return best->own * (1 - best->own) * best->off_N2;
 }
 
-void thin(ForceRecord& record, std::size_t most) {
+void thin(effects::ForceRecord& record, std::size_t most) {
   const std::size_t step = std::max<std::size_t>(1, record.samples() / most);
   for (std::size_t i = step; i < record.samples(); i += step) {
     record.reversal_m[i] = reversal_m(record, i - step, i);

@@ -22,7 +22,7 @@ double most_repeated(const std::vector<BinMeans>& means) {
 }
 
 /// Samples in an eighth of the mean time between reversals, which are those of 5 % of the stroke.
-std::size_t part_of_stroke(const ForceRecord& record, double stroke_m) {
+std::size_t part_of_stroke(const effects::ForceRecord& record, double stroke_m) {
   constexpr double kReversal = 0.05;
   constexpr std::size_t kPart = 8;
   std::size_t strokes = 1;
@@ -76,7 +76,7 @@ double settled_m_s(const ForceData& data) {
 }
 
 /// Samples that count where friction turns over neither there nor at the ones beside them.
-std::vector<bool> between_reversals(const ForceRecord& record, double settled_m_s) {
+std::vector<bool> between_reversals(const effects::ForceRecord& record, double settled_m_s) {
   const auto goes = [&](std::size_t i, double way) {
     return way * record.velocity_m_s[i] > settled_m_s;
   };
@@ -90,7 +90,8 @@ std::vector<bool> between_reversals(const ForceRecord& record, double settled_m_
 
 /// Squares of residuals over what noise has at the force of their sample, less 1. That is learned
 /// from samples between reversals alone, where weights have a part of those.
-std::vector<double> sizes_of(const ForceRecord& record, const std::vector<double>& residuals_N,
+std::vector<double> sizes_of(const effects::ForceRecord& record,
+                             const std::vector<double>& residuals_N,
                              const std::vector<bool>& between) {
   constexpr double kMost = 9;  // heavy tails say little
   constexpr int kSizeRounds = 3;
@@ -134,7 +135,7 @@ double going_on(const ForceData& data, const std::vector<std::vector<double>>& r
   constexpr double kChance = 2;
   std::vector<double> of_sessions;
   for (std::size_t j = 0; j < residuals_N.size(); ++j) {
-    const ForceRecord& record = data.records()[j];
+    const effects::ForceRecord& record = data.records()[j];
     Pairs pairs;
     pairs.add(record.used, weighted_N(data, j, residuals_N[j]),
               part_of_stroke(record, data.scales().stroke_m));
@@ -167,7 +168,7 @@ BinMeans::BinMeans(const ForceData& data, const CovariateBins& bins,
                    const std::vector<std::vector<double>>& residuals_N,
                    const ForceCovariance& noise)
     : means_N_(data.records().size()) {
-  const std::vector<ForceRecord>& records = data.records();
+  const std::vector<effects::ForceRecord>& records = data.records();
   const double least_m_s = settled_m_s(data);
   for (std::size_t j = 0; j < records.size(); ++j) {
     std::array<double, kBins> sums{};
@@ -323,7 +324,7 @@ Memory memory_of(const ForceData& data, const std::vector<std::vector<double>>& 
   constexpr double kLater = 1.4;  // so that what oscillates is as often alike as not
   std::vector<double> correlations;
   for (std::size_t j = 0; j < residuals_N.size(); ++j) {
-    const ForceRecord& record = data.records()[j];
+    const effects::ForceRecord& record = data.records()[j];
     const double square_N2 =
         data.covariance().weighted_square(j, vector_of(residuals_N[j])) / data.counts()[j];
     if (square_N2 <= 0) {

@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <utility>
 
 #include "host_sim/effects/life_effect.hpp"
-#include "host_sim/effects/tension_effect.hpp"
+#include "host_sim/effects/tension/tension_effect.hpp"
 
 namespace host_sim::diagnose {
 namespace {
@@ -35,27 +36,26 @@ bool of_no_account(double ratio) {
   return !std::isfinite(ratio) || ratio <= 0 || std::abs(std::log(ratio)) < kSmallestChange;
 }
 
-/// What `property` says of the effect of this id in either catalogue; empty where none has it.
-template <class Property>
-auto of_catalogue(std::string_view id, Property property) {
-  decltype(property(*effects::tension_effects().front())) found;
-  for (const auto& effect : effects::tension_effects()) {
-    if (effect->id() == id) {
-      found = property(*effect);
-    }
+/// What either catalogue says of an effect; nothing where none has this id.
+struct InCatalogue {
+  std::string_view term;
+  std::span<const effects::Separation> separations;
+};
+
+InCatalogue in_catalogue(std::string_view id) {
+  if (const effects::TensionEffect* const effect = effects::tension_effect(id)) {
+    return {effect->term, effect->separations};
   }
   for (const auto& effect : effects::life_effects()) {
     if (effect->id() == id) {
-      found = property(*effect);
+      return {effect->term(), effect->separations()};
     }
   }
-  return found;
+  return {};
 }
 
 std::string experiment_between(std::string_view one, std::string_view other) {
-  const auto separations =
-      of_catalogue(one, [](const auto& effect) { return effect.separations(); });
-  for (const effects::Separation& separation : separations) {
+  for (const effects::Separation& separation : in_catalogue(one).separations) {
     if (separation.other == other) {
       return std::string(separation.experiment);
     }
@@ -136,7 +136,7 @@ std::string term_of(std::string_view id) {
   if (const std::size_t plus = id.find('+'); plus != std::string_view::npos) {
     return term_of(id.substr(0, plus)) + " and " + term_of(id.substr(plus + 1));
   }
-  const std::string_view term = of_catalogue(id, [](const auto& effect) { return effect.term(); });
+  const std::string_view term = in_catalogue(id).term;
   return std::string(term.empty() ? id : term);
 }
 

@@ -9,14 +9,13 @@
 #include <cstdlib>
 #include <cstring>
 #include <nlohmann/json.hpp>
-#include <numeric>
 #include <string>
 #include <system_error>
 #include <vector>
 
 #include "hal/files/input_error.hpp"
 #include "hal/files/output_file.hpp"
-#include "host_sim/diagnose/sessions.hpp"
+#include "host_sim/diagnose/force_records.hpp"
 #include "host_sim/synth/campaign/make.hpp"
 
 namespace host_sim::diagnose {
@@ -26,57 +25,47 @@ using hal::files::OutputError;
 
 namespace {
 
-double middle_of(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
+// No campaign is better than this: calibration and rounding remain.
+constexpr double kLeastNoise = 1e-3;  ///< of the input force
+constexpr double kLeastScatter = 1e-3;
 
-/// Noise of the logarithm of a ratio of tensions.
-struct RatioNoise {
-  double sd = 0;
+/// Noise of what one end reads, in N.
+struct EndNoise {
+  double relative_sd = 0;
+  double absolute_N = 0;
   double ar1 = 0;
+
+  [[nodiscard]] double variance_N2(double force_N) const {
+    return std::pow(relative_sd * force_N, 2) + absolute_N * absolute_N;
+  }
 };
 
-/// Both ends of the ratio have noise of their own. What is not in proportion to a tension counts at
-/// the mean one; the correlation is that of the sum from one sample to the next.
-RatioNoise ratio_noise_of(const synth::SynthPlan& plan) {
-  const double mean_N = middle_of(plan.recordings->output_means_N);
+EndNoise input_noise_of(const synth::SynthPlan& plan) {
   const auto& channels = plan.recordings->channels;
+  const auto& input = plan.noise.input;
   const bool by_current = std::find(channels.begin(), channels.end(),
                                     hal::files::kInputTensionColumn) == channels.end();
-  double input_floor = plan.noise.input.absolute_N / mean_N;
-  if (by_current) {
-    const Model::Drive& drive = *plan.model.drive;
-    input_floor = plan.noise.input.absolute_A * drive.torque_constant_Nm_per_A * drive.gear_ratio *
-                  drive.gear_efficiency / (drive.spool_radius_m() * mean_N);
+  if (!by_current) {
+    return {input.relative_sd, input.absolute_N, input.ar1};
   }
-  const double output =
-      std::hypot(plan.noise.output.relative_sd, plan.noise.output.absolute_N / mean_N);
-  const double input = std::hypot(plan.noise.input.relative_sd, input_floor);
-  const double sd = std::hypot(output, input);
-  const double covariance =
-      output * output * plan.noise.output.ar1 + input * input * plan.noise.input.ar1;
-  return {sd, sd > 0 ? covariance / (sd * sd) : plan.noise.output.ar1};
+  const Model::Drive& drive = *plan.model.drive;
+  const double newtons_per_A = drive.torque_constant_Nm_per_A * drive.gear_ratio *
+                               drive.gear_efficiency / drive.spool_radius_m();
+  return {input.relative_sd, input.absolute_A * newtons_per_A, input.ar1};
 }
 
-NoiseModel noise_of(const synth::SynthPlan& plan) {
-  // Whitening leaves the innovations.
-  const RatioNoise ratio = ratio_noise_of(plan);
-  const double whitened = std::sqrt(1 - ratio.ar1 * ratio.ar1);
-  NoiseModel noise;
-  noise.sample_sd = std::max(ratio.sd, kLeastNoise.sample_sd) * whitened;
-  noise.session_gain_sd = std::max(plan.scatter.log_gain_sd, kLeastNoise.session_gain_sd);
-  noise.session_friction_sd = std::max(plan.scatter.friction_sd, kLeastNoise.session_friction_sd);
-  return noise;
-}
-
-std::vector<Session> simulated_sessions(synth::SynthPlan plan, const ForeseeOptions& options) {
+std::vector<effects::ForceRecord> simulated_records(synth::SynthPlan plan,
+                                                    const ForeseeOptions& options) {
   plan.departures.clear();
   plan.lives.reset();
   plan.noise = {};
   plan.scatter = {};
   const ScratchFolder scratch;
   synth::make_campaign(plan, {options.seed, options.threads, options.progress}, scratch.path());
-  return recorded_sessions(read_campaign(scratch.path())).sessions;
+  const Campaign campaign = read_campaign(scratch.path());
+  const auto recordings = recording::read_recordings(campaign.folder, campaign.columns);
+  return force_records(recordings, recording::faults_of(recordings, campaign.two_sided),
+                       campaign.nominal, !campaign.two_sided);
 }
 
 using nlohmann::ordered_json;
@@ -100,7 +89,7 @@ ordered_json sets_of(const Audit& audit) {
     if (same.members.size() > 1) {
       ordered_json ids = ordered_json::array();
       for (const std::size_t member : same.members) {
-        ids.push_back(audit.effects[member].effect->id());
+        ids.push_back(audit.effects[member].effect->id);
       }
       sets.push_back(std::move(ids));
     }
@@ -122,6 +111,37 @@ std::vector<const EffectAudit*> clearest_first(const Audit& audit) {
 
 }  // namespace
 
+NoiseModel noise_of(const synth::SynthPlan& plan, std::span<const effects::ForceRecord> records) {
+  const EndNoise input = input_noise_of(plan);
+  const EndNoise output{plan.noise.output.relative_sd, plan.noise.output.absolute_N,
+                        plan.noise.output.ar1};
+  NoiseModel noise;
+  noise.session_gain_sd = std::max(plan.scatter.log_gain_sd, kLeastScatter);
+  noise.session_friction_sd = std::max(plan.scatter.friction_sd, kLeastScatter);
+  double all_N2 = 0;
+  double passed_on_N2 = 0;
+  for (const effects::ForceRecord& record : records) {
+    std::vector<double>& sd_N = noise.sample_sd_N.emplace_back();
+    for (std::size_t i = 0; i < record.samples(); ++i) {
+      const double ratio = record.input_N[i] / record.output_N[i];
+      const double of_input_N2 = input.variance_N2(record.input_N[i]);
+      const double of_output_N2 = ratio * ratio * output.variance_N2(record.output_N[i]);
+      const double least_N = kLeastNoise * record.input_N[i];
+      sd_N.push_back(std::sqrt(std::max(of_input_N2 + of_output_N2, least_N * least_N)));
+      all_N2 += of_input_N2 + of_output_N2;
+      passed_on_N2 += of_input_N2 * input.ar1 + of_output_N2 * output.ar1;
+    }
+  }
+  noise.autocorrelation = all_N2 > 0 ? passed_on_N2 / all_N2 : output.ar1;
+  const double whitened = std::sqrt(1 - noise.autocorrelation * noise.autocorrelation);
+  for (std::vector<double>& of_record : noise.sample_sd_N) {
+    for (double& value_N : of_record) {
+      value_N *= whitened;
+    }
+  }
+  return noise;
+}
+
 ScratchFolder::ScratchFolder() {
   std::string name = (std::filesystem::temp_directory_path() / "host_sim-XXXXXX").string();
   if (::mkdtemp(name.data()) == nullptr) {
@@ -139,22 +159,19 @@ Foresight foresee(const synth::SynthPlan& plan, const ForeseeOptions& options) {
   if (!plan.recordings) {
     throw InputError(plan.file, 0, 0, "no table [recordings]", "a plan of recordings");
   }
-  const std::vector<Session> sessions = simulated_sessions(plan, options);
-  if (sessions.empty()) {
+  const std::vector<effects::ForceRecord> records = simulated_records(plan, options);
+  if (records.empty()) {
     throw InputError(plan.file, 0, 0, "no session leaves a sample: nothing moves, or too little",
                      "travels_mm of at least 5");
   }
   Foresight foresight;
-  foresight.noise = noise_of(plan);
-  foresight.sessions = sessions.size();
-  for (const Session& session : sessions) {
-    foresight.samples += session.covariates.samples();
+  foresight.noise = noise_of(plan, records);
+  foresight.sessions = records.size();
+  for (const effects::ForceRecord& record : records) {
+    foresight.samples += static_cast<std::size_t>(std::ranges::count(record.used, true));
   }
-  GramOptions gram;
-  gram.baseline.friction_coefficient = plan.model.sheath->friction_coefficient;
-  gram.autocorrelation = ratio_noise_of(plan).ar1;
-  gram.threads = options.threads;
-  foresight.audit = audit(gram_of(sessions, gram), foresight.noise);
+  foresight.audit =
+      audit(records, plan.model.sheath->friction_coefficient, foresight.noise, options.threads);
   return foresight;
 }
 
@@ -162,13 +179,13 @@ std::string foresight_json(const Foresight& foresight) {
   ordered_json effects = ordered_json::array();
   ordered_json invisible = ordered_json::array();
   for (const EffectAudit& effect : foresight.audit.effects) {
-    effects.push_back({{"id", effect.effect->id()},
+    effects.push_back({{"id", effect.effect->id},
                        {"visible", effect.visible()},
                        {"share_left", effect.share},
                        {"standard_deviations", effect.sigmas},
                        {"words", effect.prose}});
     if (!effect.visible()) {
-      invisible.push_back(effect.effect->id());
+      invisible.push_back(effect.effect->id);
     }
   }
   const ordered_json json{
@@ -182,7 +199,7 @@ void write_foresight(std::ostream& out, const Foresight& foresight) {
   fmt::print(out, "{} sessions, {} samples: what this campaign could show\n", foresight.sessions,
              foresight.samples);
   for (const EffectAudit* effect : clearest_first(foresight.audit)) {
-    fmt::print(out, "  {:<22}{}{}\n", effect->effect->id(),
+    fmt::print(out, "  {:<22}{}{}\n", effect->effect->id,
                effect->visible() ? "detectable: " : "not detectable: ", effect->prose);
   }
   bool all_apart = true;
@@ -191,7 +208,7 @@ void write_foresight(std::ostream& out, const Foresight& foresight) {
       all_apart = false;
       fmt::print(out, "not distinguishable:");
       for (const std::size_t member : same.members) {
-        fmt::print(out, " {}", foresight.audit.effects[member].effect->id());
+        fmt::print(out, " {}", foresight.audit.effects[member].effect->id);
       }
       fmt::print(out, "\n");
       for (const std::string& experiment : same.experiments) {

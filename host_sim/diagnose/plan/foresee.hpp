@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <ostream>
+#include <span>
 #include <string>
 
 #include "host_sim/diagnose/audit/audit.hpp"
@@ -33,6 +34,12 @@ struct Foresight {
   std::size_t samples = 0;
   Audit audit;
 };
+
+/// Noise of the input force beside what the nominal model makes of the output force, which passes
+/// on the noise of that one as it passes on the force. Of noise that goes on it is what each sample
+/// has that is new, in N.
+/// @param records that the plan makes, with nothing hidden in them
+NoiseModel noise_of(const synth::SynthPlan& plan, std::span<const effects::ForceRecord> records);
 
 struct ForeseeOptions {
   std::uint64_t seed = 1;

@@ -1,399 +1,267 @@
+#include <algorithm>
 #include <cmath>
-#include <complex>
 #include <numbers>
-#include <utility>
+#include <string>
 
-#include "host_sim/effects/tension/columns.hpp"
-#include "host_sim/effects/tension/definition.hpp"
+#include "host_sim/effects/tension/law.hpp"
 
-namespace host_sim::effects {
+/// Laws of friction, which are approximations of each other.
+namespace host_sim::effects::laws {
 namespace {
 
-namespace friction_load {
-
-constexpr double kReference_N = 50;
-constexpr int kRounds = 3;
-
-constexpr Parameter kParameters[] = {
-    {.name = "load_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
-    {.name = "load_exponent",
-     .unit = "1",
-     .minimum = -1,
-     .maximum = 1,
-     .typical = 0.2,
-     .scaled_by_share = true},
-};
-
-constexpr Separation kSeparations[] = {
-    {"current_offset", "vary the bend angle at one tension"},
-    {"friction_preload", "measure at low and at high tension"},
-};
-
-/// Along the sheath d ln T = -mu (T/T_0)^-k s d phi, so that T_in^k - T_out^k = k mu phi s T_0^k.
-/// Over the geometric mean M of both ends that is
-/// (2/k) sinh(k ln(T_in/T_out)/2) = mu phi s (T_0/M)^k, and r = mu phi s - ln(T_in/T_out). With P,
-/// the input between both ends by their noise, ln M = ln P - mu phi s/2 + (1/2 - w) r.
-Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
-                std::span<const double> shape) {
-  const double exponent = shape[0];
-  const double log_reference = std::log(kReference_N);
-  return {column_of(covariates, [&](std::size_t i) {
-    const double grip = baseline.friction_coefficient * angle_and_direction(covariates, i);
-    const double log_mid =
-        std::log(covariates.tension_in_N()[i]) + log_to_mid_tension(covariates, baseline, i);
-    const double off_middle = 0.5 - input_noise_share(covariates, i);
-    double r = 0;
-    for (int round = 0; round < kRounds; ++round) {
-      const double log_mean = log_mid - grip / 2 + off_middle * r;
-      const double there = grip * std::exp(exponent * (log_reference - log_mean));
-      r = grip - 2 / exponent * std::asinh(exponent * there / 2);
-    }
-    return r;
-  })};
+/// kappa of laws of the speed.
+ForceParameter viscous_friction(const ForceScales& scales) {
+  const double speed_m_s = scales.speed_m_s;
+  return usual(0.05 / speed_m_s,
+               {"viscous_friction_s_m", "s/m", -1 / speed_m_s, 1 / speed_m_s, {0.01 / speed_m_s}});
 }
 
-TensionDefinition definition() {
-  return {.id = "friction_load",
-          .term = "load-dependent friction",
-          .equation = "mu (T/50 N)^-k with the tension T at each place of the sheath",
-          .life_consequence =
-              "friction relative to load falls as load rises, so that mu "
-              "from light tests overstates the damage of heavy use",
-          .parameters = kParameters,
-          .separations = kSeparations,
-          .shapes = {{-0.8},
-                     {-0.4},
-                     {-0.2},
-                     {-0.1},
-                     {-0.05},
-                     {-0.025},
-                     {0.025},
-                     {0.05},
-                     {0.1},
-                     {0.2},
-                     {0.4},
-                     {0.8}},
-          .columns = columns};
+namespace preload {
+
+constexpr TableKey kTable[] = {{{"preload_N", "N", {0, 1e4}}}};
+
+constexpr Separation kSeparations[] = {{"current_offset",
+                                        "move in both directions at low and at high tension: an "
+                                        "offset of the sensor does not change sign with s"},
+                                       {"friction_load", "measure at low and at high tension"}};
+
+constexpr TensionEffect kEffect{"friction_preload",
+                                "load-independent (Coulomb) friction of seals and sheath preload",
+                                "adds F to the amplitude of input tension at each reversal, most "
+                                "of all in relative terms at low tension, where lives are long",
+                                kTable, kSeparations};
+
+Parameters parameters(const ForceScales& scales) {
+  return {usual(0.05 * scales.larger_N(),
+                {"preload_N", "N", 0, 10 * scales.larger_N(), {0.2 * scales.larger_N()}})};
 }
 
-}  // namespace friction_load
+constexpr ForceLaw kLaw{
+    .effect = &kEffect,
+    .equation = "+ F s",
+    .parameters = parameters,
+    .set = [](Numbers numbers, ForceValues& values) { values.preload_N = numbers[0]; },
+    .written = written<parameters>,
+    .of = ForceLaw::Of::friction};
 
-namespace friction_position {
+}  // namespace preload
 
-constexpr int kHarmonics = 6;
-constexpr int kDirectionHarmonics = 2;
+namespace velocity {
 
-constexpr Parameter kParameters[] = {
-    {.name = "position_sine_1", .unit = "1", .minimum = -1, .maximum = 1, .typical = 0.1},
-    {.name = "position_cosine_1", .unit = "1", .minimum = -1, .maximum = 1, .typical = 0.1},
-    {.name = "position_sine_2", .unit = "1", .minimum = -1, .maximum = 1, .typical = 0.1},
-    {.name = "position_cosine_2", .unit = "1", .minimum = -1, .maximum = 1, .typical = 0.1},
-    {.name = "position_sine_3", .unit = "1", .minimum = -1, .maximum = 1, .typical = 0.1},
-    {.name = "position_cosine_3", .unit = "1", .minimum = -1, .maximum = 1, .typical = 0.1},
-    {.name = "position_sine_4", .unit = "1", .minimum = -1, .maximum = 1, .typical = 0.1},
-    {.name = "position_cosine_4", .unit = "1", .minimum = -1, .maximum = 1, .typical = 0.1},
-    {.name = "position_sine_5", .unit = "1", .minimum = -1, .maximum = 1, .typical = 0.1},
-    {.name = "position_cosine_5", .unit = "1", .minimum = -1, .maximum = 1, .typical = 0.1},
-    {.name = "position_sine_6", .unit = "1", .minimum = -1, .maximum = 1, .typical = 0.1},
-    {.name = "position_cosine_6", .unit = "1", .minimum = -1, .maximum = 1, .typical = 0.1},
-    {.name = "direction_sine_1",
-     .unit = "1",
-     .minimum = -1,
-     .maximum = 1,
-     .typical = 0.1,
-     .off_line = true},
-    {.name = "direction_cosine_1",
-     .unit = "1",
-     .minimum = -1,
-     .maximum = 1,
-     .typical = 0.1,
-     .off_line = true},
-    {.name = "direction_sine_2",
-     .unit = "1",
-     .minimum = -1,
-     .maximum = 1,
-     .typical = 0.1,
-     .off_line = true},
-    {.name = "direction_cosine_2",
-     .unit = "1",
-     .minimum = -1,
-     .maximum = 1,
-     .typical = 0.1,
-     .off_line = true},
-    {.name = "wavelength_m", .unit = "m", .minimum = 0.01, .maximum = 0.32, .typical = 0.08},
-};
-
-constexpr Separation kSeparations[] = {
-    {"torque_ripple", "repeat the stroke at several loads"},
-    {"friction_velocity", "run over the same positions at several constant speeds"},
-};
-
-constexpr Need kNeeds[] = {kPositionNeed};
-
-/// Sine and cosine of each harmonic of 2 pi x/L, each times what `factor(i)` says of the sample.
-template <class Factor>
-void add_harmonics(const std::vector<std::complex<double>>& turns, int harmonics, Factor&& factor,
-                   Columns& columns) {
-  std::vector<std::complex<double>> powers(turns.size(), 1);
-  for (int harmonic = 1; harmonic <= harmonics; ++harmonic) {
-    std::vector<double> sine(turns.size());
-    std::vector<double> cosine(turns.size());
-    for (std::size_t i = 0; i < turns.size(); ++i) {
-      powers[i] *= turns[i];
-      sine[i] = factor(i) * powers[i].imag();
-      cosine[i] = factor(i) * powers[i].real();
-    }
-    columns.push_back(std::move(sine));
-    columns.push_back(std::move(cosine));
-  }
-}
-
-/// mu (1 + g + h s) is the friction coefficient of each direction, and r = -mu phi (s g + h).
-Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
-                std::span<const double> shape) {
-  const double radians_1_m = 2 * std::numbers::pi / shape[0];
-  std::vector<std::complex<double>> turns;
-  turns.reserve(covariates.samples());
-  for (const double position_m : covariates.position_m) {
-    turns.push_back(std::polar(1.0, radians_1_m * position_m));
-  }
-  const double mu = baseline.friction_coefficient;
-  Columns columns;
-  const auto both = [&](std::size_t i) { return -mu * angle_and_direction(covariates, i); };
-  const auto one = [&](std::size_t i) { return -mu * covariates.bend_angle_rad[i]; };
-  add_harmonics(turns, kHarmonics, both, columns);
-  add_harmonics(turns, kDirectionHarmonics, one, columns);
-  return columns;
-}
-
-TensionDefinition definition() {
-  return {.id = "friction_position",
-          .term = "position-dependent friction of features along the route",
-          .equation =
-              "mu (1 + g(x) + h(x) s), Fourier sums of 2 pi x/L: g of six "
-              "harmonics, h of two",
-          .life_consequence =
-              "wire that dwells on the tight part of the route sees a "
-              "larger amplitude than the mean mu gives",
-          .parameters = kParameters,
-          .separations = kSeparations,
-          .needs = kNeeds,
-          .shapes = {{0.01}, {0.02}, {0.04}, {0.08}, {0.16}, {0.32}},
-          .columns = columns};
-}
-
-}  // namespace friction_position
-
-namespace friction_preload {
-
-constexpr Parameter kParameters[] = {
-    {.name = "preload_share", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
-    {.name = "preload_N",
-     .unit = "N",
-     .minimum = 0,
-     .maximum = 50,
-     .typical = 2,
-     .scaled_by_share = true},
-};
-
-constexpr Separation kSeparations[] = {
-    {"current_offset",
-     "move in both directions at low and at high tension: an offset of the sensor does not change "
-     "sign with s"},
-    {"friction_load", "measure at low and at high tension"},
-};
-
-/// T_in - T_out exp(mu phi s) = F s, over the tension between both terms.
-Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
-                std::span<const double> shape) {
-  const double preload_N = shape[0];
-  return {column_of(covariates, [&](std::size_t i) {
-    const double mid_N = covariates.tension_in_N()[i] * to_mid_tension(covariates, baseline, i);
-    return log_of_difference(preload_N * covariates.direction[i] / mid_N,
-                             input_noise_share(covariates, i));
-  })};
-}
-
-TensionDefinition definition() {
-  return {.id = "friction_preload",
-          .term = "load-independent (Coulomb) friction of seals and sheath preload",
-          .equation = "T_out = (T_in - F s) exp(-mu phi s)",
-          .life_consequence =
-              "adds F to the amplitude of input tension at each reversal, most of all "
-              "in relative terms at low tension, where lives are long",
-          .parameters = kParameters,
-          .separations = kSeparations,
-          .shapes = {{0.15}, {0.3}, {0.6}, {1.2}, {2.5}, {5}, {10}, {20}, {40}},
-          .columns = columns};
-}
-
-}  // namespace friction_preload
-
-namespace friction_temperature {
-
-constexpr Parameter kParameters[] = {
-    {.name = "temperature_coefficient_1_K",
-     .unit = "1/K",
-     .minimum = -0.05,
-     .maximum = 0.05,
-     .typical = 0.005},
-};
-
-constexpr Separation kSeparations[] = {
-    {"friction_wear", "heat the sheath alone, at one cycle number"},
-    {"torque_gain", "heat the sheath alone, with the winding cold"},
-};
-
-constexpr Need kNeeds[] = {kSheathTemperatureNeed};
-
-/// r = -mu phi s (T - T_ref) k.
-Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
-                std::span<const double>) {
-  return {column_of(covariates, [&](std::size_t i) {
-    return -baseline.friction_coefficient * angle_and_direction(covariates, i) *
-           (covariates.sheath_temperature_C[i] - baseline.sheath_reference_C);
-  })};
-}
-
-TensionDefinition definition() {
-  return {.id = "friction_temperature",
-          .term = "temperature-dependent friction",
-          .equation = "mu (1 + k (T_sheath - T_ref))",
-          .life_consequence =
-              "a sheath that is hotter than the reference has another mu phi, and life "
-              "goes with exp(-gamma k mu phi dT) for each kelvin that it stays so",
-          .parameters = kParameters,
-          .separations = kSeparations,
-          .needs = kNeeds,
-          .shifts_sessions = true,
-          .columns = columns};
-}
-
-}  // namespace friction_temperature
-
-namespace friction_velocity {
-
-constexpr Parameter kParameters[] = {
-    {.name = "stribeck_friction", .unit = "1", .minimum = -0.5, .maximum = 0.5, .typical = 0.05},
-    {.name = "viscous_friction_s_m", .unit = "s/m", .minimum = -10, .maximum = 10, .typical = 0.5},
-    {.name = "stribeck_velocity_m_s",
-     .unit = "m/s",
-     .minimum = 0.002,
-     .maximum = 0.1,
-     .typical = 0.02},
-};
+constexpr TableKey kTable[] = {{{"stribeck_friction", "", {-0.5, 0.5}}, TableKey::kUnknown},
+                               {{"viscous_friction_s_m", "s_m", {-80, 80}}, TableKey::kUnknown},
+                               {{"stribeck_velocity_m_s", "m_s", {0.002, 0.1}}, TableKey::kUnknown},
+                               {{"viscous_N_s_m", "N_s_m", {0, 1e6}}, TableKey::kUnknown}};
 
 constexpr Separation kSeparations[] = {
     {"filter_lag", "run at constant speed, several speeds at the same tension"},
-    {"friction_position", "run over the same positions at several constant speeds"},
-};
+    {"friction_position", "run over the same positions at several constant speeds"}};
 
-constexpr Need kNeeds[] = {kVelocityNeed};
+constexpr TensionEffect kEffect{"friction_velocity", "viscous and Stribeck friction",
+                                "the same grip does more damage at the speed where friction is "
+                                "larger: input tension goes with exp(mu(v) phi)",
+                                kTable, kSeparations};
 
-/// r = -phi s exp(-|v|/v_s) (mu_s - mu) - phi s |v| kappa.
-Columns columns(const recording::Covariates& covariates, const Baseline&,
-                std::span<const double> shape) {
-  const double stribeck_velocity_m_s = shape[0];
+Parameters viscous_parameters(const ForceScales& scales) {
+  const double force_N = scales.larger_N();
+  const double speed_m_s = scales.speed_m_s;
+  return {{"viscous_N_s_m", "N s/m", 0, 10 * force_N / speed_m_s, {0.05 * force_N / speed_m_s}},
+          viscous_friction(scales)};
+}
+
+constexpr ForceLaw kViscous{.effect = &kEffect,
+                            .own_term = "viscous friction",
+                            .equation = "+ (c + kappa phi |T|) |v| s",
+                            .parameters = viscous_parameters,
+                            .set =
+                                [](Numbers numbers, ForceValues& values) {
+                                  values.viscous_N_s_m = numbers[0];
+                                  values.viscous_friction_s_m = numbers[1];
+                                },
+                            .written = written<viscous_parameters>,
+                            .of = ForceLaw::Of::friction};
+
+/// A model that is written has the velocity within these bounds. Slower than friction turns over it
+/// would be that.
+Parameters stribeck_parameters(const ForceScales& scales) {
+  constexpr double kLeast_m_s = 0.002;
+  constexpr double kMost_m_s = 0.1;
+  const double speed_m_s = scales.speed_m_s;
+  const double least_m_s = std::max(kLeast_m_s, 2 * scales.turn_over_m_s);
+  if (least_m_s >= kMost_m_s) {
+    return {};
+  }
   return {
-      column_of(covariates,
-                [&](std::size_t i) {
-                  return -angle_and_direction(covariates, i) *
-                         std::exp(-std::abs(covariates.velocity_m_s[i]) / stribeck_velocity_m_s);
-                }),
-      column_of(covariates, [&](std::size_t i) {
-        return -angle_and_direction(covariates, i) * std::abs(covariates.velocity_m_s[i]);
-      })};
+      viscous_friction(scales),
+      usual(0.05, {"stribeck_friction", "1", -0.5, 0.5, {0.02}}),
+      {"stribeck_velocity_m_s", "m/s", least_m_s, kMost_m_s, {0.1 * speed_m_s, 0.3 * speed_m_s}}};
 }
 
-TensionDefinition definition() {
-  return {.id = "friction_velocity",
-          .term = "viscous and Stribeck friction",
-          .equation = "mu + (mu_s - mu) exp(-|v|/v_s) + kappa |v|",
-          .life_consequence =
-              "the same grip does more damage at the speed where friction is larger: "
-              "input tension goes with exp(mu(v) phi)",
-          .parameters = kParameters,
-          .separations = kSeparations,
-          .needs = kNeeds,
-          .shapes = {{0.002}, {0.005}, {0.01}, {0.02}, {0.05}, {0.1}},
-          .columns = columns};
+constexpr ForceLaw kStribeck{.effect = &kEffect,
+                             .equation = "mu + (mu_s - mu) exp(-|v|/v_s) + kappa |v|",
+                             .missing = needs_one_tendon,
+                             .parameters = stribeck_parameters,
+                             .set =
+                                 [](Numbers numbers, ForceValues& values) {
+                                   values.viscous_friction_s_m = numbers[0];
+                                   values.stribeck_friction = numbers[1];
+                                   values.stribeck_velocity_m_s = numbers[2];
+                                 },
+                             .written = written<stribeck_parameters>,
+                             .of = ForceLaw::Of::friction};
+
+}  // namespace velocity
+
+namespace load {
+
+constexpr TableKey kTable[] = {{{"load_exponent", "", {-1, 1}}}};
+
+constexpr Separation kSeparations[] = {{"current_offset", "vary the bend angle at one tension"},
+                                       {"friction_preload", "measure at low and at high tension"}};
+
+constexpr TensionEffect kEffect{"friction_load", "load-dependent friction",
+                                "friction relative to load falls as load rises, so that mu from "
+                                "light tests overstates the damage of heavy use",
+                                kTable, kSeparations};
+
+/// A third is the contact of bodies that yield. Friction that rises little as the load does is one
+/// that does not depend on it.
+Parameters parameters(const ForceScales& /*scales*/) {
+  constexpr double kMost = 0.7;
+  return {usual(0.2, {"load_exponent", "1", -kMost, kMost, {0.1}})};
 }
 
-}  // namespace friction_velocity
+constexpr ForceLaw kLaw{
+    .effect = &kEffect,
+    .equation = "mu (|T|/T_0)^-k",
+    .parameters = parameters,
+    .set = [](Numbers numbers, ForceValues& values) { values.load_exponent = numbers[0]; },
+    .written = written<parameters>,
+    .of = ForceLaw::Of::friction};
 
-namespace friction_wear {
+}  // namespace load
 
-constexpr double kReference_cycles = 1000;
+namespace position {
 
-constexpr Parameter kParameters[] = {
-    {.name = "wear_coefficient", .unit = "1", .minimum = -1, .maximum = 1, .typical = 0.3},
-    {.name = "wear_exponent", .unit = "1", .minimum = 0, .maximum = 2, .typical = 1},
-    {.name = "run_in_cycles", .unit = "cycles", .minimum = 0, .maximum = 10000, .typical = 0},
-};
+constexpr TableKey kTable[] = {
+    {{"position_sine_1", "", {-1, 1}}},     {{"position_cosine_1", "", {-1, 1}}},
+    {{"position_sine_2", "", {-1, 1}}},     {{"position_cosine_2", "", {-1, 1}}},
+    {{"position_sine_3", "", {-1, 1}}},     {{"position_cosine_3", "", {-1, 1}}},
+    {{"position_sine_4", "", {-1, 1}}},     {{"position_cosine_4", "", {-1, 1}}},
+    {{"position_sine_5", "", {-1, 1}}},     {{"position_cosine_5", "", {-1, 1}}},
+    {{"position_sine_6", "", {-1, 1}}},     {{"position_cosine_6", "", {-1, 1}}},
+    {{"direction_sine_1", "", {-1, 1}}, 0}, {{"direction_cosine_1", "", {-1, 1}}, 0},
+    {{"direction_sine_2", "", {-1, 1}}, 0}, {{"direction_cosine_2", "", {-1, 1}}, 0},
+    {{"wavelength_m", "m", {0, 100, true}}}};
 
 constexpr Separation kSeparations[] = {
-    {"friction_temperature", "start from cold at several cycle numbers"},
-    {"torque_gain", "start with a cold winding at several cycle numbers"},
-};
+    {"torque_ripple", "repeat the stroke at several loads"},
+    {"friction_velocity", "run over the same positions at several constant speeds"}};
 
-constexpr Need kNeeds[] = {kCycleNeed};
+constexpr TensionEffect kEffect{"friction_position",
+                                "position-dependent friction of features along the route",
+                                "wire that dwells on the tight part of the route sees a larger "
+                                "amplitude than the mean mu gives",
+                                kTable, kSeparations};
 
-/// Relative change of mu for a = 1.
-double growth(double cycle, std::span<const double> shape) {
-  const double exponent = shape[0];
-  const double run_in_cycles = shape[1];
-  return exponent > 0 ? std::pow(cycle / kReference_cycles, exponent)
-                      : std::exp(-cycle / run_in_cycles);
+Parameters parameters(const ForceScales& /*scales*/) {
+  Parameters all;
+  for (std::size_t harmonic = 1; harmonic <= ForceValues::kHarmonics; ++harmonic) {
+    const std::string number = std::to_string(harmonic);
+    all.push_back(usual(0.1, {"position_sine_" + number, "1", -1, 1, {0.01}}));
+    all.push_back(usual(0.1, {"position_cosine_" + number, "1", -1, 1, {0.01}}));
+  }
+  return all;
 }
 
-/// Small signal: T_out = T_in exp(-mu (1 + a g) phi s) gives r = -mu phi s g a.
-Columns columns(const recording::Covariates& covariates, const Baseline& baseline,
-                std::span<const double> shape) {
-  double cycle = -1;
-  double grown = 0;
-  return {column_of(covariates, [&](std::size_t i) {
-    if (covariates.cycle[i] != cycle) {  // few cycles, of many samples each
-      cycle = covariates.cycle[i];
-      grown = growth(cycle, shape);
-    }
-    return -baseline.friction_coefficient * angle_and_direction(covariates, i) * grown;
-  })};
+/// a sin(k (x - m)) + b cos(k (x - m)) as a sum of sin(kx) and cos(kx); a table has six of them.
+Extension about_zero(std::string_view id, Numbers numbers, const ForceScales& scales) {
+  constexpr std::size_t kWritten = 6;
+  Extension extension{std::string(id), {}};
+  for (std::size_t harmonic = 1; harmonic <= kWritten; ++harmonic) {
+    const std::size_t at = 2 * harmonic - 2;
+    const double sine = at < numbers.size() ? numbers[at] : 0;
+    const double cosine = at < numbers.size() ? numbers[at + 1] : 0;
+    const double phase =
+        2 * std::numbers::pi * static_cast<double>(harmonic) * scales.position_m / scales.stroke_m;
+    const std::string number = std::to_string(harmonic);
+    extension.values.push_back(
+        {"position_sine_" + number, {sine * std::cos(phase) + cosine * std::sin(phase)}});
+    extension.values.push_back(
+        {"position_cosine_" + number, {cosine * std::cos(phase) - sine * std::sin(phase)}});
+  }
+  extension.values.push_back({"wavelength_m", {scales.stroke_m}});
+  return extension;
 }
 
-TensionDefinition definition() {
-  return {.id = "friction_wear",
-          .term = "wear or run-in of the sheath",
-          .equation = "mu(n) = mu (1 + a (n/1000)^p), or mu (1 + a exp(-n/n0)) where p = 0",
-          .life_consequence =
-              "the amplitude (13) grows with mu phi as the sheath wears, so that "
-              "later cycles do more damage than Miner books for new ones",
-          .parameters = kParameters,
-          .separations = kSeparations,
-          .needs = kNeeds,
-          .shifts_sessions = true,
-          .shapes = {{0.25, 0},
-                     {0.5, 0},
-                     {0.75, 0},
-                     {1, 0},
-                     {1.5, 0},
-                     {2, 0},
-                     {0, 30},
-                     {0, 100},
-                     {0, 300},
-                     {0, 1000},
-                     {0, 3000},
-                     {0, 10000}},
-          .columns = columns};
+constexpr ForceLaw kLaw{
+    .effect = &kEffect,
+    .equation = "mu (1 + g(x)), F (1 + g(x))",
+    .parameters = parameters,
+    .set = [](Numbers numbers,
+              ForceValues& values) { std::ranges::copy(numbers, values.harmonics.begin()); },
+    .written = about_zero,
+    .of = ForceLaw::Of::friction};
+
+}  // namespace position
+
+namespace presliding {
+
+constexpr TableKey kTable[] = {{{"presliding_share", "", {0, 1}}, TableKey::kUnknown},
+                               {{"presliding_length_m", "m", {0, 1, true}}}};
+
+constexpr Separation kSeparations[] = {
+    {"slack", "step the pretension: slack closes, presliding stays"},
+    {"compliance", "reverse at two loads and two poses"}};
+
+constexpr TensionEffect kEffect{
+    "presliding", "Dahl or LuGre hysteresis",
+    "strokes shorter than d never build up the full friction, so that small cycles of input "
+    "tension are smaller than the Capstan law makes them",
+    kTable, kSeparations};
+
+Parameters length_parameters(const ForceScales& scales) {
+  const double stroke_m = scales.stroke_m;
+  return {{"presliding_length_m",
+           "m",
+           5e-4 * stroke_m,
+           0.5 * stroke_m,
+           {0.01 * stroke_m, 0.05 * stroke_m, 0.15 * stroke_m}}};
 }
 
-}  // namespace friction_wear
+constexpr ForceLaw kOverLength{
+    .effect = &kEffect,
+    .own_term = "presliding",
+    .equation = "s becomes z, dz/dx = (sgn(dx) - z)/l",
+    .parameters = length_parameters,
+    .set = [](Numbers numbers, ForceValues& values) { values.presliding_m = numbers[0]; },
+    .written = written<length_parameters>,
+    .of = ForceLaw::Of::friction};
+
+/// A length that friction turns over by is how far it stretches a tendon of this stiffness.
+Parameters stiffness_parameters(const ForceScales& scales) {
+  return {stiffness("presliding_stiffness_N_m", scales, {0.3, 5, 100})};
+}
+
+constexpr ForceLaw kByStiffness{
+    .effect = &kEffect,
+    .own_term = "presliding over a length that grows with friction",
+    .equation = "s becomes z, dz/dx = (sgn(dx) - z) k/F, F the friction that is turned over",
+    .missing = needs_one_tendon,
+    .parameters = stiffness_parameters,
+    .set = [](Numbers numbers, ForceValues& values) { values.presliding_N_m = numbers[0]; },
+    .of = ForceLaw::Of::friction};
+
+}  // namespace presliding
 
 }  // namespace
 
-std::vector<TensionDefinition> friction_effects() {
-  return {friction_load::definition(),     friction_position::definition(),
-          friction_preload::definition(),  friction_temperature::definition(),
-          friction_velocity::definition(), friction_wear::definition()};
-}
+constinit const ForceLaw kPreload = preload::kLaw;
+constinit const ForceLaw kVelocity = velocity::kViscous;
+constinit const ForceLaw kStribeck = velocity::kStribeck;
+constinit const ForceLaw kLoad = load::kLaw;
+constinit const ForceLaw kPosition = position::kLaw;
+constinit const ForceLaw kPresliding = presliding::kOverLength;
+constinit const ForceLaw kElasticPresliding = presliding::kByStiffness;
 
-}  // namespace host_sim::effects
+}  // namespace host_sim::effects::laws

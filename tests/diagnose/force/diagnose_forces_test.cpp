@@ -43,7 +43,7 @@ NominalModel nominal() {
   return nominal;
 }
 
-Findings found(const std::vector<ForceRecord>& records) {
+Findings found(const std::vector<effects::ForceRecord>& records) {
   return diagnose_forces(records, nominal(), kWire, {}).findings;
 }
 
@@ -83,12 +83,12 @@ TEST(DiagnoseForces, NamesNothingWhereNothingIsHidden) {
 
 /// A joint that carries 2 N of its own and runs one way, at another speed in each session: 30 N of
 /// friction and 300 N s/m.
-std::vector<ForceRecord> running_free(unsigned seed) {
+std::vector<effects::ForceRecord> running_free(unsigned seed) {
   std::mt19937 engine(seed);
   std::normal_distribution<double> normal;
-  std::vector<ForceRecord> records;
+  std::vector<effects::ForceRecord> records;
   for (int j = 0; j < 10; ++j) {
-    ForceRecord record;
+    effects::ForceRecord record;
     record.session = "s" + std::to_string(j);
     const double speed_m_s = 0.008 * (j + 1);
     for (int i = 0; i < 250; ++i) {
@@ -125,8 +125,8 @@ TEST(DiagnoseForces, AJointThatRunsFreeHasFrictionAndNoOtherGain) {
 
 /// The friction turns over at once, and shows three samples later: a lag would bring it on slowly.
 TEST(DiagnoseForces, AChannelThatIsLateIsNoLag) {
-  std::vector<ForceRecord> records = measured({.preload_N = 12, .noise_N = 0.2}, 5);
-  for (ForceRecord& record : records) {
+  std::vector<effects::ForceRecord> records = measured({.preload_N = 12, .noise_N = 0.2}, 5);
+  for (effects::ForceRecord& record : records) {
     std::rotate(record.input_N.begin(), record.input_N.end() - 3, record.input_N.end());
     std::fill_n(record.used.begin(), 3, false);
   }
@@ -137,12 +137,12 @@ TEST(DiagnoseForces, AChannelThatIsLateIsNoLag) {
 }
 
 /// A joint with an input that is read as `read` says of its course at 4000 Hz, and kept at 200 Hz.
-std::vector<ForceRecord> read_late(
+std::vector<effects::ForceRecord> read_late(
     const std::function<void(std::vector<double>& input_N, double step_s)>& read) {
   constexpr std::size_t kEach = 20;
-  std::vector<ForceRecord> records =
+  std::vector<effects::ForceRecord> records =
       measured({.preload_N = 12, .noise_N = 0.2, .samples = 40000}, 5);
-  for (ForceRecord& record : records) {
+  for (effects::ForceRecord& record : records) {
     read(record.input_N, record.time_s[1]);
     thin(record, record.samples() / kEach);
   }
@@ -172,9 +172,9 @@ TEST(DiagnoseForces, ALagOfTheInputIsToldFromADelayBetweenTheSamplesThatAreKept)
 /// The input is read with a lag of 40 ms. Of the smooth load, 40 N at 0.7 Hz, a delay takes off all
 /// of that but (0.04 * 2 pi * 0.7/2)^2 = 0.8 %: too little to say that it is none.
 TEST(DiagnoseForces, OfASmoothForceALagIsAsLikelyAsADelay) {
-  std::vector<ForceRecord> records = measured({.friction = 0, .noise_N = 0.2}, 8);
+  std::vector<effects::ForceRecord> records = measured({.friction = 0, .noise_N = 0.2}, 8);
   const double share = 1 - std::exp(-0.01 / 0.04);
-  for (ForceRecord& record : records) {
+  for (effects::ForceRecord& record : records) {
     double reads_N = record.input_N.front();
     for (double& input_N : record.input_N) {
       reads_N += share * (input_N - reads_N);
@@ -208,7 +208,7 @@ TEST(DiagnoseForces, ASmallLawBesideALargeOneIsNamedWhereNothingElseIsLeft) {
 TEST(DiagnoseForces, WhatSessionsDifferInIsNoScatter) {
   std::mt19937 engine(4);
   std::normal_distribution<double> scatter(1, 0.01);
-  std::vector<ForceRecord> records;
+  std::vector<effects::ForceRecord> records;
   for (unsigned j = 0; j < 12; ++j) {
     const double temperature_C = 20 + 2 * (5 * j % 12);
     const double preload_N = 12 * (1 + 0.006 * (temperature_C - 20)) * scatter(engine);
@@ -222,10 +222,10 @@ TEST(DiagnoseForces, WhatSessionsDifferInIsNoScatter) {
 
 /// Friction of 18 sessions that scatters by 4 %, and their gain by 2 %, which is as much of the
 /// force: 15 of them at 20 and three at 60 C.
-std::vector<ForceRecord> warm_sessions(double of_temperature_1_K, unsigned seed) {
+std::vector<effects::ForceRecord> warm_sessions(double of_temperature_1_K, unsigned seed) {
   std::mt19937 engine(seed);
   std::normal_distribution<double> scatter(1, 0.04);
-  std::vector<ForceRecord> records;
+  std::vector<effects::ForceRecord> records;
   for (unsigned j = 0; j < 18; ++j) {
     const double temperature_C = j % 6 == 3 ? 60 : 20;
     const double friction = 0.1 * (1 + of_temperature_1_K * (temperature_C - 20)) * scatter(engine);
@@ -249,8 +249,8 @@ TEST(DiagnoseForces, WhatMovesSessionsIsNamedBesideTheirScatter) {
 /// of the load cell are one force, which gain and friction coefficient can't be for a load that
 /// turns over.
 TEST(DiagnoseForces, WhatIsAsGoodInThePlaceOfACauseIsACandidateToo) {
-  std::vector<ForceRecord> records = measured({.noise_N = 0.2}, 6);
-  for (ForceRecord& record : records) {
+  std::vector<effects::ForceRecord> records = measured({.noise_N = 0.2}, 6);
+  for (effects::ForceRecord& record : records) {
     for (std::size_t i = 0; i < record.samples(); ++i) {
       record.velocity_m_s[i] = 0.1;
       record.position_m[i] = 0.1 * record.time_s[i];
@@ -292,13 +292,13 @@ struct Tendon {
   double output_noise_N = 0.1;
 };
 
-std::vector<ForceRecord> pulled(const Tendon& tendon, unsigned seed) {
-  std::vector<ForceRecord> records =
+std::vector<effects::ForceRecord> pulled(const Tendon& tendon, unsigned seed) {
+  std::vector<effects::ForceRecord> records =
       measured({.load_N = 15, .still_N = 40, .noise_N = tendon.output_noise_N}, seed);
   std::mt19937 engine(seed);
   std::normal_distribution<double> noise(0, tendon.input_noise_N);
   for (std::size_t j = 0; j < records.size(); ++j) {
-    ForceRecord& record = records[j];
+    effects::ForceRecord& record = records[j];
     record.pulls_alone = true;
     const double omega = 2 * std::numbers::pi * (0.3 + 0.1 * static_cast<double>(j));
     double z = 0;
@@ -526,9 +526,9 @@ TEST(DiagnoseForces, FrictionThatIsLargerOneWayIsNoZero) {
 
 /// The top of a sine of 40 N is read a tenth too small.
 TEST(DiagnoseForces, ASensorThatIsNotLinearIsNoFriction) {
-  std::vector<ForceRecord> records =
+  std::vector<effects::ForceRecord> records =
       measured({.friction = 0.2, .noise_N = 0.1, .gain_scatter = 0.002}, 10);
-  for (ForceRecord& record : records) {
+  for (effects::ForceRecord& record : records) {
     record.pulls_alone = true;
     for (std::size_t i = 0; i < record.samples(); ++i) {
       record.used[i] = record.output_N[i] > 2;
@@ -543,11 +543,11 @@ TEST(DiagnoseForces, ASensorThatIsNotLinearIsNoFriction) {
 
 /// The sheath warms by 10 K in the course of each session, in which the input rises by 3 %.
 TEST(DiagnoseForces, AnInputThatSettlesInEachSessionIsNoFrictionByTemperature) {
-  std::vector<ForceRecord> records = measured(
+  std::vector<effects::ForceRecord> records = measured(
       {.friction = 0.3, .load_N = 15, .still_N = 40, .noise_N = 0.1, .gain_scatter = 0.002}, 12);
   std::mt19937 engine(12);
   std::normal_distribution<double> noise_C(0, 0.1);
-  for (ForceRecord& record : records) {
+  for (effects::ForceRecord& record : records) {
     record.pulls_alone = true;
     for (std::size_t i = 0; i < record.samples(); ++i) {
       const double settled = 1 - std::exp(-record.time_s[i] / 1.5);
@@ -576,10 +576,10 @@ TEST(DiagnoseForces, WhatStandsBesideCausesLeavesThemHalfOfTheProbabilityToBeAll
 /// Chatter of 2 N at 9 Hz, on for 1.2 s in 2.5 s, at times of its own in each session.
 TEST(DiagnoseForces, WhatComesInBurstsIsUnknown) {
   const auto chattering = [](double size_N) {
-    std::vector<ForceRecord> records =
+    std::vector<effects::ForceRecord> records =
         measured({.friction = 0.2, .still_N = 60, .noise_N = 0.3, .gain_scatter = 0.002}, 10);
     double begun_s = 0;
-    for (ForceRecord& record : records) {
+    for (effects::ForceRecord& record : records) {
       record.pulls_alone = true;
       begun_s += 0.6;
       for (std::size_t i = 0; i < record.samples(); ++i) {
@@ -621,8 +621,8 @@ TEST(DiagnoseForces, DoubtsWhatAUserMayHaveGotWrong) {
   EXPECT_THAT(found(measured({.preload_N = 12}, 6)).prose, Not(HasSubstr("Velocity runs against")));
   EXPECT_THAT(found(measured({.preload_N = 12, .velocity_reversed = true}, 6)).prose,
               HasSubstr("Velocity runs against the position"));
-  std::vector<ForceRecord> millimetres = measured({.preload_N = 12}, 6);
-  std::vector<ForceRecord> kilonewtons = millimetres;
+  std::vector<effects::ForceRecord> millimetres = measured({.preload_N = 12}, 6);
+  std::vector<effects::ForceRecord> kilonewtons = millimetres;
   for (std::size_t j = 0; j < millimetres.size(); ++j) {
     for (std::size_t i = 0; i < millimetres[j].samples(); ++i) {
       millimetres[j].position_m[i] *= 1000;
@@ -642,7 +642,7 @@ TEST(DiagnoseForces, WhatIsTakenOutOfTheCatalogueIsNotNamed) {
 }
 
 TEST(DiagnoseForces, TheNumberOfThreadsDoesNotMatter) {
-  const std::vector<ForceRecord> records = measured({.preload_N = 12}, 7);
+  const std::vector<effects::ForceRecord> records = measured({.preload_N = 12}, 7);
   const auto by = [&](unsigned threads) {
     DiagnoseOptions options;
     options.threads = threads;

@@ -15,7 +15,7 @@ namespace {
 
 /// Of 16 sessions a parameter counts ln(16)/2 = ln 4 against an effect, which is there with odds of
 /// 1 to 19 before: evidence z^2/2 of 19 * 4 * odds makes these odds of it.
-Judged of_odds(ForceTerm term, double odds) {
+Judged of_odds(effects::ForceTerm term, double odds) {
   Judged one{.term = term, .gain = {}, .without = {}, .held_without = {}};
   one.gain.z = std::sqrt(2 * std::log(19 * 4 * odds));
   one.gain.taken_N2 = 1;
@@ -49,7 +49,8 @@ TEST(ForceCandidates, WithoutEffectsTheRestIsAll) {
 /// Odds of 99 are 0.99 of both, each by itself.
 TEST(ForceCandidates, EffectsOfAModelAreTogether) {
   const auto all =
-      found({of_odds(ForceTerm::slack, 99), of_odds(ForceTerm::preload, 99)}, "unknown", false);
+      found({of_odds(effects::ForceTerm::slack, 99), of_odds(effects::ForceTerm::preload, 99)},
+            "unknown", false);
   EXPECT_NEAR(all.at("friction_preload+slack"), 0.99 * 0.99, 1e-9);
   EXPECT_NEAR(all.at("unknown"), 1 - 0.99 * 0.99, 1e-9);
   EXPECT_EQ(all.size(), 2);
@@ -57,28 +58,30 @@ TEST(ForceCandidates, EffectsOfAModelAreTogether) {
 
 /// Odds of 4 are 0.8, with and without it beside one that is certain.
 TEST(ForceCandidates, AnEffectThatMayNotBeNamedIsThereOrNot) {
-  const auto alone = found({of_odds(ForceTerm::load, 4)}, "none", false);
+  const auto alone = found({of_odds(effects::ForceTerm::load, 4)}, "none", false);
   EXPECT_NEAR(alone.at("friction_load"), 0.8, 1e-9);
   EXPECT_NEAR(alone.at("none"), 0.2, 1e-9);
 
   const auto beside =
-      found({of_odds(ForceTerm::preload, 1e9), of_odds(ForceTerm::load, 4)}, "none", false);
+      found({of_odds(effects::ForceTerm::preload, 1e9), of_odds(effects::ForceTerm::load, 4)},
+            "none", false);
   EXPECT_NEAR(beside.at("friction_load+friction_preload"), 0.8, 1e-6);
   EXPECT_NEAR(beside.at("friction_preload"), 0.2, 1e-6);
 }
 
 /// Another law of the same effect adds to it, another effect in its place has the odds of that.
 TEST(ForceCandidates, WhatCouldBeInItsPlaceHasItsOdds) {
-  Judged one = of_odds(ForceTerm::presliding, 1e9);
-  one.others = {{ForceTerm::compliance, std::log(2.0)}, {ForceTerm::elastic_presliding, 0}};
+  Judged one = of_odds(effects::ForceTerm::presliding, 1e9);
+  one.others = {{effects::ForceTerm::compliance, std::log(2.0)},
+                {effects::ForceTerm::elastic_presliding, 0}};
   const auto all = found({one}, "unknown", false);
   EXPECT_NEAR(all.at("presliding"), 0.8, 1e-6);
   EXPECT_NEAR(all.at("compliance"), 0.2, 1e-6);
 }
 
 TEST(ForceCandidates, OfTwoThatAreEvenTheOneThatTheModelHasIsFirst) {
-  Judged one = of_odds(ForceTerm::delay, 1e9);
-  one.others = {{ForceTerm::lag, 0}};
+  Judged one = of_odds(effects::ForceTerm::delay, 1e9);
+  one.others = {{effects::ForceTerm::lag, 0}};
   const auto candidates = candidates_of(sixteen_sessions(), std::vector{one}, "none", false);
   EXPECT_EQ(candidates[0].id, "channel_delay");
   EXPECT_EQ(candidates[1].id, "filter_lag");
@@ -86,14 +89,14 @@ TEST(ForceCandidates, OfTwoThatAreEvenTheOneThatTheModelHasIsFirst) {
 }
 
 TEST(ForceCandidates, WhatIsLeftHasACauseOfItsOwnAsLikelyAsNot) {
-  const auto all = found({of_odds(ForceTerm::preload, 1e9)}, "unknown", true);
+  const auto all = found({of_odds(effects::ForceTerm::preload, 1e9)}, "unknown", true);
   EXPECT_NEAR(all.at("friction_preload"), 0.5, 1e-6);
   EXPECT_NEAR(all.at("friction_preload+unknown"), 0.5, 1e-6);
 }
 
 /// What the catalogue does not have is as likely: a half of it is unknown.
 TEST(ForceCandidates, WhatIsImitatedHasItsShare) {
-  Judged one = of_odds(ForceTerm::load, 1e9);
+  Judged one = of_odds(effects::ForceTerm::load, 1e9);
   one.share = 0.5;
   const auto all = found({one}, "unknown", false);
   EXPECT_NEAR(all.at("friction_load"), 0.5, 1e-6);

@@ -23,7 +23,7 @@ ForceData learned(const Joint& joint, unsigned seed, int sessions = 40) {
   return data;
 }
 
-Eigen::VectorXd drawn(const ForceRecord& record, unsigned seed) {
+Eigen::VectorXd drawn(const effects::ForceRecord& record, unsigned seed) {
   std::mt19937 engine(seed);
   std::normal_distribution<double> normal;
   Eigen::VectorXd values(static_cast<Eigen::Index>(record.samples()));
@@ -54,7 +54,7 @@ TEST(ForceCovariance, WhatScattersMoreThanAnyGainIsNotAllScatter) {
 
 TEST(ForceCovariance, AGainOfTheSessionCostsLittleAndAllElseAsMuchAsBefore) {
   const ForceData data = learned({.gain_scatter = 0.02}, 4);
-  const ForceRecord& record = data.records()[3];
+  const effects::ForceRecord& record = data.records()[3];
   const Eigen::Map<const Eigen::VectorXd> force_N(record.output_N.data(),
                                                   static_cast<Eigen::Index>(record.samples()));
   const Eigen::VectorXd gain = force_N / force_N.norm();
@@ -126,7 +126,7 @@ TEST(ForceCovariance, ARefitLeavesNothingOfItself) {
 /// Noise of 5 % beside 0.1 N: at 40 N a sample says (2 N / 0.1 N)^2 less than near zero.
 TEST(ForceCovariance, ASampleCountsByItsNoise) {
   const ForceData data = learned({.noise_N = 0.1, .relative_noise = 0.05, .gain_scatter = 0.01}, 6);
-  const ForceRecord& record = data.records()[0];
+  const effects::ForceRecord& record = data.records()[0];
   const auto size = [](double a, double b) { return std::abs(a) < std::abs(b); };
   const auto of = [&](auto found) {
     Eigen::VectorXd one = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(record.samples()));
@@ -146,7 +146,8 @@ TEST(ForceCovariance, ASampleCountsByHowFastTheForceChanges) {
   for (const bool with_timing : {true, false}) {
     ForceData data(measured({.preload_N = 12, .noise_N = 0.1, .jitter_s = 0.003}, 8));
     const ForceFit fit = data.finished(
-        data.started(data.fit({}, {1, 0.01}, 15), std::array{ForceTerm::preload}, 1).front());
+        data.started(data.fit({}, {1, 0.01}, 15), std::array{effects::ForceTerm::preload}, 1)
+            .front());
     data.learn_covariance(fit, fit, with_timing);
     const std::vector<double>& velocity_m_s = data.records()[0].velocity_m_s;
     const auto of = [&](std::size_t sample) {
@@ -230,7 +231,7 @@ TEST_F(GainOf, IsNoneWhereBothLeaveAsMuch) {
 
 TEST(ForceCovariance, WhatAGainDoesIsTakenOutOfResidualsAndAllElseStays) {
   const ForceData data = learned({.gain_scatter = 0.02}, 4);
-  const ForceRecord& record = data.records()[3];
+  const effects::ForceRecord& record = data.records()[3];
   const Eigen::Map<const Eigen::VectorXd> force_N(record.output_N.data(),
                                                   static_cast<Eigen::Index>(record.samples()));
   const Eigen::VectorXd gain_N = 0.02 * force_N;
@@ -246,7 +247,7 @@ TEST(ForceCovariance, WeightsAreOneInTheMean) {
   double sum = 0;
   double samples = 0;
   for (std::size_t j = 0; j < data.records().size(); ++j) {
-    const ForceRecord& record = data.records()[j];
+    const effects::ForceRecord& record = data.records()[j];
     const Eigen::VectorXd ones = Eigen::VectorXd::Ones(static_cast<Eigen::Index>(record.samples()));
     sum += data.covariance().weighted_square(j, ones);
     samples += static_cast<double>(record.samples());

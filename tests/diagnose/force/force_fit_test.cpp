@@ -19,12 +19,12 @@ namespace {
 
 /// A joint of a stroke of 0.1 m whose friction comes 0.1 .. 7 mm after each reversal.
 ForceData with_slack(double slack_m, unsigned seed, double noise_N = 0.2) {
-  std::vector<ForceRecord> records = measured({.noise_N = 0.01}, seed);
-  const ForceScales scales = scales_of(records);
+  std::vector<effects::ForceRecord> records = measured({.noise_N = 0.01}, seed);
+  const effects::ForceScales scales = scales_of(records);
   std::mt19937 engine(seed);
   std::normal_distribution<double> noise(0, noise_N);
-  for (ForceRecord& record : records) {
-    predict_input(record, kinematics_of(record, scales), {ForceTerm::slack}, scales,
+  for (effects::ForceRecord& record : records) {
+    predict_input(record, kinematics_of(record, scales), {effects::ForceTerm::slack}, scales,
                   std::vector<double>{1, 0.1, slack_m}, record.input_N);
     for (double& input_N : record.input_N) {
       input_N += noise(engine);
@@ -44,7 +44,7 @@ TEST_P(Slack, IsFoundBetweenSamples) {
     const ForceData data = with_slack(GetParam(), seed);
     const ForceFit nominal = data.fit({}, {1, 0.1}, 15);
     const ForceFit fit =
-        data.finished(data.started(nominal, std::array{ForceTerm::slack}, 1).front());
+        data.finished(data.started(nominal, std::array{effects::ForceTerm::slack}, 1).front());
     const double half_m = data.half_widths(fit).at(2);
     const double found_m = fit.parameters.at(2);
     EXPECT_NEAR(found_m, GetParam(), 4 * half_m);
@@ -69,8 +69,8 @@ TEST(ForceData, WhatTheTruthTakesOffIsAllThatIsThere) {
   const ForceData data = with_slack(0.007, 5, 0.02);
   const ForceFit nominal = data.fit({}, {1, 0.1}, 15);
   const HeldOut without = data.held_out(nominal);
-  const HeldOut with =
-      data.held_out(data.finished(data.started(nominal, std::array{ForceTerm::slack}, 1).front()));
+  const HeldOut with = data.held_out(
+      data.finished(data.started(nominal, std::array{effects::ForceTerm::slack}, 1).front()));
   const PairedGain gain = paired_gain(data, without, with, false);
   EXPECT_NEAR(gain.slope, 1, 0.05);
   EXPECT_LT(gain.error, 0.05);
@@ -88,7 +88,7 @@ TEST(ForceData, HowSharpFrictionTurnsOverIsSettledAnewBesideSlack) {
   data.settle_turn_over(nominal);
   EXPECT_DOUBLE_EQ(data.scales().turn_over_m_s, 0.15 * speed_m_s);
   data.settle_turn_over(
-      data.finished(data.started(nominal, std::array{ForceTerm::slack}, 1).front()));
+      data.finished(data.started(nominal, std::array{effects::ForceTerm::slack}, 1).front()));
   EXPECT_DOUBLE_EQ(data.scales().turn_over_m_s, 0.05 * speed_m_s);
 }
 
@@ -98,7 +98,7 @@ TEST(ForceData, AModelPassesOnNoiseOfTheOutput) {
   const ForceFit all{{}, {1, 0}, 0};
   const double three_quarters_N2 = data.noise_taken_N2(all, {{}, {0.5, 0}, 0});
   EXPECT_GT(three_quarters_N2, 0);
-  EXPECT_NEAR(data.noise_taken_N2(all, {{ForceTerm::delay}, {1, 0, 0.005}, 0}),
+  EXPECT_NEAR(data.noise_taken_N2(all, {{effects::ForceTerm::delay}, {1, 0, 0.005}, 0}),
               0.5 / 0.75 * three_quarters_N2, 0.05 * three_quarters_N2);
   EXPECT_EQ(data.noise_taken_N2(all, all), 0);
 }
@@ -153,7 +153,7 @@ struct WarmSessions {
 
   std::vector<double> temperature_C;
   std::vector<double> share;
-  std::vector<ForceRecord> records;
+  std::vector<effects::ForceRecord> records;
 };
 
 /// Of normal scatter of unknown size beside a mean the logarithm of the likelihoods is (n - 1)/2 ln
@@ -164,7 +164,7 @@ TEST(ForceData, WhatMovesSessionsIsSeenByHowTheyScatter) {
     ForceData data(warm.records);
     const ForceFit nominal = data.fit({}, {1, 0.03}, 15);
     data.learn_covariance(nominal, nominal, false);
-    const ForceFit fit = data.with(nominal, ForceTerm::temperature, 1);
+    const ForceFit fit = data.with(nominal, effects::ForceTerm::temperature, 1);
     const PairedGain gain = paired_gain(data, data.held_out(nominal), data.held_out(fit), true);
     EXPECT_NEAR(gain.of_sessions, -17.5 * std::log(warm.left()), 0.15 * gain.of_sessions);
     EXPECT_LT(gain.within_N2, 0.02 * gain.moved_N2);
@@ -175,7 +175,8 @@ TEST(ForceData, WhatMovesSessionsIsSeenByHowTheyScatter) {
 TEST(ForceData, ATendonThatHoldsAllOfItsForceIsNotLoose) {
   const ForceData data(measured({}, 6));
   const auto is_loose = [&](double log_drop) {
-    return data.is_physical({{ForceTerm::loose_tendon}, {1, 0.1, 0.002, log_drop, 0.5}, 0}, 0);
+    return data.is_physical({{effects::ForceTerm::loose_tendon}, {1, 0.1, 0.002, log_drop, 0.5}, 0},
+                            0);
   };
   EXPECT_FALSE(is_loose(0));
   EXPECT_TRUE(is_loose(0.05));
@@ -188,7 +189,7 @@ TEST(ForceData, ATendonIsSoftOrStiffWithinBounds) {
   const ForceData data(measured({}, 7));
   const double unit_N_m = data.scales().force_N / data.scales().stroke_m;
   const auto within = [&](double units) {
-    return data.is_physical({{ForceTerm::compliance}, {1, 0.1, units * unit_N_m}, 0}, 0);
+    return data.is_physical({{effects::ForceTerm::compliance}, {1, 0.1, units * unit_N_m}, 0}, 0);
   };
   EXPECT_FALSE(within(0.01));
   EXPECT_TRUE(within(0.02));
@@ -198,17 +199,17 @@ TEST(ForceData, ATendonIsSoftOrStiffWithinBounds) {
 
 /// One sample in fifty is 30 N off, of a joint with 12 N of friction and noise of 0.7 N.
 TEST(WithoutOutliers, SamplesThatAreFarOffHaveNoPart) {
-  std::vector<ForceRecord> records = measured({.preload_N = 12}, 3);
-  for (ForceRecord& record : records) {
+  std::vector<effects::ForceRecord> records = measured({.preload_N = 12}, 3);
+  for (effects::ForceRecord& record : records) {
     for (std::size_t i = 20; i < record.samples(); i += 50) {
       record.input_N[i] += 30;
     }
   }
   const ForceData data(records);
-  const ForceFit all = data.fit({ForceTerm::preload}, {1, 0.1, 10}, 15);
+  const ForceFit all = data.fit({effects::ForceTerm::preload}, {1, 0.1, 10}, 15);
   const ForceData inliers = data.without_outliers(all);
   std::ptrdiff_t left_out = 0;
-  for (const ForceRecord& record : inliers.records()) {
+  for (const effects::ForceRecord& record : inliers.records()) {
     for (std::size_t i = 20; i < record.samples(); i += 50) {
       EXPECT_FALSE(record.used[i]) << record.session << ' ' << i;
     }
@@ -220,7 +221,7 @@ TEST(WithoutOutliers, SamplesThatAreFarOffHaveNoPart) {
 
 /// Gains of sessions are 2 % above 1 and 2 % below in turn; only the upper ones have outliers.
 TEST(WithoutOutliers, SessionsThatHadSomeSayNoMoreOfTheGainThanOthers) {
-  std::vector<ForceRecord> records = measured({.noise_N = 0.1}, 4);
+  std::vector<effects::ForceRecord> records = measured({.noise_N = 0.1}, 4);
   for (std::size_t j = 0; j < records.size(); ++j) {
     const bool upper = j % 2 == 0;
     for (std::size_t i = 0; i < records[j].samples(); ++i) {

@@ -1,3 +1,5 @@
+#include "host_sim/diagnose/force_records.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -5,8 +7,6 @@
 #include <numbers>
 #include <random>
 #include <vector>
-
-#include "host_sim/diagnose/force/diagnose_forces.hpp"
 
 namespace host_sim::diagnose {
 namespace {
@@ -45,7 +45,7 @@ double sine_N(double time_s) {
   return 30 + 10 * std::sin(2 * time_s);
 }
 
-ForceRecord record_of(const Recording& recording) {
+effects::ForceRecord record_of(const Recording& recording) {
   return force_records({recording}, {}, plain_sheath(), false).at(0);
 }
 
@@ -60,7 +60,8 @@ TEST(ForceRecords, SamplesAtRestDoNotCount) {
 
 TEST(ForceRecords, CyclesGoOnFromTheStartOfTheSession) {
   const std::vector<Recording> recordings{recorded(sine_N, 1000), recorded(sine_N, 3000)};
-  const std::vector<ForceRecord> records = force_records(recordings, {}, plain_sheath(), false);
+  const std::vector<effects::ForceRecord> records =
+      force_records(recordings, {}, plain_sheath(), false);
   EXPECT_EQ(records[1].cycle.front(), 3000);
   // Six reversals in six seconds.
   EXPECT_EQ(records[1].cycle.back(), 3003);
@@ -74,7 +75,8 @@ TEST(ForceRecords, ATemperatureCountsWhereItVaries) {
   for (const double warm_C : {22.0, 60.0}) {
     recordings[0].channels[kWindingTemperature].assign(600, 20);
     recordings[1].channels[kWindingTemperature].assign(600, warm_C);
-    const std::vector<ForceRecord> records = force_records(recordings, {}, plain_sheath(), false);
+    const std::vector<effects::ForceRecord> records =
+        force_records(recordings, {}, plain_sheath(), false);
     EXPECT_EQ(records[1].winding_temperature_C.empty(), warm_C == 22);
     EXPECT_TRUE(records[1].sheath_temperature_C.empty());
   }

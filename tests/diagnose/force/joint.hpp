@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "host_sim/diagnose/force/force_model.hpp"
+#include "host_sim/effects/tension/force_model.hpp"
 
 namespace host_sim::diagnose {
 
@@ -39,12 +39,13 @@ struct Joint {
   int samples = 500;    ///< of 5 s
 };
 
-inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int sessions = 12) {
+inline std::vector<effects::ForceRecord> measured(const Joint& joint, unsigned seed,
+                                                  int sessions = 12) {
   std::mt19937 engine(seed);
   std::normal_distribution<double> normal;
-  std::vector<ForceRecord> records;
+  std::vector<effects::ForceRecord> records;
   for (int j = 0; j < sessions; ++j) {
-    ForceRecord record;
+    effects::ForceRecord record;
     record.session = "s" + std::to_string(j);
     record.rotor_known = joint.rotor_known;
     const double gain = joint.gain + joint.gain_scatter * normal(engine);
@@ -89,8 +90,8 @@ inline std::vector<ForceRecord> measured(const Joint& joint, unsigned seed, int 
 }
 
 /// One session at a temperature of the sheath.
-inline ForceRecord measured_at(double temperature_C, const Joint& joint, unsigned seed) {
-  ForceRecord record = measured(joint, seed, 1).front();
+inline effects::ForceRecord measured_at(double temperature_C, const Joint& joint, unsigned seed) {
+  effects::ForceRecord record = measured(joint, seed, 1).front();
   record.session = "s" + std::to_string(seed);
   record.sheath_temperature_C.assign(record.samples(), temperature_C);
   return record;

@@ -20,12 +20,12 @@ struct Late {
   double delay_s = 0;
   double noise_N = 0.1;
 
-  [[nodiscard]] std::vector<ForceRecord> measured(unsigned seed) const {
+  [[nodiscard]] std::vector<effects::ForceRecord> measured(unsigned seed) const {
     std::mt19937 engine(seed);
     std::normal_distribution<double> noise(0, noise_N);
-    std::vector<ForceRecord> records;
+    std::vector<effects::ForceRecord> records;
     for (int j = 0; j < 12; ++j) {
-      ForceRecord record;
+      effects::ForceRecord record;
       record.session = "s" + std::to_string(j);
       const double omega = 2 * std::numbers::pi * (0.2 + 0.03 * j);
       for (int i = 0; i < 1000; ++i) {
@@ -64,10 +64,10 @@ struct Late {
 
 /// Beside a model that is fitted with a lag, whatever it is.
 LateOutput found(const Late& late, unsigned seed) {
-  const std::vector<ForceRecord> records = late.measured(seed);
+  const std::vector<effects::ForceRecord> records = late.measured(seed);
   ForceData data(records);
   const ForceFit nominal = data.fit({}, {1, kFriction}, 15);
-  const ForceFit lagging = data.fit({ForceTerm::preload, ForceTerm::lag},
+  const ForceFit lagging = data.fit({effects::ForceTerm::preload, effects::ForceTerm::lag},
                                     {1, kFriction, kPreload_N, late.lag_s + late.delay_s}, 15);
   return late_output(data.as_sampled(records, nominal, lagging), records, lagging);
 }

@@ -20,23 +20,23 @@ using ::testing::ElementsAre;
 constexpr double kJointFriction = 0.00638;  // exp(mu pi) - 1 = 0.02, of the load
 
 /// The joint, each session of which is changed.
-std::vector<ForceRecord> changed(unsigned seed,
-                                 const std::function<void(ForceRecord&, int)>& change) {
-  std::vector<ForceRecord> records = measured({.gain_scatter = 0.002}, seed, 16);
+std::vector<effects::ForceRecord> changed(
+    unsigned seed, const std::function<void(effects::ForceRecord&, int)>& change) {
+  std::vector<effects::ForceRecord> records = measured({.gain_scatter = 0.002}, seed, 16);
   for (int j = 0; j < 16; ++j) {
     change(records[static_cast<std::size_t>(j)], j);
   }
   return records;
 }
 
-void scale_input(ForceRecord& record, double factor) {
+void scale_input(effects::ForceRecord& record, double factor) {
   for (double& input_N : record.input_N) {
     input_N *= factor;
   }
 }
 
 /// What the nominal model leaves of records, after a fit of gain and friction.
-ForceRemainder left_of(std::vector<ForceRecord> records) {
+ForceRemainder left_of(std::vector<effects::ForceRecord> records) {
   ForceData data(std::move(records));
   const std::vector<ForceCovariate> covariates = force_covariates(data.records());
   std::vector<CovariateBins> bins;
@@ -64,7 +64,7 @@ std::vector<std::string> names_of(const std::vector<ForceCovariate>& covariates,
 }
 
 TEST(ForceCovariates, OfSessionsAreThoseThatAllHaveAndThatDiffer) {
-  const auto with = [](ForceRecord& record, int session) {
+  const auto with = [](effects::ForceRecord& record, int session) {
     record.cycle.assign(record.samples(), 100.0 * session);
     record.sheath_temperature_C.assign(record.samples(), 20 + session);
     record.winding_temperature_C.assign(record.samples(), 25);
@@ -72,7 +72,7 @@ TEST(ForceCovariates, OfSessionsAreThoseThatAllHaveAndThatDiffer) {
   EXPECT_THAT(names_of(force_covariates(changed(1, with)), true),
               ElementsAre("cycle", "sheath temperature"));
   EXPECT_EQ(names_of(force_covariates(changed(1, with)), false).size(), 7U);
-  std::vector<ForceRecord> one_without = changed(1, with);
+  std::vector<effects::ForceRecord> one_without = changed(1, with);
   one_without[3].cycle.clear();
   EXPECT_THAT(names_of(force_covariates(one_without), true), ElementsAre("sheath temperature"));
 }
@@ -80,7 +80,7 @@ TEST(ForceCovariates, OfSessionsAreThoseThatAllHaveAndThatDiffer) {
 /// All alike to the last bit, where a difference of sums would round to less than nothing.
 TEST(Remainder, SessionsThatAreCopiesDoNotScatter) {
   for (unsigned seed = 1; seed <= 8; ++seed) {
-    std::vector<ForceRecord> records = measured({}, seed, 7);
+    std::vector<effects::ForceRecord> records = measured({}, seed, 7);
     std::fill(records.begin() + 1, records.end(), records.front());
     const ForceRemainder remainder = left_of(std::move(records));
     const Discrepancy& scatter = against(remainder, "session");
@@ -92,10 +92,11 @@ TEST(Remainder, SessionsThatAreCopiesDoNotScatter) {
 /// Friction at 10 N is 0.2 N; 1 % of the force for each 1000 cycles goes with the life of the
 /// tendon, far above a scatter of 0.2 %.
 TEST(Remainder, ATrendOverTheLifeOfTheTendonIsSeenThere) {
-  const ForceRemainder remainder = left_of(changed(2, [](ForceRecord& record, int session) {
-    record.cycle.assign(record.samples(), 1000.0 * ((7 * session) % 16));
-    scale_input(record, 1 + 0.002 * ((7 * session) % 16));
-  }));
+  const ForceRemainder remainder =
+      left_of(changed(2, [](effects::ForceRecord& record, int session) {
+        record.cycle.assign(record.samples(), 1000.0 * ((7 * session) % 16));
+        scale_input(record, 1 + 0.002 * ((7 * session) % 16));
+      }));
   EXPECT_EQ(remainder.covariate, "cycle");
   EXPECT_EQ(remainder.p, 0.001);  // none of 999 draws as large
   EXPECT_TRUE(remainder.stands);
@@ -108,10 +109,11 @@ TEST(Remainder, ScatterOfSessionsIsNoTrend) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
     std::mt19937 engine(seed);
     std::normal_distribution<double> normal;
-    const ForceRemainder remainder = left_of(changed(seed, [&](ForceRecord& record, int session) {
-      record.cycle.assign(record.samples(), 1000.0 * session);
-      scale_input(record, 1 + 0.01 * normal(engine));
-    }));
+    const ForceRemainder remainder =
+        left_of(changed(seed, [&](effects::ForceRecord& record, int session) {
+          record.cycle.assign(record.samples(), 1000.0 * session);
+          scale_input(record, 1 + 0.01 * normal(engine));
+        }));
     seen += against(remainder, "cycle").p_after < 0.05 ? 1 : 0;
     EXPECT_GT(against(remainder, "session").p_after, 0.5) << seed;
   }
@@ -122,8 +124,9 @@ TEST(Remainder, ScatterOfSessionsIsNoTrend) {
 TEST(Remainder, AScatterThatNoRigHasStandsByItself) {
   std::mt19937 engine(3);
   std::normal_distribution<double> normal;
-  const ForceRemainder remainder = left_of(changed(
-      3, [&](ForceRecord& record, int) { scale_input(record, 1 + 0.12 * normal(engine)); }));
+  const ForceRemainder remainder = left_of(changed(3, [&](effects::ForceRecord& record, int) {
+    scale_input(record, 1 + 0.12 * normal(engine));
+  }));
   EXPECT_EQ(remainder.covariate, kSession);
   EXPECT_LT(remainder.p, 1e-6);
   EXPECT_TRUE(remainder.stands);

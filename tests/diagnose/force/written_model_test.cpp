@@ -14,8 +14,9 @@
 #include "hal/files/profile.hpp"
 #include "host_sim/campaign/campaign.hpp"
 #include "host_sim/diagnose/diagnosis.hpp"
-#include "host_sim/diagnose/force/force_model.hpp"
+#include "host_sim/diagnose/force/extended_model.hpp"
 #include "host_sim/diagnose/output/extended_model.hpp"
+#include "host_sim/effects/tension/force_model.hpp"
 #include "host_sim/extension/acting.hpp"
 #include "host_sim/extension/model_file.hpp"
 #include "host_sim/recording/import.hpp"
@@ -32,15 +33,15 @@ constexpr double kUltimate_N = 1000;  ///< of no consequence, but that all force
 
 /// The values at x of the harmonics of a stroke of 0.2 m about 0.3 m are those of the table at x.
 TEST(WrittenTerm, HarmonicsOfTheStrokeAreThoseAboutPositionZero) {
-  const ForceScales scales{.speed_m_s = 1,
-                           .stroke_m = 0.2,
-                           .position_m = 0.33,
-                           .force_N = 1,
-                           .turn_over_m_s = 0.1,
-                           .cycles = 1,
-                           .poses_rad = {}};
+  const effects::ForceScales scales{.speed_m_s = 1,
+                                    .stroke_m = 0.2,
+                                    .position_m = 0.33,
+                                    .force_N = 1,
+                                    .turn_over_m_s = 0.1,
+                                    .cycles = 1,
+                                    .poses_rad = {}};
   const std::vector<double> harmonics{0.3, -0.2, 0.1, 0.05};
-  const auto written = written_term(ForceTerm::position, harmonics, scales);
+  const auto written = written_term(effects::ForceTerm::position, harmonics, scales);
   ASSERT_TRUE(written);
   EXPECT_EQ(written->id, "friction_position");
   EXPECT_EQ(value_of(*written, "wavelength_m"), 0.2);
@@ -62,38 +63,39 @@ TEST(WrittenTerm, HarmonicsOfTheStrokeAreThoseAboutPositionZero) {
 }
 
 TEST(WrittenTerm, NamesAreThoseOfAModelFile) {
-  const ForceScales scales{.speed_m_s = 0.1,
-                           .stroke_m = 0.2,
-                           .position_m = 0,
-                           .force_N = 10,
-                           .turn_over_m_s = 0.01,
-                           .cycles = 1,
-                           .poses_rad = {}};
-  const auto text = [&](ForceTerm term, const std::vector<double>& values) {
+  const effects::ForceScales scales{.speed_m_s = 0.1,
+                                    .stroke_m = 0.2,
+                                    .position_m = 0,
+                                    .force_N = 10,
+                                    .turn_over_m_s = 0.01,
+                                    .cycles = 1,
+                                    .poses_rad = {}};
+  const auto text = [&](effects::ForceTerm term, const std::vector<double>& values) {
     return toml_text(std::vector{*written_term(term, values, scales)});
   };
-  EXPECT_EQ(text(ForceTerm::zero, {1.5}), "[extension.load_cell_zero]\nzero_N = 1.5\n");
-  EXPECT_EQ(text(ForceTerm::presliding, {0.01}),
+  EXPECT_EQ(text(effects::ForceTerm::zero, {1.5}), "[extension.load_cell_zero]\nzero_N = 1.5\n");
+  EXPECT_EQ(text(effects::ForceTerm::presliding, {0.01}),
             "[extension.presliding]\npresliding_length_m = 0.01\n");
-  EXPECT_EQ(text(ForceTerm::velocity, {20, 0.5}),
+  EXPECT_EQ(text(effects::ForceTerm::velocity, {20, 0.5}),
             "[extension.friction_velocity]\nviscous_N_s_m = 20.0\nviscous_friction_s_m = 0.5\n");
-  EXPECT_EQ(text(ForceTerm::current_offset, {0.25}),
+  EXPECT_EQ(text(effects::ForceTerm::current_offset, {0.25}),
             "[extension.current_offset]\ncurrent_offset_A = 0.25\n");
-  EXPECT_EQ(text(ForceTerm::gear_asymmetry, {-0.125}),
+  EXPECT_EQ(text(effects::ForceTerm::gear_asymmetry, {-0.125}),
             "[extension.gear_asymmetry]\ngear_asymmetry = -0.125\n");
-  EXPECT_FALSE(written_term(ForceTerm::slack, std::vector{0.01}, scales));
-  EXPECT_FALSE(written_term(ForceTerm::compliance, std::vector{0.01}, scales));
+  EXPECT_FALSE(written_term(effects::ForceTerm::slack, std::vector{0.01}, scales));
+  EXPECT_FALSE(written_term(effects::ForceTerm::compliance, std::vector{0.01}, scales));
 }
 
 TEST(WrittenTerm, FrictionThatFallsWithTheLoadCountsFrom50Newtons) {
-  const ForceScales scales{.speed_m_s = 1,
-                           .stroke_m = 1,
-                           .position_m = 0,
-                           .force_N = 25,
-                           .turn_over_m_s = 1,
-                           .cycles = 1,
-                           .poses_rad = {}};
-  const std::vector<Extension> load{*written_term(ForceTerm::load, std::vector{0.2}, scales)};
+  const effects::ForceScales scales{.speed_m_s = 1,
+                                    .stroke_m = 1,
+                                    .position_m = 0,
+                                    .force_N = 25,
+                                    .turn_over_m_s = 1,
+                                    .cycles = 1,
+                                    .poses_rad = {}};
+  const std::vector<Extension> load{
+      *written_term(effects::ForceTerm::load, std::vector{0.2}, scales)};
   // 0.1 (T/25 N)^-0.2 is 0.0870551 (T/50 N)^-0.2.
   EXPECT_NEAR(written_friction(0.1, load, scales), 0.0870551, 1e-7);
   EXPECT_EQ(written_friction(0.1, {}, scales), 0.1);

@@ -41,36 +41,58 @@ Foresight foresight_of(const std::string& text) {
   return foresee(synth::parse_synth_plan(text, "plan.toml"), {});
 }
 
-TEST(Foresee, TheNoiseIsThatOfTheRatioOfBothTensionsOnceWhitened) {
+/// One sample of 30 N that leaves 20 N at the output.
+effects::ForceRecord one_sample() {
+  effects::ForceRecord record;
+  record.time_s = {0};
+  record.input_N = {30};
+  record.output_N = {20};
+  return record;
+}
+
+// sqrt(2) 0.01 of 30 N at both ends, sqrt(1 - 0.6^2) = 0.8 of it is new in each sample.
+TEST(Foresee, NoiseInProportionPassesOnAsTheForceDoes) {
+  const auto plan = synth::parse_synth_plan(plan_text("90.0, 450.0", "motor_current_A"), "p.toml");
+  const std::vector records{one_sample()};
+  const NoiseModel noise = noise_of(plan, records);
+  EXPECT_NEAR(noise.sample_sd_N.at(0).at(0), std::sqrt(2.0) * 0.01 * 30 * 0.8, 1e-12);
+  EXPECT_NEAR(noise.autocorrelation, 0.6, 1e-12);
+  EXPECT_EQ(noise.session_gain_sd, 0.01);
+  EXPECT_EQ(noise.session_friction_sd, 0.006);
+}
+
+// At the output 0.003 * 20 N and 0.08 N are 0.1 N, 0.15 N at the input end; there 0.008 * 30 N and
+// 0.32 N are 0.4 N. Correlated by (0.15^2 0.8 + 0.4^2 0.3) / (0.15^2 + 0.4^2) = 0.361644. The floor
+// of the current is 0.32 N by 0.0125 m / (9 * 0.88 * 0.0325 Nm/A) = 0.0155400 A.
+TEST(Foresee, NoiseOfEachEndCountsOnItsOwn) {
+  const auto with = [](const std::string& input, const std::string& noise) {
+    const std::string was = "log_tension_sd = 0.01\nar1 = 0.6\n";
+    std::string text = plan_text("90.0, 450.0", input);
+    return synth::parse_synth_plan(text.replace(text.find(was), was.size(), noise), "p.toml");
+  };
+  const std::vector records{one_sample()};
+  const double expected = std::sqrt((0.15 * 0.15 + 0.4 * 0.4) * (1 - 0.361644 * 0.361644));
+  const NoiseModel by_tension =
+      noise_of(with("input_tension_N",
+                    "output_relative_sd = 0.003\noutput_absolute_N = 0.08\noutput_ar1 = 0.8\n"
+                    "input_relative_sd = 0.008\ninput_absolute_N = 0.32\ninput_absolute_A = 1.0\n"
+                    "input_ar1 = 0.3\n"),
+               records);
+  EXPECT_NEAR(by_tension.sample_sd_N.at(0).at(0), expected, 1e-6);
+  const NoiseModel by_current =
+      noise_of(with("motor_current_A",
+                    "output_relative_sd = 0.003\noutput_absolute_N = 0.08\noutput_ar1 = 0.8\n"
+                    "input_relative_sd = 0.008\ninput_absolute_A = 0.01554002\n"
+                    "input_absolute_N = 1.0\ninput_ar1 = 0.3\n"),
+               records);
+  EXPECT_NEAR(by_current.sample_sd_N.at(0).at(0), expected, 1e-6);
+}
+
+TEST(Foresee, CountsSessionsAndSamples) {
   const Foresight foresight = foresight_of(plan_text("90.0, 450.0", "motor_current_A"));
-  // sqrt(2) 0.01 for the ratio, sqrt(1 - 0.6^2) = 0.8 of it is new in each sample.
-  EXPECT_NEAR(foresight.noise.sample_sd, std::sqrt(2.0) * 0.008, 1e-12);
-  EXPECT_EQ(foresight.noise.session_gain_sd, 0.01);
-  EXPECT_EQ(foresight.noise.session_friction_sd, 0.006);
   EXPECT_EQ(foresight.sessions, 8U);
   EXPECT_GT(foresight.samples, 8U * 500U);
   EXPECT_LE(foresight.samples, 8U * 801U);
-}
-
-// At the mean load of 27.5 N: 0.003 and 0.11 N / 27.5 N = 0.004 are 0.005 at the output, 0.012 at
-// the drive, 0.013 together; correlated by (0.005^2 0.8 + 0.012^2 0.3) / 0.013^2 = 0.373964. The
-// floor of the current is 0.11 N by 0.0125 m / (9 * 0.88 * 0.0325 Nm/A).
-TEST(Foresee, NoiseOfEachEndCountsOnItsOwn) {
-  const auto with = [](std::string text, const std::string& noise) {
-    const std::string was = "log_tension_sd = 0.01\nar1 = 0.6\n";
-    return text.replace(text.find(was), was.size(), noise);
-  };
-  const double expected = 0.013 * std::sqrt(1 - 0.373964 * 0.373964);
-  const Foresight by_tension =
-      foresight_of(with(plan_text("90.0, 450.0", "input_tension_N"),
-                        "output_relative_sd = 0.003\noutput_absolute_N = 0.11\noutput_ar1 = 0.8\n"
-                        "input_relative_sd = 0.012\ninput_absolute_A = 1.0\ninput_ar1 = 0.3\n"));
-  EXPECT_NEAR(by_tension.noise.sample_sd, expected, 1e-8);
-  const Foresight by_current =
-      foresight_of(with(plan_text("90.0, 450.0", "motor_current_A"),
-                        "output_relative_sd = 0.012\noutput_ar1 = 0.3\ninput_relative_sd = 0.003\n"
-                        "input_absolute_A = 0.0053419\ninput_absolute_N = 1.0\ninput_ar1 = 0.8\n"));
-  EXPECT_NEAR(by_current.noise.sample_sd, expected, 1e-7);
 }
 
 TEST(Foresee, OnePoseHidesTheAsymmetryOfTheGear) {

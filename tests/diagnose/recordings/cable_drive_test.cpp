@@ -6,7 +6,8 @@
 #include <filesystem>
 
 #include "host_sim/campaign/campaign.hpp"
-#include "host_sim/diagnose/diagnose_recordings.hpp"
+#include "host_sim/diagnose/diagnosis.hpp"
+#include "host_sim/diagnose/force_records.hpp"
 #include "host_sim/recording/import.hpp"
 #include "tests/recording/support.hpp"
 
@@ -24,19 +25,19 @@ constexpr double kPulley_mm = 5;
 
 /// Error of the drive's torque as a constant times the jaw's, by least squares, over the samples
 /// that are diagnosed.
-double constant_ratio_rmse_mNm(const std::vector<Session>& sessions) {
+double constant_ratio_rmse_mNm(const std::vector<effects::ForceRecord>& records) {
   double input = 0;
   double output = 0;
   double both = 0;
   double samples = 0;
-  for (const Session& session : sessions) {
-    for (std::size_t i = 0; i < session.covariates.samples(); ++i) {
-      const double in_N = session.covariates.tension_in_N()[i];
-      const double out_N = session.covariates.output_tension_N[i];
+  for (const effects::ForceRecord& record : records) {
+    for (std::size_t i = 0; i < record.samples(); ++i) {
+      const double in_N = record.used[i] ? record.input_N[i] : 0;
+      const double out_N = record.used[i] ? record.output_N[i] : 0;
       input += in_N * in_N;
       output += out_N * out_N;
       both += in_N * out_N;
-      samples += 1;
+      samples += record.used[i] ? 1 : 0;
     }
   }
   return kPulley_mm * std::sqrt((input - both * both / output) / samples);
@@ -61,8 +62,7 @@ TEST(DiagnoseCableDrive, TakesOffTheErrorOfCapstanStepByStep) {
   recording::write_campaign(recording::import_davinci(open_source(kDrive, "a file"), "drive", {}),
                             folder / "drive");
   const Campaign campaign = read_campaign(folder / "drive");
-  const RecordedSessions recorded = recorded_sessions(campaign);
-  const Findings findings = diagnose_recordings(campaign, recorded, {}).findings;
+  const Findings findings = diagnose_tension(campaign, {}).findings;
   EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
   std::vector<std::string> written;
   for (const Extension& extension : findings.extensions) {
@@ -84,8 +84,10 @@ TEST(DiagnoseCableDrive, TakesOffTheErrorOfCapstanStepByStep) {
     EXPECT_GT(step->effect.probability, 0.95) << id;
     EXPECT_GE(step->sessions_better, 33) << id;  // of 50: more is chance in one of 60
   }
-  const double ratio_mNm = constant_ratio_rmse_mNm(recorded.sessions);
-  EXPECT_NEAR(ratio_mNm, 62, 4);
+  const auto recordings = recording::read_recordings(campaign.folder, campaign.columns);
+  const double ratio_mNm = constant_ratio_rmse_mNm(force_records(
+      recordings, recording::faults_of(recordings), campaign.nominal, !campaign.two_sided));
+  EXPECT_NEAR(ratio_mNm, 67, 0.5);
   const double left_mNm = kPulley_mm * findings.steps.back().input_rmse_N;
   EXPECT_LT(left_mNm, 21.1);
   EXPECT_LT(left_mNm / ratio_mNm, 21.1 / 67);

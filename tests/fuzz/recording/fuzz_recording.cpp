@@ -1,14 +1,13 @@
-// Whatever the bytes: a recording with faults and covariates that can be calculated with, or an
+// Whatever the bytes: a recording with faults, and records in newtons as long as it is, or an
 // InputError.
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
 #include <vector>
 
 #include "hal/files/input_error.hpp"
-#include "host_sim/recording/covariates.hpp"
+#include "host_sim/diagnose/force_records.hpp"
 #include "host_sim/recording/recording_files.hpp"
 #include "tests/fuzz/io/require.hpp"
 
@@ -45,20 +44,15 @@ void require_faults(const recording::Recording& one, const std::vector<recording
   }
 }
 
-void require_covariates(const recording::Covariates& covariates) {
-  const std::size_t samples = covariates.samples();
-  for (const auto& values :
-       {covariates.cycle, covariates.direction, covariates.travel_m, covariates.position_m,
-        covariates.log_tension_rate_1_s, covariates.log_output_rate_1_s,
-        covariates.output_tension_N, covariates.tension_in_N()}) {
-    require(values.size() == samples);
-    for (const double value : values) {
-      require(std::isfinite(value));
+void require_records(const std::vector<host_sim::effects::ForceRecord>& records) {
+  for (const host_sim::effects::ForceRecord& record : records) {
+    const std::size_t samples = record.samples();
+    require(record.used.size() == samples);
+    for (const auto* const values :
+         {&record.input_N, &record.output_N, &record.output_rate_N_s, &record.velocity_m_s,
+          &record.position_m, &record.reversal_m, &record.bend_angle_rad}) {
+      require(values->size() == samples);
     }
-  }
-  for (std::size_t i = 0; i < samples; ++i) {
-    require(covariates.tension_in_N()[i] > 0 && covariates.output_tension_N[i] > 0);
-    require(std::abs(covariates.direction[i]) == 1 && covariates.travel_m[i] >= 0);
   }
 }
 
@@ -77,6 +71,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require_channels(one);
   const auto faults = recording::faults_of({one});
   require_faults(one, faults);
-  require_covariates(recording::covariates_of(one, faults, nominal()));
+  require_records(host_sim::diagnose::force_records({one}, faults, nominal(), true));
   return 0;
 }

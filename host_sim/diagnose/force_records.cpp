@@ -1,10 +1,11 @@
+#include "host_sim/diagnose/force_records.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "hal/files/input_error.hpp"
-#include "host_sim/diagnose/force/diagnose_forces.hpp"
 #include "host_sim/recording/motion.hpp"
 #include "host_sim/recording/signal.hpp"
 #include "host_sim/reference/equations.hpp"
@@ -99,7 +100,8 @@ std::vector<double> cycles_of(const Recording& recording) {
 }
 
 /// Of signed forces nothing is wrong below zero.
-void leave_out(const Recording& recording, const std::vector<Fault>& faults, ForceRecord& record) {
+void leave_out(const Recording& recording, const std::vector<Fault>& faults,
+               effects::ForceRecord& record) {
   for (const Fault& fault : faults) {
     if (fault.session != recording.session || fault.kind == Fault::Kind::not_positive ||
         fault.kind == Fault::Kind::constant) {
@@ -112,7 +114,7 @@ void leave_out(const Recording& recording, const std::vector<Fault>& faults, For
 }
 
 /// At rest, to rounding, friction has no direction.
-void leave_out_rest(ForceRecord& record) {
+void leave_out_rest(effects::ForceRecord& record) {
   constexpr double kRounding = 1e-9;
   double most_m_s = 0;
   for (const double velocity_m_s : record.velocity_m_s) {
@@ -124,31 +126,31 @@ void leave_out_rest(ForceRecord& record) {
 }
 
 /// What hardly varies shows nothing.
-void leave_out_even(std::vector<ForceRecord>& records,
-                    std::vector<double> ForceRecord::*temperature_C) {
+void leave_out_even(std::vector<effects::ForceRecord>& records,
+                    std::vector<double> effects::ForceRecord::*temperature_C) {
   constexpr double kLeast_K = 3;
   double least_C = HUGE_VAL;
   double most_C = -HUGE_VAL;
-  for (const ForceRecord& record : records) {
+  for (const effects::ForceRecord& record : records) {
     for (const double value_C : record.*temperature_C) {
       least_C = std::min(least_C, value_C);
       most_C = std::max(most_C, value_C);
     }
   }
   if (most_C - least_C < kLeast_K) {
-    for (ForceRecord& record : records) {
+    for (effects::ForceRecord& record : records) {
       (record.*temperature_C).clear();
     }
   }
 }
 
 /// Sessions that all begin at the same cycle do not know where in the life of the tendon they are.
-void leave_out_uncounted_cycles(std::vector<ForceRecord>& records) {
-  const bool counted = std::ranges::any_of(records, [&](const ForceRecord& record) {
+void leave_out_uncounted_cycles(std::vector<effects::ForceRecord>& records) {
+  const bool counted = std::ranges::any_of(records, [&](const effects::ForceRecord& record) {
     return record.cycle.front() != records.front().cycle.front();
   });
   if (!counted) {
-    for (ForceRecord& record : records) {
+    for (effects::ForceRecord& record : records) {
       record.cycle.clear();
     }
   }
@@ -156,17 +158,17 @@ void leave_out_uncounted_cycles(std::vector<ForceRecord>& records) {
 
 }  // namespace
 
-std::vector<ForceRecord> force_records(const std::vector<Recording>& recordings,
-                                       const std::vector<Fault>& faults,
-                                       const NominalModel& nominal, bool pulls_alone) {
-  std::vector<ForceRecord> records;
+std::vector<effects::ForceRecord> force_records(const std::vector<Recording>& recordings,
+                                                const std::vector<Fault>& faults,
+                                                const NominalModel& nominal, bool pulls_alone) {
+  std::vector<effects::ForceRecord> records;
   for (const Recording& recording : recordings) {
     if (constant(recording, faults, input_column(recording)) ||
         constant(recording, faults, kOutputTensionColumn) ||
         constant(recording, faults, kTendonVelocity)) {
       continue;
     }
-    ForceRecord record;
+    effects::ForceRecord record;
     record.session = recording.session;
     record.pulls_alone = pulls_alone;
     record.time_s = recording[kTime];
@@ -185,6 +187,7 @@ std::vector<ForceRecord> force_records(const std::vector<Recording>& recordings,
     if (rotor) {
       record.rotor_rad = recording[kMotorAngle];
     }
+    record.reversal_m = reversals_m(record);
     record.bend_angle_rad = angle_of(recording, nominal);
     if (recording.has(kSheathTemperature)) {
       record.sheath_temperature_C = recording[kSheathTemperature];
@@ -201,8 +204,8 @@ std::vector<ForceRecord> force_records(const std::vector<Recording>& recordings,
     }
   }
   leave_out_uncounted_cycles(records);
-  leave_out_even(records, &ForceRecord::sheath_temperature_C);
-  leave_out_even(records, &ForceRecord::winding_temperature_C);
+  leave_out_even(records, &effects::ForceRecord::sheath_temperature_C);
+  leave_out_even(records, &effects::ForceRecord::winding_temperature_C);
   return records;
 }
 

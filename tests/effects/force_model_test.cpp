@@ -1,4 +1,4 @@
-#include "host_sim/diagnose/force/force_model.hpp"
+#include "host_sim/effects/tension/force_model.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace host_sim::diagnose {
+namespace host_sim::effects {
 namespace {
 
 using std::numbers::pi;
@@ -191,7 +191,7 @@ TEST(ForceModel, MotionTurnsBetweenSamples) {
     for (std::size_t i = 1; i < coarse_N.size(); ++i) {
       most_N = std::max(most_N, std::abs(coarse_N[i] - fine_N[i * kEvery]));
     }
-    EXPECT_LT(most_N, 0.1) << definition_of(term).term;
+    EXPECT_LT(most_N, 0.1) << law_of(term).id();
   }
 }
 
@@ -356,7 +356,7 @@ TEST(ForceModel, RippleGoesWithTheAngleOfTheRotor) {
 }
 
 TEST(ForceModel, ASheathThatGivesBendsByTheLoad) {
-  EXPECT_TRUE(definition_of(ForceTerm::giving_sheath).outside);
+  EXPECT_TRUE(law_of(ForceTerm::giving_sheath).outside);
   // At twice the scale of force by a fifth more, at half of it by a tenth less.
   EXPECT_NEAR(predicted(record({0, 0.1}, 1, 20), {ForceTerm::giving_sheath}, {1, 0.1, 0.2}),
               20 * std::exp(0.1 * 1.2 * pi), 1e-9);
@@ -374,7 +374,7 @@ TEST(ForceModel, FrictionMayBeLargerOneWayThanTheOther) {
 }
 
 TEST(ForceModel, ASensorThatIsNotLinearShowsALargeForceTooSmall) {
-  EXPECT_TRUE(definition_of(ForceTerm::bent_sensor).outside);
+  EXPECT_TRUE(law_of(ForceTerm::bent_sensor).outside);
   // A tenth at the scale of force, four tenths at twice of it, whatever its sign.
   EXPECT_NEAR(predicted(record({0, 0.1}, 1, 20), {ForceTerm::bent_sensor}, {1, 0, 0.1}), 28, 1e-9);
   EXPECT_NEAR(predicted(record({0, 0.1}, 1, -10), {ForceTerm::bent_sensor}, {1, 0, 0.1}), -11,
@@ -383,7 +383,7 @@ TEST(ForceModel, ASensorThatIsNotLinearShowsALargeForceTooSmall) {
 
 /// A tenth of the input after long, 1 - 1/e of it after the time constant: 0.1 s from the start.
 TEST(ForceModel, AnInputThatSettlesStartsAnewInEachSession) {
-  EXPECT_TRUE(definition_of(ForceTerm::drifting_gain).outside);
+  EXPECT_TRUE(law_of(ForceTerm::drifting_gain).outside);
   const ForceTerms terms{ForceTerm::drifting_gain};
   EXPECT_NEAR(predicted(record({0}, 1, 10), terms, {1, 0, 0.1, 0.1}), 10, 1e-9);
   EXPECT_NEAR(predicted(record({0, 0.1}, 1, 10), terms, {1, 0, 0.1, 0.1}),
@@ -395,7 +395,7 @@ TEST(ForceModel, AnInputThatSettlesStartsAnewInEachSession) {
 
 /// 0.2 N/K at 30 C, of an input that shows twice the force.
 TEST(ForceModel, AZeroThatGoesWithTheTemperatureIsNoFriction) {
-  EXPECT_TRUE(definition_of(ForceTerm::warm_sensor).outside);
+  EXPECT_TRUE(law_of(ForceTerm::warm_sensor).outside);
   ForceRecord warm = record({0, 0.1}, 1, 10);
   EXPECT_FALSE(is_shown(ForceTerm::warm_sensor, std::span(&warm, 1)));
   warm.sheath_temperature_C = {30, 30};
@@ -423,4 +423,4 @@ TEST(ForceModel, ScalesAreOfAllRecords) {
 }
 
 }  // namespace
-}  // namespace host_sim::diagnose
+}  // namespace host_sim::effects

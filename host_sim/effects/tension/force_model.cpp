@@ -1,55 +1,17 @@
-#include "host_sim/diagnose/force/force_model.hpp"
+#include "host_sim/effects/tension/force_model.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <numeric>
 #include <optional>
 
-namespace host_sim::diagnose {
+namespace host_sim::effects {
 namespace {
 
-constexpr double kUsualTurnOver = 0.05;  ///< of the scale of speed
 constexpr double kMostLogRatio = 5;
 /// Of the scale of force: where friction that depends on load stops to grow.
 constexpr double kLeastLoad = 0.01;
 constexpr double kReference_C = 20;
 constexpr double kReference_cycles = 1000;
-
-double quantile(std::vector<double>& values, double share) {
-  const auto at = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + at, values.end());
-  return values[static_cast<std::size_t>(at)];
-}
-
-double mean_of(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-std::vector<double> poses_of(std::span<const ForceRecord> records) {
-  constexpr double kSame_rad = std::numbers::pi / 180;
-  std::vector<double> means_rad;
-  for (const ForceRecord& record : records) {
-    if (record.samples() > 0) {
-      means_rad.push_back(mean_of(record.bend_angle_rad));
-    }
-  }
-  std::ranges::sort(means_rad);
-  std::vector<double> poses_rad;
-  double last_rad = 0;
-  for (const double mean_rad : means_rad) {
-    if (poses_rad.empty() || mean_rad - last_rad > kSame_rad) {
-      poses_rad.push_back(mean_rad);
-    }
-    last_rad = mean_rad;
-  }
-  return poses_rad;
-}
-
-std::size_t nearest(const std::vector<double>& poses_rad, double bend_angle_rad) {
-  const auto off = [&](double pose_rad) { return std::abs(pose_rad - bend_angle_rad); };
-  return static_cast<std::size_t>(std::ranges::min_element(poses_rad, {}, off) - poses_rad.begin());
-}
 
 /// How far friction is turned over, -1 .. 1, with its memory of the motion.
 class Slip {
@@ -300,18 +262,10 @@ ForceValues values_of(const ForceTerms& terms, const ForceScales& scales,
   std::size_t next = 2;
   for (const ForceTerm term : terms) {
     const std::size_t count = parameters_of(term, scales).size();
-    definition_of(term).set(parameters.subspan(next, count), values);
+    law_of(term).set(parameters.subspan(next, count), values);
     next += count;
   }
   return values;
-}
-
-std::vector<double> turned_over(const ForceRecord& record, const ForceScales& scales) {
-  std::vector<double> turned = record.velocity_m_s;
-  for (double& value : turned) {
-    value = std::tanh(value / scales.turn_over_m_s);
-  }
-  return turned;
 }
 
 /// Where a time lies between two samples.
@@ -397,71 +351,12 @@ void predict_in_time(const ForceRecord& record, const Kinematics& kinematics,
 
 }  // namespace
 
-ForceScales scales_of(std::span<const ForceRecord> records) {
-  std::vector<double> speeds;
-  std::vector<double> positions;
-  double square_N2 = 0;
-  double input_N2 = 0;
-  double cycles = 1;
-  double duration_s = 0;
-  for (const ForceRecord& record : records) {
-    duration_s += record.samples() == 0 ? 0 : record.time_s.back() - record.time_s.front();
-    for (std::size_t i = 0; i < record.samples(); ++i) {
-      speeds.push_back(std::abs(record.velocity_m_s[i]));
-      positions.push_back(record.position_m[i]);
-      square_N2 += record.output_N[i] * record.output_N[i];
-      input_N2 += record.input_N[i] * record.input_N[i];
-    }
-    if (!record.cycle.empty()) {
-      cycles = std::max(cycles, record.cycle.back());
-    }
-  }
-  constexpr double kLeast = 1e-9;
-  if (speeds.empty()) {
-    return {kLeast, kLeast, 0, kLeast, 0, kLeast, 0, cycles, {}};
-  }
-  const double low_m = quantile(positions, 0.01);
-  const double high_m = quantile(positions, 0.99);
-  const double speed_m_s = std::max(quantile(speeds, 0.9), kLeast);
-  return {.speed_m_s = speed_m_s,
-          .stroke_m = std::max(high_m - low_m, kLeast),
-          .position_m = (high_m + low_m) / 2,
-          .force_N = std::max(std::sqrt(square_N2 / static_cast<double>(speeds.size())), kLeast),
-          .input_N = std::sqrt(input_N2 / static_cast<double>(speeds.size())),
-          .turn_over_m_s = kUsualTurnOver * speed_m_s,
-          .step_s = duration_s / static_cast<double>(speeds.size()),
-          .cycles = cycles,
-          .poses_rad = poses_of(records)};
-}
-
-std::vector<double> reversals_m(const ForceRecord& record) {
-  std::vector<double> reversals = record.position_m;
-  for (std::size_t i = 1; i < reversals.size(); ++i) {
-    const double before_m = record.position_m[i - 1];
-    const double before_m_s = record.velocity_m_s[i - 1];
-    const double after_m_s = record.velocity_m_s[i];
-    if (before_m_s * after_m_s < 0) {
-      const double rising_s =
-          (record.time_s[i] - record.time_s[i - 1]) * before_m_s / (before_m_s - after_m_s);
-      const double turned_m = before_m + before_m_s * rising_s / 2;
-      const auto [low_m, high_m] = std::minmax({before_m, turned_m, reversals[i]});
-      reversals[i] = before_m_s > 0 ? high_m : low_m;
-    }
-  }
-  return reversals;
-}
-
-Kinematics kinematics_of(const ForceRecord& record, const ForceScales& scales) {
-  Kinematics kinematics;
-  kinematics.turned_over = turned_over(record, scales);
-  for (std::size_t i = 0; i < record.samples(); ++i) {
-    const double turn =
-        2 * std::numbers::pi * (record.position_m[i] - scales.position_m) / scales.stroke_m;
-    kinematics.stroke_sine.push_back(std::sin(turn));
-    kinematics.stroke_cosine.push_back(std::cos(turn));
-    kinematics.pose.push_back(nearest(scales.poses_rad, record.bend_angle_rad[i]));
-  }
-  return kinematics;
+double step_of(const ForceParameter& parameter, double value) {
+  constexpr double kFine = 1e-5;  // relative
+  constexpr double kWide = 0.05;
+  const double step = (parameter.stepped ? kWide : kFine) *
+                      std::max(std::abs(value), std::abs(parameter.starts.front()));
+  return value + step > parameter.maximum ? -step : step;
 }
 
 void predict_input(const ForceRecord& record, const Kinematics& kinematics, const ForceTerms& terms,
@@ -489,4 +384,4 @@ void predict_input(const ForceRecord& record, const Kinematics& kinematics, cons
   predict_in_time(read, behind, values, scales, input_N);
 }
 
-}  // namespace host_sim::diagnose
+}  // namespace host_sim::effects

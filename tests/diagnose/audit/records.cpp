@@ -1,4 +1,4 @@
-#include "tests/diagnose/audit/sessions.hpp"
+#include "tests/diagnose/audit/records.hpp"
 
 #include <cmath>
 #include <numbers>
@@ -9,19 +9,13 @@ namespace {
 constexpr double kStroke_m = 0.02;
 constexpr double kSwing = 0.4;
 
-/// Travel since the last turn of sin(turns), which are at odd quarters.
-double travel_m(double position_m, double velocity_m_s, double turns_rad) {
-  if (turns_rad < std::numbers::pi / 2) {
-    return position_m;
-  }
-  return velocity_m_s > 0 ? position_m + kStroke_m : kStroke_m - position_m;
-}
-
 }  // namespace
 
-Session session_of(const std::string& name, const Run& run) {
-  Session session{.name = name, .covariates = {}};
-  recording::Covariates& c = session.covariates;
+effects::ForceRecord record_of(const std::string& name, const Run& run) {
+  effects::ForceRecord record;
+  record.session = name;
+  record.pulls_alone = true;
+  record.input_N_per_A = 21;
   const int samples = static_cast<int>(run.duration_s * kRate_Hz);
   for (int k = 0; k < samples; ++k) {
     const double time_s = (k + 0.3) / kRate_Hz;
@@ -34,33 +28,32 @@ Session session_of(const std::string& name, const Run& run) {
     const double input_N = run.mean_N * (1 + kSwing * std::sin(load_rad));
     const double rate_N_s =
         run.mean_N * kSwing * 1.37 * 2 * std::numbers::pi * run.frequency_Hz * std::cos(load_rad);
-    c.time_s.push_back(time_s);
-    c.cycle.push_back(run.start_cycle + run.frequency_Hz * time_s);
-    c.direction.push_back(direction);
-    c.velocity_m_s.push_back(velocity_m_s);
-    c.bend_angle_rad.push_back(run.bend_angle_rad);
-    c.current_A.push_back(input_N / 21);
-    c.current_tension_N.push_back(input_N);
-    c.output_tension_N.push_back(input_N * std::exp(-kMu * run.bend_angle_rad * direction));
-    c.travel_m.push_back(travel_m(position_m, velocity_m_s, turn_rad));
-    c.position_m.push_back(position_m);
-    c.motor_angle_rad.push_back(720 * position_m);
-    c.log_tension_rate_1_s.push_back(rate_N_s / input_N);
-    c.log_output_rate_1_s.push_back(rate_N_s / input_N);
-    c.sheath_temperature_C.push_back(run.sheath_C + run.warming_C * time_s / run.duration_s);
-    c.winding_temperature_C.push_back(run.winding_C + 2 * time_s / run.duration_s);
+    const double kept = std::exp(-kMu * run.bend_angle_rad * direction);
+    record.time_s.push_back(time_s);
+    record.cycle.push_back(run.start_cycle + run.frequency_Hz * time_s);
+    record.velocity_m_s.push_back(velocity_m_s);
+    record.bend_angle_rad.push_back(run.bend_angle_rad);
+    record.input_N.push_back(input_N);
+    record.output_N.push_back(input_N * kept);
+    record.output_rate_N_s.push_back(rate_N_s * kept);
+    record.position_m.push_back(position_m);
+    record.rotor_rad.push_back(720 * position_m);
+    record.sheath_temperature_C.push_back(run.sheath_C + run.warming_C * time_s / run.duration_s);
+    record.winding_temperature_C.push_back(run.winding_C + 2 * time_s / run.duration_s);
+    record.used.push_back(true);
   }
-  return session;
+  record.reversal_m = reversals_m(record);
+  return record;
 }
 
-std::vector<Session> sessions_of(const std::vector<Run>& runs) {
-  std::vector<Session> sessions;
+std::vector<effects::ForceRecord> records_of(const std::vector<Run>& runs) {
+  std::vector<effects::ForceRecord> records;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     std::string name = "s";
     name += std::to_string(i);
-    sessions.push_back(session_of(name, runs[i]));
+    records.push_back(record_of(name, runs[i]));
   }
-  return sessions;
+  return records;
 }
 
 std::vector<Run> crossed() {
@@ -92,11 +85,15 @@ std::vector<Run> one_pose() {
   return runs;
 }
 
-effects::Baseline baseline() {
-  return {.friction_coefficient = kMu,
-          .sheath_reference_C = 20,
-          .winding_reference_C = 25,
-          .poses_rad = {}};
+NoiseModel usual_noise(const std::vector<effects::ForceRecord>& records) {
+  NoiseModel noise{.sample_sd_N = {}, .session_gain_sd = 0.01, .session_friction_sd = 0.006};
+  for (const effects::ForceRecord& record : records) {
+    std::vector<double>& sd_N = noise.sample_sd_N.emplace_back(record.input_N);
+    for (double& value : sd_N) {
+      value *= 0.01;
+    }
+  }
+  return noise;
 }
 
 }  // namespace host_sim::diagnose::testing

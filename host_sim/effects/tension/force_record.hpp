@@ -1,0 +1,72 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace host_sim::effects {
+
+/// One session in newtons: every sample in order, forces signed. Vectors are of one length, but for
+/// those that may be empty where nothing measured them.
+struct ForceRecord {
+  std::string session;
+  std::vector<double> time_s;
+  std::vector<double> input_N;
+  std::vector<double> output_N;
+  std::vector<double> output_rate_N_s;  ///< d T_out/dt
+  std::vector<double> velocity_m_s;
+  std::vector<double> position_m;
+  std::vector<double> reversal_m;  ///< where it turned since the sample before; else its position
+  std::vector<double> bend_angle_rad;
+  std::vector<double> sheath_temperature_C;   ///< empty where no session varies in it
+  std::vector<double> winding_temperature_C;  ///< the same
+  std::vector<double> rotor_rad;              ///< may be empty
+  std::vector<double> cycle;                  ///< of the tendon's life; may be empty
+  std::vector<bool> used;    ///< whether it counts; motion goes on where it does not
+  double input_N_per_A = 0;  ///< of a motor current, which the input force is of; 0: a load cell
+  bool rotor_known = false;  ///< the position is that of the rotor and not an integral
+  bool pulls_alone = false;  ///< one tendon, whose force has one sign
+
+  [[nodiscard]] std::size_t samples() const { return time_s.size(); }
+  /// Mean time between samples. @pre one or more
+  [[nodiscard]] double step_s() const {
+    return (time_s.back() - time_s.front()) /
+           static_cast<double>(std::max<std::size_t>(samples() - 1, 1));
+  }
+};
+
+/// What terms are measured by, of all records together.
+struct ForceScales {
+  double speed_m_s = 0;   ///< nine tenths of all samples are slower
+  double stroke_m = 0;    ///< between the 1 % and the 99 % quantile of the position
+  double position_m = 0;  ///< the middle between these
+  double force_N = 0;     ///< root mean square of the output force
+  double input_N = 0;     ///< of the input force, which a drive that runs free has nearly alone
+  /// Of velocity: below it the direction of friction is not settled, by what it was measured with.
+  double turn_over_m_s = 0;
+  double step_s = 0;              ///< mean time between samples
+  double cycles = 0;              ///< the last of the tendon's life
+  std::vector<double> poses_rad;  ///< mean bend angles of sessions that differ by a degree, rising
+
+  [[nodiscard]] double larger_N() const { return std::max(force_N, input_N); }
+};
+ForceScales scales_of(std::span<const ForceRecord> records);
+
+/// What each sample of a record has by its motion, whatever the parameters.
+struct Kinematics {
+  std::vector<double> turned_over;  ///< how far its speed turns friction over, -1 .. 1
+  std::vector<std::size_t> pose;    ///< the nearest of ForceScales::poses_rad
+  std::vector<double> stroke_sine, stroke_cosine;  ///< of its place in the stroke, a turn long
+};
+
+/// Where the motion turns between samples, on the parabola of their speeds, as reversal_m.
+std::vector<double> reversals_m(const ForceRecord& record);
+
+/// The part of it that a delay moves: how far the speed of each sample turns friction over.
+std::vector<double> turned_over(const ForceRecord& record, const ForceScales& scales);
+
+Kinematics kinematics_of(const ForceRecord& record, const ForceScales& scales);
+
+}  // namespace host_sim::effects
