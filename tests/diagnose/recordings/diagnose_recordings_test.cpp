@@ -13,6 +13,7 @@
 #include "hal/files/input_error.hpp"
 #include "host_sim/campaign/campaign.hpp"
 #include "host_sim/diagnose/diagnosis.hpp"
+#include "host_sim/effects/tension/tension_effect.hpp"
 #include "host_sim/synth/campaign/make.hpp"
 
 namespace host_sim::diagnose {
