@@ -56,8 +56,8 @@ TEST(Audit, WearLooksLikeTemperatureWhereTheSheathWarmsWithCycles) {
 }
 
 /// |cos| of the two columns in nine values, one a session, by least squares written out: with a
-/// scatter between sessions far above what samples say of one, that is all that is left. At one pose
-/// what is refitted is the mean.
+/// scatter between sessions far above what samples say of one, that is all that is left. At one
+/// pose what is refitted is the mean.
 TEST(Audit, CosineIsThatOfTheSessionMeansWhereScatterRules) {
   std::vector<testing::Run> runs = testing::one_pose();
   Eigen::VectorXd wear(9);

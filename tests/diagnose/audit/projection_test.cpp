@@ -21,8 +21,8 @@ std::vector<Eigen::MatrixXd> columns_over_noise(const std::vector<effects::Force
                                                 const Grams& grams, const NoiseModel& noise) {
   std::vector<Eigen::MatrixXd> all;
   for (std::size_t j = 0; j < records.size(); ++j) {
-    Eigen::MatrixXd& columns =
-        all.emplace_back(columns_of(records[j], grams.layout, sharp_scales_of(records), testing::kMu));
+    Eigen::MatrixXd& columns = all.emplace_back(
+        columns_of(records[j], grams.layout, sharp_scales_of(records), testing::kMu));
     for (Eigen::Index i = 0; i < columns.rows(); ++i) {
       columns.row(i) /= noise.sample_sd_N[j][static_cast<std::size_t>(i)];
     }
