@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string_view>
@@ -110,26 +111,26 @@ std::string why_off_line(std::string_view id) {
   return "not known";
 }
 
-/// Effects on the damage of a cycle, whatever the input.
-bool is_on_damage(std::string_view id) {
-  return id == "mean_stress" || id == "bending_fatigue" || id == "endurance_limit";
-}
+/// An effect on the damage of a cycle, whatever the input.
+struct OnDamage {
+  std::string_view id;
+  std::string_view needed;  ///< in its table, which may lack it
+  std::optional<double> (*given)(const Extension& extension) = nullptr;
+};
 
-std::string why_not_on_damage(const Extension& extension) {
-  if (extension.id == "bending_fatigue" && !bending_amplitude_N(extension)) {
-    return "needs wire_to_bend_ratio in its table";
-  }
-  if (extension.id == "endurance_limit" && !endurance_limit_N(extension)) {
-    return "needs lowest_effective_N in its table";
-  }
-  return "";
-}
+constexpr std::array<OnDamage, 3> kOnDamage{{
+    {"bending_fatigue", "wire_to_bend_ratio", bending_amplitude_N},
+    {"endurance_limit", "lowest_effective_N", endurance_limit_N},
+    {"mean_stress", ""},
+}};
 
 /// Why an effect does not act; empty where it does.
 std::string why_not(const Extension& extension, const Model& model, InputKind kind,
                     const ProfileChannels& channels) {
-  if (is_on_damage(extension.id)) {
-    return why_not_on_damage(extension);
+  const auto* const on_damage = std::ranges::find(kOnDamage, extension.id, &OnDamage::id);
+  if (on_damage != kOnDamage.end()) {
+    const bool acts = on_damage->given == nullptr || on_damage->given(extension);
+    return acts ? "" : fmt::format("needs {} in its table", on_damage->needed);
   }
   const std::optional<OnLine> effect = on_line(extension);
   if (!effect) {

@@ -24,6 +24,18 @@ namespace {
 namespace fixed = lifemodel::extension;
 using fixed::Effect;
 
+/// What tables of a model are taken into.
+struct Target {
+  const Model& model;
+  std::string_view model_name;  ///< of its file, in errors
+  fixed::Extension& extension;
+
+  /// Of the ultimate tension, in steps of the target.
+  [[nodiscard]] std::int32_t tension(double force_N) const {
+    return lifemodel::pack::tension(force_N, model.cable.ultimate_tension_N).raw();
+  }
+};
+
 /// The word nearest to a value with so many fractional bits; the ends of its range beyond them.
 std::int32_t word(double value, int fraction_bits) {
   constexpr double kMost = std::numeric_limits<std::int32_t>::max();
@@ -31,7 +43,7 @@ std::int32_t word(double value, int fraction_bits) {
       std::clamp(std::nearbyint(std::ldexp(value, fraction_bits)), -kMost, kMost));
 }
 
-fixed::FrictionWear wear_of(const Extension& e) {
+void add_wear(const Extension& e, const Target& target) {
   const double size = value_of(e, "wear_coefficient");
   const double exponent = value_of(e, "wear_exponent");
   constexpr double kLeast = 1e-15;
@@ -43,10 +55,12 @@ fixed::FrictionWear wear_of(const Extension& e) {
   if (exponent == 0) {
     wear.fading = word(std::numbers::log2e / (2 * value_of(e, "run_in_cycles")), 31);
   }
-  return wear;
+  target.extension.friction_wear = wear;
+  target.extension.add(Effect::friction_wear);
 }
 
-void add_velocity(const Extension& e, const Model& model, fixed::Extension& result) {
+void add_velocity(const Extension& e, const Target& target) {
+  fixed::Extension& result = target.extension;
   const double stribeck = value_if(e, "stribeck_friction").value_or(0);
   const double viscous_s_m = value_if(e, "viscous_friction_s_m").value_or(0);
   const double viscous_N_s_m = value_if(e, "viscous_N_s_m").value_or(0);
@@ -59,8 +73,8 @@ void add_velocity(const Extension& e, const Model& model, fixed::Extension& resu
     result.add(Effect::friction_velocity);
   }
   constexpr int kBits = lifemodel::Tension::kFractionBits - lifemodel::Velocity::kFractionBits;
-  const auto factor =
-      lifemodel::pack::factor(std::ldexp(viscous_N_s_m / model.cable.ultimate_tension_N, kBits));
+  const auto factor = lifemodel::pack::factor(
+      std::ldexp(viscous_N_s_m / target.model.cable.ultimate_tension_N, kBits));
   // What is too small for a factor moves no tension by a step.
   if (viscous_N_s_m != 0 && factor) {
     result.viscous_force = {*factor};
@@ -68,11 +82,10 @@ void add_velocity(const Extension& e, const Model& model, fixed::Extension& resu
   }
 }
 
-void add_presliding(const Extension& e, const Model& model, std::string_view model_name,
-                    fixed::Extension& result) {
+void add_presliding(const Extension& e, const Target& target) {
   // In steps of velocity times samples; what is dropped of them leaves 24 bits of the length.
   const double length =
-      std::ldexp(value_of(e, "presliding_length_m") * model.counting.sample_rate_Hz,
+      std::ldexp(value_of(e, "presliding_length_m") * target.model.counting.sample_rate_Hz,
                  lifemodel::Velocity::kFractionBits);
   fixed::Presliding presliding;
   constexpr int kLengthBits = 24;
@@ -81,37 +94,38 @@ void add_presliding(const Extension& e, const Model& model, std::string_view mod
       std::ldexp(std::numbers::log2e / length, fixed::kExponentBits + presliding.drop));
   if (!lengths) {
     throw InputError(
-        model_name, 0, 0,
+        target.model_name, 0, 0,
         fmt::format("presliding_length_m of [extension.presliding] times "
                     "sample_rate_Hz is {:.3g} m/s",
-                    value_of(e, "presliding_length_m") * model.counting.sample_rate_Hz),
+                    value_of(e, "presliding_length_m") * target.model.counting.sample_rate_Hz),
         "1e-9 m/s or more");
   }
   presliding.lengths = *lengths;
   presliding.share = word(value_if(e, "presliding_share").value_or(1), fixed::kFactorBits);
-  result.presliding = presliding;
-  result.add(Effect::presliding);
+  target.extension.presliding = presliding;
+  target.extension.add(Effect::presliding);
 }
 
-fixed::FrictionLoad load_of(const Extension& e, const Model& model, std::string_view model_name) {
+void add_load(const Extension& e, const Target& target) {
+  const double ultimate_N = target.model.cable.ultimate_tension_N;
   constexpr double kReference_N = 50;
   constexpr double kLeastUltimate_N = kReference_N / 8;  // log2 of 50 N in steps is below 32 there
-  if (!(model.cable.ultimate_tension_N > kLeastUltimate_N)) {
-    throw InputError(model_name, 0, 0,
-                     fmt::format("ultimate_tension_N is {} with [extension.friction_load]",
-                                 model.cable.ultimate_tension_N),
-                     fmt::format("more than {} N with it", kLeastUltimate_N));
+  if (!(ultimate_N > kLeastUltimate_N)) {
+    throw InputError(
+        target.model_name, 0, 0,
+        fmt::format("ultimate_tension_N is {} with [extension.friction_load]", ultimate_N),
+        fmt::format("more than {} N with it", kLeastUltimate_N));
   }
   // Below this a term of the series is all there is.
   constexpr double kLeastExponent = 0x1p-16;
   const double exponent = value_of(e, "load_exponent");
   fixed::FrictionLoad load;
   load.exponent = word(exponent, fixed::kFactorBits);
-  load.log2_reference =
-      word(std::log2(std::ldexp(kReference_N / model.cable.ultimate_tension_N, 29)), 26);
+  load.log2_reference = word(std::log2(std::ldexp(kReference_N / ultimate_N, 29)), 26);
   load.inverse =
       *lifemodel::pack::factor(std::ldexp(1 / std::max(std::abs(exponent), kLeastExponent), -3));
-  return load;
+  target.extension.friction_load = load;
+  target.extension.add(Effect::friction_load);
 }
 
 /// Of the tendon, for a turn of the rotor.
@@ -119,29 +133,29 @@ double metres_a_turn(const Model::Drive& drive) {
   return 2 * std::numbers::pi * drive.spool_radius_m() / drive.gear_ratio;
 }
 
-fixed::FrictionPosition position_of(const Extension& e, const Model& model,
-                                    std::string_view model_name) {
+void add_position(const Extension& e, const Target& target) {
   fixed::FrictionPosition position;
   for (std::size_t i = 0; i < position.harmonics.size(); ++i) {
     const std::string number = std::to_string(i + 1);
     position.harmonics[i] = {word(value_of(e, "position_sine_" + number), 28),
                              word(value_of(e, "position_cosine_" + number), 28)};
   }
-  const double waves = metres_a_turn(*model.drive) / value_of(e, "wavelength_m");
+  const double waves = metres_a_turn(*target.model.drive) / value_of(e, "wavelength_m");
   constexpr double kMostWaves = 7.99;
   constexpr double kLeastWaves = 1e-6;
   if (!(waves >= kLeastWaves && waves <= kMostWaves)) {
-    throw InputError(model_name, 0, 0,
+    throw InputError(target.model_name, 0, 0,
                      fmt::format("wavelength_m of [extension.friction_position] is passed {:.3g} "
                                  "times in a turn of the rotor",
                                  waves),
                      fmt::format("{}..{} times", kLeastWaves, kMostWaves));
   }
   position.waves_a_turn = word(waves, 28);
-  return position;
+  target.extension.friction_position = position;
+  target.extension.add(Effect::friction_position);
 }
 
-fixed::BendAngle bend_angle_of(const Extension& e) {
+void add_bend_angle(const Extension& e, const Target& target) {
   const std::span<const double> errors_rad = values_of(e, "bend_angle_error_rad");
   const std::span<const double> angles_deg = values_of(e, "bend_angles_deg");
   fixed::BendAngle bend;
@@ -152,11 +166,13 @@ fixed::BendAngle bend_angle_of(const Extension& e) {
         lifemodel::pack::from_double<lifemodel::Angle>(angle_deg * std::numbers::pi / 180).raw(),
         word(errors_rad[i], lifemodel::Angle::kFractionBits)};
   }
-  return bend;
+  target.extension.bend_angle = bend;
+  target.extension.add(Effect::bend_angle);
 }
 
-void add_lag(const Extension& e, const Model& model, fixed::Extension& result) {
-  const double periods = value_of(e, "lag_s") * model.counting.sample_rate_Hz;
+void add_lag(const Extension& e, const Target& target) {
+  fixed::Extension& result = target.extension;
+  const double periods = value_of(e, "lag_s") * target.model.counting.sample_rate_Hz;
   const fixed::FilterLag lag{.periods = word(std::abs(periods), 16)};
   if (periods > 0) {
     result.output_lag = lag;
@@ -184,150 +200,146 @@ double steps_of(fixed::Empirical::Covariate covariate, const Model& model) {
   return std::ldexp(1 / model.cable.ultimate_tension_N, lifemodel::Tension::kFractionBits);
 }
 
-void add_empirical(const Extension& e, const Model& model, std::string_view model_name,
-                   fixed::Extension& result) {
+void add_empirical(const Extension& e, const Target& target) {
   const auto covariate = static_cast<fixed::Empirical::Covariate>(empirical_covariate(e));
-  if (covariate == fixed::Empirical::position && !model.drive) {
+  if (covariate == fixed::Empirical::position && !target.model.drive) {
     return;
   }
   const std::string_view name = kEmpiricalCovariates[empirical_covariate(e)].name;
   const std::span<const double> knots = values_of(e, name);
   const std::span<const double> pulling_N = values_of(e, "pulling_N");
   const std::span<const double> letting_go_N = values_of(e, "letting_go_N");
-  const double steps = steps_of(covariate, model);
-  const auto force = [&](double force_N) {
-    return lifemodel::pack::tension(force_N, model.cable.ultimate_tension_N).raw();
-  };
-  fixed::Empirical& table = result.empirical;
+  const double steps = steps_of(covariate, target.model);
+  fixed::Empirical& table = target.extension.empirical;
   table.covariate = covariate;
   table.knots = static_cast<std::int32_t>(knots.size());
   for (std::size_t i = 0; i < knots.size(); ++i) {
-    table.knot[i] = {word(knots[i] * steps, 0), force(pulling_N[i]), force(letting_go_N[i])};
+    table.knot[i] = {word(knots[i] * steps, 0), target.tension(pulling_N[i]),
+                     target.tension(letting_go_N[i])};
   }
   const double furthest = std::max(std::abs(knots.front()), std::abs(knots.back())) * steps;
   if (!table.plausible() || furthest > 0x1p31) {
     throw InputError(
-        model_name, 0, 0,
+        target.model_name, 0, 0,
         fmt::format("{} of [extension.empirical] has knots that are the same to the "
                     "target",
                     name),
         fmt::format("knots up to {:.3g} that are {:.3g} or more apart", 0x1p31 / steps, 1 / steps));
   }
-  result.add(Effect::empirical);
+  target.extension.add(Effect::empirical);
 }
 
-void add_friction(const Extension& e, const Model& model, std::string_view model_name,
-                  fixed::Extension& result) {
-  if (e.id == "bend_angle") {
-    result.bend_angle = bend_angle_of(e);
-    result.add(Effect::bend_angle);
-  } else if (e.id == "friction_load") {
-    result.friction_load = load_of(e, model, model_name);
-    result.add(Effect::friction_load);
-  } else if (e.id == "friction_position" && model.drive) {
-    result.friction_position = position_of(e, model, model_name);
-    result.add(Effect::friction_position);
-  } else if (e.id == "friction_preload") {
-    result.friction_preload.force =
-        lifemodel::pack::tension(value_of(e, "preload_N"), model.cable.ultimate_tension_N).raw();
-    result.add(Effect::friction_preload);
-  } else if (e.id == "friction_temperature") {
-    result.friction_temperature = {word(value_of(e, "temperature_coefficient_1_K"), 30),
-                                   word(value_of(e, "sheath_reference_C"), 16)};
-    result.add(Effect::friction_temperature);
-  } else if (e.id == "friction_velocity") {
-    add_velocity(e, model, result);
-  } else if (e.id == "friction_wear") {
-    result.friction_wear = wear_of(e);
-    result.add(Effect::friction_wear);
-  } else if (e.id == "load_cell_zero") {
-    result.load_cell_zero = {
-        lifemodel::pack::tension(value_of(e, "zero_N"), model.cable.ultimate_tension_N).raw()};
-    result.add(Effect::load_cell_zero);
-  } else if (e.id == "presliding") {
-    add_presliding(e, model, model_name, result);
-  } else if (e.id == kEmpirical) {
-    add_empirical(e, model, model_name, result);
-  }
-}
-
-void add_drive(const Extension& e, fixed::Extension& result) {
-  if (e.id == "current_offset") {
-    result.current_offset = {word(value_of(e, "current_offset_A"), 24)};
-    result.add(Effect::current_offset);
-  } else if (e.id == "gear_asymmetry") {
-    result.gear_asymmetry = {word(value_of(e, "gear_asymmetry"), fixed::kFactorBits)};
-    result.add(Effect::gear_asymmetry);
-  } else if (e.id == "torque_gain") {
-    result.torque_gain = {word(value_of(e, "droop_1_K"), 30),
-                          word(value_of(e, "winding_reference_C"), 16)};
-    result.add(Effect::torque_gain);
-  } else if (e.id == "torque_ripple") {
-    result.torque_ripple = {word(value_of(e, "ripple_sine_A"), 24),
-                            word(value_of(e, "ripple_cosine_A"), 24),
-                            word(value_of(e, "ripple_harmonic"), 16)};
-    result.add(Effect::torque_ripple);
-  }
-}
-
-void add_bending(const Extension& e, const Model& model, std::string_view model_name,
-                 fixed::Extension& result) {
+void add_bending(const Extension& e, const Target& target) {
   const auto amplitude_N = bending_amplitude_N(e);
   if (!amplitude_N) {
     return;
   }
-  const double relative = *amplitude_N / model.cable.ultimate_tension_N;
+  const double relative = *amplitude_N / target.model.cable.ultimate_tension_N;
   constexpr double kMost = 1.5;
   if (relative > kMost) {
-    throw InputError(model_name, 0, 0,
+    throw InputError(target.model_name, 0, 0,
                      fmt::format("bending_N * wire_to_bend_ratio of [extension.bending_fatigue] is "
                                  "{:.3g} of ultimate_tension_N",
                                  relative),
                      fmt::format("up to {}", kMost));
   }
-  result.bending_fatigue = {word(value_of(e, "bending_share"), fixed::kFactorBits),
-                            word(2 * relative, lifemodel::Tension::kFractionBits)};
-  result.add(Effect::bending_fatigue);
+  target.extension.bending_fatigue = {word(value_of(e, "bending_share"), fixed::kFactorBits),
+                                      word(2 * relative, lifemodel::Tension::kFractionBits)};
+  target.extension.add(Effect::bending_fatigue);
 }
 
-void add_limit(const Extension& e, const Model& model, fixed::Extension& result) {
+void add_limit(const Extension& e, const Target& target) {
   const auto limit_N = endurance_limit_N(e);
   if (!limit_N) {
     return;
   }
   constexpr double kLeast = 1e-9;
-  const double relative = std::clamp(*limit_N / model.cable.ultimate_tension_N, kLeast, 1.0);
-  result.endurance_limit = {word(value_of(e, "endurance_share"), fixed::kFactorBits),
-                            word(std::log2(relative), lifemodel::numeric::kLogBits)};
-  result.add(Effect::endurance_limit);
+  const double relative = std::clamp(*limit_N / target.model.cable.ultimate_tension_N, kLeast, 1.0);
+  target.extension.endurance_limit = {word(value_of(e, "endurance_share"), fixed::kFactorBits),
+                                      word(std::log2(relative), lifemodel::numeric::kLogBits)};
+  target.extension.add(Effect::endurance_limit);
 }
 
-void add_life(const Extension& e, const Model& model, std::string_view model_name,
-              fixed::Extension& result) {
-  if (e.id == "mean_stress") {
-    result.mean_stress = {word(value_of(e, "mean_stress_share"), fixed::kFactorBits),
-                          word(value_of(e, "walker_exponent"), fixed::kFactorBits)};
-    result.add(Effect::mean_stress);
-  } else if (e.id == "bending_fatigue") {
-    add_bending(e, model, model_name, result);
-  } else if (e.id == "endurance_limit") {
-    add_limit(e, model, result);
-  }
-}
+/// How a table is taken into the target.
+struct Packed {
+  std::string_view id;
+  void (*add)(const Extension& e, const Target& target);
+  bool of_drive = false;  ///< it is of no effect without one
+};
+
+constexpr Packed kPacked[] = {
+    {"bend_angle", add_bend_angle},
+    {"bending_fatigue", add_bending},
+    {"current_offset",
+     [](const Extension& e, const Target& target) {
+       target.extension.current_offset = {word(value_of(e, "current_offset_A"), 24)};
+       target.extension.add(Effect::current_offset);
+     },
+     true},
+    {kEmpirical, add_empirical},
+    {"endurance_limit", add_limit},
+    {"filter_lag", add_lag},
+    {"friction_load", add_load},
+    {"friction_position", add_position, true},
+    {"friction_preload",
+     [](const Extension& e, const Target& target) {
+       target.extension.friction_preload.force = target.tension(value_of(e, "preload_N"));
+       target.extension.add(Effect::friction_preload);
+     }},
+    {"friction_temperature",
+     [](const Extension& e, const Target& target) {
+       target.extension.friction_temperature = {
+           word(value_of(e, "temperature_coefficient_1_K"), 30),
+           word(value_of(e, "sheath_reference_C"), 16)};
+       target.extension.add(Effect::friction_temperature);
+     }},
+    {"friction_velocity", add_velocity},
+    {"friction_wear", add_wear},
+    {"gear_asymmetry",
+     [](const Extension& e, const Target& target) {
+       target.extension.gear_asymmetry = {word(value_of(e, "gear_asymmetry"), fixed::kFactorBits)};
+       target.extension.add(Effect::gear_asymmetry);
+     },
+     true},
+    {"load_cell_zero",
+     [](const Extension& e, const Target& target) {
+       target.extension.load_cell_zero = {target.tension(value_of(e, "zero_N"))};
+       target.extension.add(Effect::load_cell_zero);
+     }},
+    {"mean_stress",
+     [](const Extension& e, const Target& target) {
+       target.extension.mean_stress = {word(value_of(e, "mean_stress_share"), fixed::kFactorBits),
+                                       word(value_of(e, "walker_exponent"), fixed::kFactorBits)};
+       target.extension.add(Effect::mean_stress);
+     }},
+    {"presliding", add_presliding},
+    {"torque_gain",
+     [](const Extension& e, const Target& target) {
+       target.extension.torque_gain = {word(value_of(e, "droop_1_K"), 30),
+                                       word(value_of(e, "winding_reference_C"), 16)};
+       target.extension.add(Effect::torque_gain);
+     },
+     true},
+    {"torque_ripple",
+     [](const Extension& e, const Target& target) {
+       target.extension.torque_ripple = {word(value_of(e, "ripple_sine_A"), 24),
+                                         word(value_of(e, "ripple_cosine_A"), 24),
+                                         word(value_of(e, "ripple_harmonic"), 16)};
+       target.extension.add(Effect::torque_ripple);
+     },
+     true},
+};
 
 }  // namespace
 
 fixed::Extension fixed_extension(const Model& model, std::span<const Extension> extensions,
                                  std::string_view model_name) {
   fixed::Extension result;
+  const Target target{model, model_name, result};
   for (const Extension& extension : extensions) {
-    if (extension.id == "filter_lag") {
-      add_lag(extension, model, result);
-    }
-    add_friction(extension, model, model_name, result);
-    add_life(extension, model, model_name, result);
-    if (model.drive) {
-      add_drive(extension, result);
+    const auto* const packed = std::ranges::find(kPacked, extension.id, &Packed::id);
+    if (packed != std::end(kPacked) && (model.drive || !packed->of_drive)) {
+      packed->add(extension, target);
     }
   }
   return result;

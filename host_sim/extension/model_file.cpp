@@ -139,6 +139,14 @@ void check_velocity(const TomlTable& table, const Extension& extension) {
   }
 }
 
+/// What keys of a table say together.
+struct Check {
+  std::string_view id;
+  void (*check)(const TomlTable& table, const Extension& extension);
+};
+
+constexpr Check kChecks[] = {{"friction_velocity", check_velocity}, {"friction_wear", check_wear}};
+
 /// A covariate with its knots, and a force for each direction at each of them.
 Extension read_empirical(const TomlTable& table) {
   constexpr std::string_view kOne =
@@ -174,10 +182,9 @@ Extension read_extension(const TomlTable& table, const ExtensionKeys& keys) {
   for (const effects::TableKey& key : keys.keys) {
     read_key(table, key, extension);
   }
-  if (keys.id == "friction_wear") {
-    check_wear(table, extension);
-  } else if (keys.id == "friction_velocity") {
-    check_velocity(table, extension);
+  const auto* const check = std::ranges::find(kChecks, keys.id, &Check::id);
+  if (check != std::end(kChecks)) {
+    check->check(table, extension);
   }
   return extension;
 }
