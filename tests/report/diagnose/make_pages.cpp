@@ -1,27 +1,12 @@
-// make_pages FOLDER: writes one page for each sample and `charts.txt`, a line "NAME CHARTS" each.
-#include <filesystem>
-#include <fstream>
-#include <iostream>
+#include "tests/report/page/make_pages.hpp"
 
 #include "host_sim/report/diagnose/html.hpp"
 #include "tests/report/diagnose/sample_diagnosis.hpp"
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: make_pages FOLDER\n";
-    return 2;
-  }
-  const std::filesystem::path folder = argv[1];
-  std::filesystem::create_directories(folder);
-  std::ofstream charts(folder / "charts.txt");
-  for (const host_sim::samples::DiagnosisSample& sample : host_sim::samples::all_diagnoses()) {
-    std::ofstream page(folder / (sample.name + ".html"), std::ios::binary);
-    host_sim::write_diagnose_report(page, sample.campaign, sample.diagnosis, "0.1.0");
-    charts << sample.name << ' ' << sample.charts << '\n';
-    if (!page.flush()) {
-      std::cerr << "make_pages: cannot write " << sample.name << '\n';
-      return 1;
-    }
-  }
-  return charts.flush() ? 0 : 1;
+  using namespace host_sim;
+  return samples::make_pages(
+      argc, argv, samples::all_diagnoses(), [](std::ostream& page, const auto& sample) {
+        write_diagnose_report(page, sample.campaign, sample.diagnosis, "0.1.0");
+      });
 }

@@ -1,28 +1,16 @@
-// make_pages FOLDER: writes one page for each sample and `charts.txt`, a line "NAME CHARTS" each.
-#include <filesystem>
-#include <fstream>
-#include <iostream>
+#include "tests/report/page/make_pages.hpp"
+
+#include <vector>
 
 #include "host_sim/report/fleet/html.hpp"
 #include "tests/report/fleet/samples.hpp"
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: make_pages FOLDER\n";
-    return 2;
-  }
-  const std::filesystem::path folder = argv[1];
-  std::filesystem::create_directories(folder);
-  std::ofstream charts(folder / "charts.txt");
-  for (const auto& sample : {host_sim::samples::typical_fleet(), host_sim::samples::idle_fleet()}) {
-    std::ofstream page(folder / (sample.name + ".html"), std::ios::binary);
-    host_sim::write_fleet_report(page, "t.csv", sample.fleet, sample.request, sample.plan,
-                                 sample.course, "0.1.0");
-    charts << sample.name << " 2\n";
-    if (!page.flush()) {
-      std::cerr << "make_pages: cannot write " << sample.name << '\n';
-      return 1;
-    }
-  }
-  return charts.flush() ? 0 : 1;
+  using namespace host_sim;
+  return samples::make_pages(argc, argv,
+                             std::vector{samples::typical_fleet(), samples::idle_fleet()},
+                             [](std::ostream& page, const auto& sample) {
+                               write_fleet_report(page, "t.csv", sample.fleet, sample.request,
+                                                  sample.plan, sample.course, "0.1.0");
+                             });
 }

@@ -13,6 +13,7 @@ struct FleetSample {
   fleet::PlanRequest request;
   fleet::FleetPlan plan;
   std::vector<fleet::SparesUntil> course;
+  int charts = 2;  ///< of its page
 };
 
 /// An old tendon at B10 that is due, a young one, one whose name is markup, and a broken one; with

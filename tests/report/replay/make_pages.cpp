@@ -1,27 +1,11 @@
-// make_pages FOLDER: writes one page for each sample and `charts.txt`, a line "NAME CHARTS" each.
-#include <filesystem>
-#include <fstream>
-#include <iostream>
+#include "tests/report/page/make_pages.hpp"
 
 #include "host_sim/report/replay/html.hpp"
 #include "tests/report/replay/samples.hpp"
 
 int main(int argc, char** argv) {
-  if (argc != 2) {
-    std::cerr << "usage: make_pages FOLDER\n";
-    return 2;
-  }
-  const std::filesystem::path folder = argv[1];
-  std::filesystem::create_directories(folder);
-  std::ofstream charts(folder / "charts.txt");
-  for (const host_sim::samples::Sample& sample : host_sim::samples::all()) {
-    std::ofstream page(folder / (sample.name + ".html"), std::ios::binary);
-    host_sim::write_replay_report(page, sample.report);
-    charts << sample.name << ' ' << sample.charts << '\n';
-    if (!page.flush()) {
-      std::cerr << "make_pages: cannot write " << sample.name << '\n';
-      return 1;
-    }
-  }
-  return charts.flush() ? 0 : 1;
+  using namespace host_sim;
+  return samples::make_pages(
+      argc, argv, samples::all(),
+      [](std::ostream& page, const auto& sample) { write_replay_report(page, sample.report); });
 }
