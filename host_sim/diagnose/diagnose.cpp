@@ -2,9 +2,7 @@
 
 #include "hal/files/input_error.hpp"
 #include "hal/files/text.hpp"
-#include "host_sim/diagnose/diagnose_recordings.hpp"
 #include "host_sim/diagnose/diagnosis.hpp"
-#include "host_sim/recording/recording.hpp"
 
 namespace host_sim::diagnose {
 
@@ -36,12 +34,8 @@ Diagnosis diagnose(const Campaign& campaign, const DiagnoseOptions& options) {
   refuse_unknown_lives(campaign);
   Diagnosis diagnosis;
   if (has_recordings(campaign)) {
-    const auto recordings = recording::read_recordings(campaign.folder, campaign.columns);
-    const auto faults = recording::faults_of(recordings, campaign.two_sided);
-    for (const recording::FaultSummary& summary : recording::summary_of(faults)) {
-      diagnosis.warnings.push_back(summary.words);
-    }
-    diagnosis.tension = diagnose_recordings(campaign, recordings, faults, options);
+    diagnosis.tension = diagnose_tension(campaign, options);
+    diagnosis.warnings = diagnosis.tension->faults;
   }
   if (!campaign.specimens.empty()) {
     diagnosis.lives = diagnose_lives(campaign, options);

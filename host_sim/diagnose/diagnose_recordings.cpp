@@ -1,5 +1,3 @@
-#include "host_sim/diagnose/diagnose_recordings.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,6 +8,7 @@
 
 #include "hal/files/input_error.hpp"
 #include "host_sim/diagnose/audit/audit.hpp"
+#include "host_sim/diagnose/diagnosis.hpp"
 #include "host_sim/diagnose/force/diagnose_forces.hpp"
 #include "host_sim/diagnose/force/remainder.hpp"
 #include "host_sim/diagnose/force_records.hpp"
@@ -95,10 +94,9 @@ std::string next_experiment(const Findings& findings) {
 
 }  // namespace
 
-TensionDiagnosis diagnose_recordings(const Campaign& campaign,
-                                     const std::vector<recording::Recording>& recordings,
-                                     const std::vector<recording::Fault>& faults,
-                                     const DiagnoseOptions& options) {
+TensionDiagnosis diagnose_tension(const Campaign& campaign, const DiagnoseOptions& options) {
+  const auto recordings = recording::read_recordings(campaign.folder, campaign.columns);
+  const auto faults = recording::faults_of(recordings, campaign.two_sided);
   if (!campaign.two_sided && !recordings.empty() && !campaign.nominal.sheath) {
     throw InputError((campaign.folder / "campaign.toml").string(), 0, 0,
                      "no table [model.sheath], which friction is compared with",
@@ -106,19 +104,17 @@ TensionDiagnosis diagnose_recordings(const Campaign& campaign,
   }
   const std::vector<effects::ForceRecord> records =
       force_records(recordings, faults, campaign.nominal, !campaign.two_sided);
-  if (records.empty()) {
-    return nothing_to_see(!faults.empty());
-  }
   TensionDiagnosis diagnosis =
-      diagnose_forces(records, campaign.nominal, constants_of(campaign.nominal), options);
-  diagnosis.findings.next_experiment = next_experiment(diagnosis.findings);
+      records.empty()
+          ? nothing_to_see(!faults.empty())
+          : diagnose_forces(records, campaign.nominal, constants_of(campaign.nominal), options);
+  if (!records.empty()) {
+    diagnosis.findings.next_experiment = next_experiment(diagnosis.findings);
+  }
+  for (const recording::FaultSummary& summary : recording::summary_of(faults)) {
+    diagnosis.faults.push_back(summary.words);
+  }
   return diagnosis;
-}
-
-TensionDiagnosis diagnose_tension(const Campaign& campaign, const DiagnoseOptions& options) {
-  const auto recordings = recording::read_recordings(campaign.folder, campaign.columns);
-  return diagnose_recordings(campaign, recordings,
-                             recording::faults_of(recordings, campaign.two_sided), options);
 }
 
 }  // namespace host_sim::diagnose

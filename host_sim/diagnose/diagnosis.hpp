@@ -191,6 +191,7 @@ struct LifePicture {
 
 struct TensionDiagnosis {
   Findings findings;
+  std::vector<std::string> faults;  ///< of sensors, whose samples were left out: in words
   std::vector<TracePicture> traces;
   std::vector<CausePicture> causes;  ///< of those of Findings::steps that lessen the error
   std::vector<RemainderPicture> remainders;

@@ -29,7 +29,7 @@ std::string with_unit(const std::string& text, const std::string& unit) {
 
 /// Without an interval where it has none.
 void write_estimate(std::ostream& out, const Estimate& estimate, std::string_view indent) {
-  fmt::print(out, "{}{:<26}{}", indent, printable(estimate.name),
+  fmt::print(out, "{}{:<25} {}", indent, printable(estimate.name),
              printable(with_unit(figure(estimate.value), estimate.unit)));
   if (estimate.low != estimate.high) {
     fmt::print(out, "  (95 %: {} .. {})", figure(estimate.low), figure(estimate.high));
