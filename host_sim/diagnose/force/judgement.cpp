@@ -15,11 +15,12 @@ constexpr double kAlike = 0.05;
 
 /// Of what a model leaves and is no noise: an effect that takes off less may imitate a part of
 /// that. Friction of a tendon that pulls alone is nearly all in proportion to its force, and its
-/// effects are more like each other: it takes more, but for one without which the error is a fifth
-/// larger. What sessions differ in is less like the others.
+/// effects, and those of when a channel is read, are more like each other: it takes more, but for
+/// one without which the error is a fifth larger. What sensors show, or sessions differ in, is less
+/// like the others.
 constexpr double kMaterialShare = 0.5;
 constexpr double kMaterialShareAlone = 2;
-constexpr double kMaterialShareOfSession = 1;
+constexpr double kMaterialShareApart = 1;
 constexpr double kLargeGain = 0.18;  ///< of ln rmse
 
 /// Of what is left at all: without an effect that takes off that the error is 2.5 % larger.
@@ -147,7 +148,8 @@ bool Judgement::stays(std::size_t place) const {
   const bool large = !data_.records().front().pulls_alone || one.gain.mean >= kLargeGain;
   const bool of_session = is_of(effects::ForceLaw::Of::session, one.term);
   const bool of_time = is_of(effects::ForceLaw::Of::time, one.term);
-  const double alone = of_session ? kMaterialShareOfSession : kMaterialShareAlone;
+  const bool apart = of_session || is_of(effects::ForceLaw::Of::sensor, one.term);
+  const double alone = apart ? kMaterialShareApart : kMaterialShareAlone;
   const double share = large ? kMaterialShare : alone;
   const double least = of_session || of_time ? kLeastShareApart : kLeastShare;
   const double of_noise_N2 =

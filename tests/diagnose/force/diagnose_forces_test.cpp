@@ -541,6 +541,26 @@ TEST(DiagnoseForces, ASensorThatIsNotLinearIsNoFriction) {
   EXPECT_THAT(diagnosis.findings.prose, HasSubstr("a sensor of the output that is not linear"));
 }
 
+/// A spring that the catalogue does not have leaves nearly as much as the zero takes off: friction
+/// would have to take more, as its laws are like each other.
+TEST(DiagnoseForces, AZeroOfATendonThatPullsAloneIsNamedAlthoughMoreIsWrong) {
+  const auto pulled_alone = [](double offset_N) {
+    std::vector<effects::ForceRecord> records = measured({.friction = 0.2,
+                                                          .load_N = 40,
+                                                          .still_N = 50,
+                                                          .offset_N = offset_N,
+                                                          .noise_N = 1,
+                                                          .spring_N = 0.6},
+                                                         21, 24);
+    for (effects::ForceRecord& record : records) {
+      record.pulls_alone = true;
+    }
+    return records;
+  };
+  EXPECT_THAT(ids_of(found(pulled_alone(1.2))), ElementsAre("load_cell_zero"));
+  EXPECT_THAT(ids_of(found(pulled_alone(0.7))), IsEmpty());
+}
+
 /// The sheath warms by 10 K in the course of each session, in which the input rises by 3 %.
 TEST(DiagnoseForces, AnInputThatSettlesInEachSessionIsNoFrictionByTemperature) {
   std::vector<effects::ForceRecord> records = measured(
