@@ -20,7 +20,7 @@ constexpr double kAlike = 0.05;
 /// like the others.
 constexpr double kMaterialShare = 0.5;
 constexpr double kMaterialShareAlone = 2;
-constexpr double kMaterialShareApart = 1;
+constexpr double kOfMaterialShareApart = 0.5;
 constexpr double kLargeGain = 0.18;  ///< of ln rmse
 
 /// Of what is left at all: without an effect that takes off that the error is 2.5 % larger.
@@ -149,8 +149,8 @@ bool Judgement::stays(std::size_t place) const {
   const bool of_session = is_of(effects::ForceLaw::Of::session, one.term);
   const bool of_time = is_of(effects::ForceLaw::Of::time, one.term);
   const bool apart = of_session || is_of(effects::ForceLaw::Of::sensor, one.term);
-  const double alone = apart ? kMaterialShareApart : kMaterialShareAlone;
-  const double share = large ? kMaterialShare : alone;
+  const double share =
+      (large ? kMaterialShare : kMaterialShareAlone) * (apart ? kOfMaterialShareApart : 1);
   const double least = of_session || of_time ? kLeastShareApart : kLeastShare;
   const double of_noise_N2 =
       of_time ? kOfNoiseTaken * data_.noise_taken_N2(one.without, model_) : 0;

@@ -561,6 +561,15 @@ TEST(DiagnoseForces, AZeroOfATendonThatPullsAloneIsNamedAlthoughMoreIsWrong) {
   EXPECT_THAT(ids_of(found(pulled_alone(0.7))), IsEmpty());
 }
 
+TEST(DiagnoseForces, AZeroOfWhatWorksBothWaysIsNamedAlthoughMoreIsWrong) {
+  const auto found_with = [](double offset_N) {
+    return found(
+        measured({.friction = 0.2, .offset_N = offset_N, .noise_N = 1, .spring_N = 2.5}, 21));
+  };
+  EXPECT_THAT(ids_of(found_with(0.9)), ElementsAre("load_cell_zero"));
+  EXPECT_THAT(ids_of(found_with(0.6)), IsEmpty());
+}
+
 /// The sheath warms by 10 K in the course of each session, in which the input rises by 3 %.
 TEST(DiagnoseForces, AnInputThatSettlesInEachSessionIsNoFrictionByTemperature) {
   std::vector<effects::ForceRecord> records = measured(
