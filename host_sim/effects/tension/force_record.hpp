@@ -64,7 +64,7 @@ struct Kinematics {
 /// Where the motion turns between samples, on the parabola of their speeds, as reversal_m.
 std::vector<double> reversals_m(const ForceRecord& record);
 
-/// The part of it that a delay moves: how far the speed of each sample turns friction over.
+/// Kinematics::turned_over of a record.
 std::vector<double> turned_over(const ForceRecord& record, const ForceScales& scales);
 
 Kinematics kinematics_of(const ForceRecord& record, const ForceScales& scales);
