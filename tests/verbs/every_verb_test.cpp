@@ -225,6 +225,18 @@ class EveryVerb : public CampaignProgram {
     return process;
   }
 
+  /// Until the program sleeps, three looks in a row: with its handlers set, on what it waits for.
+  /// Ten seconds at the most.
+  static void await_sleep(pid_t process) {
+    const fs::path of = fs::path("/proc") / std::to_string(process);
+    int asleep = 0;
+    for (int i = 0; i < 500 && asleep < 3; ++i) {
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      const bool sleeps = contents(of / "stat").find(" (host_sim) S ") != std::string::npos;
+      asleep = sleeps ? asleep + 1 : 0;
+    }
+  }
+
   /// -1 where it does not end within ten seconds.
   static int status_of(pid_t process) {
     int status = 0;
@@ -443,7 +455,7 @@ TEST_F(EveryVerb, ASignalEndsWhatWaitsForAPipe) {
           "pack fifo --out b.bin", "pack model.toml --out fifo",
           "replay good.csv --model model.toml --report p.html --trajectory fifo"}) {
       const pid_t process = start(program + command + log);
-      std::this_thread::sleep_for(std::chrono::milliseconds(200));
+      await_sleep(process);
       ::kill(process, signal);
       EXPECT_EQ(status_of(process), 130) << command << signal;
       EXPECT_TRUE(snapshot() == before) << command << signal;
