@@ -108,9 +108,7 @@ TensionDiagnosis diagnose_tension(const Campaign& campaign, const DiagnoseOption
       records.empty()
           ? nothing_to_see(!faults.empty())
           : diagnose_forces(records, campaign.nominal, constants_of(campaign.nominal), options);
-  if (!records.empty()) {
-    diagnosis.findings.next_experiment = next_experiment(diagnosis.findings);
-  }
+  diagnosis.findings.next_experiment = next_experiment(diagnosis.findings);
   for (const recording::FaultSummary& summary : recording::summary_of(faults)) {
     diagnosis.faults.push_back(summary.words);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string_view>
 
 namespace host_sim::effects {
@@ -18,5 +19,16 @@ struct Separation {
   std::string_view other;       ///< id of the effect it is confounded with
   std::string_view experiment;  ///< that breaks it, as an instruction: "heat the sheath alone"
 };
+
+/// The experiment that separates an effect from another; empty where it knows none.
+inline std::string_view experiment_against(std::string_view other,
+                                           std::span<const Separation> separations) {
+  for (const Separation& separation : separations) {
+    if (separation.other == other) {
+      return separation.experiment;
+    }
+  }
+  return {};
+}
 
 }  // namespace host_sim::effects

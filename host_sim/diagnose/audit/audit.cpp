@@ -147,16 +147,6 @@ std::string prose_of(const Audit& audit) {
   return text;
 }
 
-const effects::Separation* separation_of(const effects::TensionEffect& one,
-                                         const effects::TensionEffect& other) {
-  for (const effects::Separation& separation : one.separations) {
-    if (separation.other == other.id) {
-      return &separation;
-    }
-  }
-  return nullptr;
-}
-
 /// The least member of each effect's class.
 std::vector<std::size_t> least_members(std::size_t count, const std::vector<PairAudit>& pairs) {
   std::vector<std::size_t> least(count);
@@ -258,12 +248,11 @@ std::vector<PairAudit> pairs_of(const std::vector<EffectAudit>& effects,
 }  // namespace
 
 std::string experiment_for(const effects::TensionEffect& one, const effects::TensionEffect& other) {
-  const effects::Separation* found = separation_of(one, other);
-  if (found == nullptr) {
-    found = separation_of(other, one);
+  std::string_view found = experiment_against(other.id, one.separations);
+  if (found.empty()) {
+    found = experiment_against(one.id, other.separations);
   }
-  return std::string(found != nullptr ? found->experiment
-                                      : "cross bend angle, speed, load and temperature");
+  return std::string(!found.empty() ? found : "cross bend angle, speed, load and temperature");
 }
 
 std::vector<EquivalenceClass> classes_of(const std::vector<EffectAudit>& effects,

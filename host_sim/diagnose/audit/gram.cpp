@@ -75,30 +75,17 @@ void add_cases(const effects::TensionEffect& effect, std::span<const ForceRecord
   layout.effects.push_back(std::move(added));
 }
 
-/// The input force of a record by a model of one term at the most.
-class Predicted {
- public:
-  Predicted(const ForceRecord& record, const ForceScales& scales)
-      : record_(record), scales_(scales), kinematics_(kinematics_of(record, scales)) {}
-
-  [[nodiscard]] Eigen::VectorXd input_N(double friction_coefficient,
-                                        const effects::ForceTerms& terms,
-                                        std::span<const double> of_term) const {
-    std::vector<double> parameters{1, friction_coefficient};
-    parameters.insert(parameters.end(), of_term.begin(), of_term.end());
-    std::vector<double> input_N;
-    predict_input(record_, kinematics_, terms, scales_, parameters, input_N);
-    for (std::size_t i = 0; i < input_N.size(); ++i) {
-      input_N[i] = record_.used[i] ? input_N[i] : 0;
-    }
-    return Eigen::Map<const Eigen::VectorXd>(input_N.data(), static_cast<Index>(input_N.size()));
+/// The input force of a record by a model, 0 where a sample does not count.
+Eigen::VectorXd predicted_N(const ForceRecord& record, const effects::Kinematics& kinematics,
+                            const effects::ForceTerms& terms, const ForceScales& scales,
+                            const std::vector<double>& parameters) {
+  std::vector<double> input_N;
+  predict_input(record, kinematics, terms, scales, parameters, input_N);
+  for (std::size_t i = 0; i < input_N.size(); ++i) {
+    input_N[i] = record.used[i] ? input_N[i] : 0;
   }
-
- private:
-  const ForceRecord& record_;
-  const ForceScales& scales_;
-  effects::Kinematics kinematics_;
-};
+  return Eigen::Map<const Eigen::VectorXd>(input_N.data(), static_cast<Index>(input_N.size()));
+}
 
 void whiten(Eigen::MatrixXd& columns, const std::vector<double>& sd_N, double autocorrelation) {
   for (Index row = 0; row < columns.rows(); ++row) {
@@ -145,29 +132,45 @@ GramLayout layout_of(std::span<const ForceRecord> records, const ForceScales& sc
   return layout;
 }
 
+Eigen::MatrixX2d directions_of(const ForceRecord& record, const effects::Kinematics& kinematics,
+                               const ForceScales& scales, double gain,
+                               double friction_coefficient) {
+  constexpr double kStep = 1e-4;
+  const Eigen::VectorXd at_N =
+      predicted_N(record, kinematics, {}, scales, {gain, friction_coefficient});
+  const Eigen::VectorXd above_N =
+      predicted_N(record, kinematics, {}, scales, {gain, friction_coefficient + kStep});
+  Eigen::MatrixX2d directions_N(at_N.size(), 2);
+  directions_N << at_N, (above_N - at_N) / kStep;
+  return directions_N;
+}
+
 Eigen::MatrixXd columns_of(const ForceRecord& record, const GramLayout& layout,
                            const ForceScales& scales, double friction_coefficient) {
-  constexpr double kFrictionStep = 1e-4;
-  const Predicted predicted(record, scales);
-  const Eigen::VectorXd nominal_N = predicted.input_N(friction_coefficient, {}, {});
-  Eigen::MatrixXd columns(nominal_N.size(), static_cast<Index>(layout.size));
-  columns.col(Index{GramLayout::kGain}) = nominal_N;
-  columns.col(Index{GramLayout::kFriction}) =
-      (predicted.input_N(friction_coefficient + kFrictionStep, {}, {}) - nominal_N) / kFrictionStep;
+  const effects::Kinematics kinematics = kinematics_of(record, scales);
+  Eigen::MatrixXd columns(static_cast<Index>(record.samples()), static_cast<Index>(layout.size));
+  columns.leftCols<2>() = directions_of(record, kinematics, scales, 1, friction_coefficient);
+  const Eigen::VectorXd nominal_N = columns.col(Index{GramLayout::kGain});
   for (const GramLayout::Effect& effect : layout.effects) {
     for (const GramLayout::Case& one : effect.cases) {
-      const effects::ForceTerms terms{one.term};
+      const auto with_N = [&](const std::vector<double>& of_term) {
+        std::vector<double> parameters{1, friction_coefficient};
+        parameters.insert(parameters.end(), of_term.begin(), of_term.end());
+        return predicted_N(record, kinematics, {one.term}, scales, parameters);
+      };
       const std::vector<ForceParameter> parameters = parameters_of(one.term, scales);
-      const Eigen::VectorXd there_N =
-          predicted.input_N(friction_coefficient, terms, one.parameters);
+      const Eigen::VectorXd there_N = with_N(one.parameters);
       auto next = static_cast<Index>(one.first);
       columns.col(next++) = there_N - nominal_N;
       for (std::size_t k = 0; k < parameters.size(); ++k) {
+        if (parameters[k].chosen) {
+          columns.col(next++).setZero();
+          continue;
+        }
         std::vector<double> moved = one.parameters;
-        const double step = parameters[k].chosen ? 0 : step_of(parameters[k], moved[k]);
+        const double step = step_of(parameters[k], moved[k]);
         moved[k] += step;
-        columns.col(next++) = (predicted.input_N(friction_coefficient, terms, moved) - there_N) /
-                              (step == 0 ? 1 : step);
+        columns.col(next++) = (with_N(moved) - there_N) / step;
       }
     }
   }

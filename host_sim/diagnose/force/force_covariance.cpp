@@ -5,30 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host_sim/diagnose/audit/gram.hpp"
+
 namespace host_sim::diagnose {
 namespace {
-
-Eigen::MatrixX2d directions_of(const effects::ForceRecord& record,
-                               const effects::ForceScales& scales,
-                               std::span<const double> parameters) {
-  constexpr double kStep = 1e-4;
-  std::vector<double> at_N;
-  std::vector<double> above_N;
-  const double gain = parameters[0];
-  const double friction = parameters[1];
-  const effects::Kinematics kinematics = kinematics_of(record, scales);
-  predict_input(record, kinematics, {}, scales, std::vector{gain, friction}, at_N);
-  predict_input(record, kinematics, {}, scales, std::vector{gain, friction + kStep}, above_N);
-  Eigen::MatrixX2d directions_N(static_cast<Eigen::Index>(at_N.size()), 2);
-  directions_N.col(0) = vector_of(at_N);
-  directions_N.col(1) = (vector_of(above_N) - vector_of(at_N)) / kStep;
-  for (std::size_t i = 0; i < at_N.size(); ++i) {
-    if (!record.used[i]) {
-      directions_N.row(static_cast<Eigen::Index>(i)).setZero();
-    }
-  }
-  return directions_N;
-}
 
 /// What scatters more has a cause: standard deviation of ln gain, and of friction over itself.
 constexpr double kMostLogGain = 0.03;
@@ -178,7 +158,8 @@ ForceCovariance::ForceCovariance(std::span<const effects::ForceRecord> records,
   std::vector<Eigen::MatrixX2d> directions_N;
   std::vector<RefitOfSession> refits;
   for (std::size_t j = 0; j < records.size(); ++j) {
-    directions_N.push_back(directions_of(records[j], scales, parameters));
+    directions_N.push_back(directions_of(records[j], kinematics_of(records[j], scales), scales,
+                                         parameters[0], parameters[1]));
     refits.push_back(refit_of(directions_N[j], Eigen::VectorXd::Ones(directions_N[j].rows()),
                               vector_of(residuals_N[j])));
   }

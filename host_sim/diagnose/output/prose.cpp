@@ -55,12 +55,7 @@ InCatalogue in_catalogue(std::string_view id) {
 }
 
 std::string experiment_between(std::string_view one, std::string_view other) {
-  for (const effects::Separation& separation : in_catalogue(one).separations) {
-    if (separation.other == other) {
-      return std::string(separation.experiment);
-    }
-  }
-  return {};
+  return std::string(effects::experiment_against(other, in_catalogue(one).separations));
 }
 
 /// Adds what is neither empty nor there already.

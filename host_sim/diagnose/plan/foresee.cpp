@@ -40,20 +40,6 @@ struct EndNoise {
   }
 };
 
-EndNoise input_noise_of(const synth::SynthPlan& plan) {
-  const auto& channels = plan.recordings->channels;
-  const auto& input = plan.noise.input;
-  const bool by_current = std::find(channels.begin(), channels.end(),
-                                    hal::files::kInputTensionColumn) == channels.end();
-  if (!by_current) {
-    return {input.relative_sd, input.absolute_N, input.ar1};
-  }
-  const Model::Drive& drive = *plan.model.drive;
-  const double newtons_per_A = drive.torque_constant_Nm_per_A * drive.gear_ratio *
-                               drive.gear_efficiency / drive.spool_radius_m();
-  return {input.relative_sd, input.absolute_A * newtons_per_A, input.ar1};
-}
-
 std::vector<effects::ForceRecord> simulated_records(synth::SynthPlan plan,
                                                     const ForeseeOptions& options) {
   plan.departures.clear();
@@ -112,7 +98,6 @@ std::vector<const EffectAudit*> clearest_first(const Audit& audit) {
 }  // namespace
 
 NoiseModel noise_of(const synth::SynthPlan& plan, std::span<const effects::ForceRecord> records) {
-  const EndNoise input = input_noise_of(plan);
   const EndNoise output{plan.noise.output.relative_sd, plan.noise.output.absolute_N,
                         plan.noise.output.ar1};
   NoiseModel noise;
@@ -121,6 +106,11 @@ NoiseModel noise_of(const synth::SynthPlan& plan, std::span<const effects::Force
   double all_N2 = 0;
   double passed_on_N2 = 0;
   for (const effects::ForceRecord& record : records) {
+    const EndNoise input{plan.noise.input.relative_sd,
+                         record.input_N_per_A > 0
+                             ? plan.noise.input.absolute_A * record.input_N_per_A
+                             : plan.noise.input.absolute_N,
+                         plan.noise.input.ar1};
     std::vector<double>& sd_N = noise.sample_sd_N.emplace_back();
     for (std::size_t i = 0; i < record.samples(); ++i) {
       const double ratio = record.input_N[i] / record.output_N[i];

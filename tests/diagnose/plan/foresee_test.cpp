@@ -42,8 +42,10 @@ Foresight foresight_of(const std::string& text) {
 }
 
 /// One sample of 30 N that leaves 20 N at the output.
-effects::ForceRecord one_sample() {
+/// @param input_N_per_A of the motor of the plan; 0: a load cell
+effects::ForceRecord one_sample(double input_N_per_A) {
   effects::ForceRecord record;
+  record.input_N_per_A = input_N_per_A;
   record.time_s = {0};
   record.input_N = {30};
   record.output_N = {20};
@@ -51,9 +53,11 @@ effects::ForceRecord one_sample() {
 }
 
 // sqrt(2) 0.01 of 30 N at both ends, sqrt(1 - 0.6^2) = 0.8 of it is new in each sample.
+constexpr double kMotor_N_per_A = 9 * 0.88 * 0.0325 / 0.0125;
+
 TEST(Foresee, NoiseInProportionPassesOnAsTheForceDoes) {
   const auto plan = synth::parse_synth_plan(plan_text("90.0, 450.0", "motor_current_A"), "p.toml");
-  const std::vector records{one_sample()};
+  const std::vector records{one_sample(kMotor_N_per_A)};
   const NoiseModel noise = noise_of(plan, records);
   EXPECT_NEAR(noise.sample_sd_N.at(0).at(0), std::sqrt(2.0) * 0.01 * 30 * 0.8, 1e-12);
   EXPECT_NEAR(noise.autocorrelation, 0.6, 1e-12);
@@ -70,21 +74,22 @@ TEST(Foresee, NoiseOfEachEndCountsOnItsOwn) {
     std::string text = plan_text("90.0, 450.0", input);
     return synth::parse_synth_plan(text.replace(text.find(was), was.size(), noise), "p.toml");
   };
-  const std::vector records{one_sample()};
+  const std::vector by_load_cell{one_sample(0)};
+  const std::vector by_motor{one_sample(kMotor_N_per_A)};
   const double expected = std::sqrt((0.15 * 0.15 + 0.4 * 0.4) * (1 - 0.361644 * 0.361644));
   const NoiseModel by_tension =
       noise_of(with("input_tension_N",
                     "output_relative_sd = 0.003\noutput_absolute_N = 0.08\noutput_ar1 = 0.8\n"
                     "input_relative_sd = 0.008\ninput_absolute_N = 0.32\ninput_absolute_A = 1.0\n"
                     "input_ar1 = 0.3\n"),
-               records);
+               by_load_cell);
   EXPECT_NEAR(by_tension.sample_sd_N.at(0).at(0), expected, 1e-6);
   const NoiseModel by_current =
       noise_of(with("motor_current_A",
                     "output_relative_sd = 0.003\noutput_absolute_N = 0.08\noutput_ar1 = 0.8\n"
                     "input_relative_sd = 0.008\ninput_absolute_A = 0.01554002\n"
                     "input_absolute_N = 1.0\ninput_ar1 = 0.3\n"),
-               records);
+               by_motor);
   EXPECT_NEAR(by_current.sample_sd_N.at(0).at(0), expected, 1e-6);
 }
 
