@@ -99,12 +99,10 @@ std::vector<double> cycles_of(const Recording& recording) {
   return cycles;
 }
 
-/// Of signed forces nothing is wrong below zero.
 void leave_out(const Recording& recording, const std::vector<Fault>& faults,
                effects::ForceRecord& record) {
   for (const Fault& fault : faults) {
-    if (fault.session != recording.session || fault.kind == Fault::Kind::not_positive ||
-        fault.kind == Fault::Kind::constant) {
+    if (fault.session != recording.session || fault.kind == Fault::Kind::constant) {
       continue;
     }
     const std::size_t end = std::min(fault.first + fault.count, record.used.size());

@@ -34,14 +34,6 @@ bool has_to_change(hal::files::ProfileColumnId id);
 /// or more are missing, that is a step of more than 5.5 times the median.
 std::vector<Stretch> gaps_in(std::span<const double> time_s);
 
-/// What a tension or current has to be above: four times its noise, so that its logarithm is that
-/// of a tension and not of noise.
-double least_positive(const Sensor& sensor);
-
-/// Where a tension or current is not above least_positive(); stretches less than 20 samples apart
-/// are one.
-std::vector<Stretch> not_positive_in(const LiveChannel& channel);
-
 /// How far a tension or current rises, or falls, within one slip in the stretch, beyond six times
 /// its noise, as a share of its range. At a reversal tensions jump apart; within a slip they do
 /// not.

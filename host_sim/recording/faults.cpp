@@ -74,25 +74,12 @@ std::string saturated_prose(const Recording& recording, const LiveChannel& chann
                      time_text(recording, stretch), kSamplesOut);
 }
 
-std::string not_positive_prose(const Recording& recording, const LiveChannel& channel,
-                               const Stretch& stretch) {
-  const bool always = channel.sensor.highest <= least_positive(channel.sensor);
-  const auto values = channel.values.subspan(stretch.first, stretch.count);
-  return fmt::format("{}: {} goes down to {} {}, where it has no logarithm above its noise{}; {}",
-                     session_text(recording), name_of(channel.id),
-                     value_text(channel.id, *std::min_element(values.begin(), values.end())),
-                     time_text(recording, stretch),
-                     always ? " (it is never above: is its sign the other way round?)" : "",
-                     kSamplesOut);
-}
-
 using Words = std::string (*)(const Recording&, const LiveChannel&, const Stretch&);
 
 /// Collects the faults of one session.
 class Session {
  public:
-  Session(const Recording& recording, bool two_sided)
-      : recording_(recording), two_sided_(two_sided) {
+  explicit Session(const Recording& recording) : recording_(recording) {
     for (unsigned id = kInputTensionColumn; id < kProfileColumnCount; ++id) {
       const auto channel = static_cast<ProfileColumnId>(id);
       if (recording.has(channel)) {
@@ -153,13 +140,9 @@ class Session {
     const SessionView session{recording_[kTime], channels_, slips_};
     add_all(channel, Fault::Kind::stuck, stuck_in(channel, session), stuck_prose);
     add_all(channel, Fault::Kind::saturated, saturated_in(channel, session), saturated_prose);
-    if (!two_sided_ && is_load(channel.id)) {
-      add_all(channel, Fault::Kind::not_positive, not_positive_in(channel), not_positive_prose);
-    }
   }
 
   const Recording& recording_;
-  bool two_sided_;
   std::vector<LiveChannel> channels_;
   std::vector<Stretch> slips_;
   std::vector<Fault> faults_;
@@ -167,10 +150,10 @@ class Session {
 
 }  // namespace
 
-std::vector<Fault> faults_of(const std::vector<Recording>& recordings, bool two_sided) {
+std::vector<Fault> faults_of(const std::vector<Recording>& recordings) {
   std::vector<Fault> faults;
   for (const Recording& recording : recordings) {
-    for (Fault& fault : Session(recording, two_sided).faults()) {
+    for (Fault& fault : Session(recording).faults()) {
       faults.push_back(std::move(fault));
     }
   }

@@ -50,12 +50,11 @@ std::vector<std::filesystem::path> files_of_campaign(const std::filesystem::path
 /// What a sensor did that no tendon does.
 struct Fault {
   enum class Kind {
-    constant,      ///< the channel never changes
-    stuck,         ///< it stands still for long while others of its kind move
-    saturated,     ///< it stays at its largest or smallest value
-    gap,           ///< five samples or more are missing; the sample behind the jump
-    passed_over,   ///< it may be there under another name; no samples
-    not_positive,  ///< a tension or current that has no logarithm, of a drive that only pulls
+    constant,     ///< the channel never changes
+    stuck,        ///< it stands still for long while others of its kind move
+    saturated,    ///< it stays at its largest or smallest value
+    gap,          ///< five samples or more are missing; the sample behind the jump
+    passed_over,  ///< it may be there under another name; no samples
   };
   std::string session;
   hal::files::ProfileColumnId channel = hal::files::kTime;
@@ -69,8 +68,7 @@ struct Fault {
 /// sample. The rules with their thresholds are in fault_rules.hpp. A temperature or a bend angle
 /// may be constant or stand still. Without a fault a recording may still hold too little:
 /// covariates leave out what they cannot use.
-/// @param two_sided whether the drive works in both directions: forces of either sign are sound
-std::vector<Fault> faults_of(const std::vector<Recording>& recordings, bool two_sided = false);
+std::vector<Fault> faults_of(const std::vector<Recording>& recordings);
 
 /// All faults of one kind in one channel, over all sessions.
 struct FaultSummary {

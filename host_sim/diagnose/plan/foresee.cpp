@@ -50,8 +50,8 @@ std::vector<effects::ForceRecord> simulated_records(synth::SynthPlan plan,
   synth::make_campaign(plan, {options.seed, options.threads, options.progress}, scratch.path());
   const Campaign campaign = read_campaign(scratch.path());
   const auto recordings = recording::read_recordings(campaign.folder, campaign.columns);
-  return force_records(recordings, recording::faults_of(recordings, campaign.two_sided),
-                       campaign.nominal, !campaign.two_sided);
+  return force_records(recordings, recording::faults_of(recordings), campaign.nominal,
+                       !campaign.two_sided);
 }
 
 using nlohmann::ordered_json;
