@@ -64,6 +64,36 @@ CLI::Option* add_column(CLI::App& verb, std::vector<ColumnMap>& maps) {
       ->check(CLI::Validator(problem_of_map, ""));
 }
 
+CLI::Option* add_map(CLI::App& verb, std::vector<ColumnMap>& maps) {
+  const auto as_column = [](const std::string& text) {
+    const std::size_t equals = text.find('=');
+    return equals == std::string::npos ? text
+                                       : text.substr(equals + 1) + "=" + text.substr(0, equals);
+  };
+  return verb
+      .add_option_function<std::vector<std::string>>(
+          "--map",
+          [&maps, as_column](const std::vector<std::string>& texts) {
+            for (const std::string& text : texts) {
+              maps.push_back(hal::files::column_map(as_column(text)));
+            }
+          },
+          "The same the other way round: input_tension_N=force, 'output_tension_N=-2*F+3'")
+      ->expected(1)
+      ->take_all()
+      ->type_name("CHANNEL=COLUMN")
+      ->check(CLI::Validator(
+          [as_column](const std::string& text) {
+            return text.find('=') == std::string::npos
+                       ? hal::files::in_quotes(text) +
+                             ": no = behind a channel; accepted: "
+                             "CHANNEL=COLUMN, with COLUMN as --column "
+                             "takes it"
+                       : problem_of_map(as_column(text));
+          },
+          ""));
+}
+
 void add_columns(CLI::App& verb, ColumnOptions& columns) {
   columns.given_by_options = true;
   add_column(verb, columns.maps);

@@ -118,6 +118,7 @@ void add_import(CLI::App& app, int&) {
   CLI::App* columns = add_source(*verb, *arguments, "columns",
                                  "Tables of any log; each file is a session", kColumnsExample);
   add_column(*columns, arguments->columns.maps);
+  add_map(*columns, arguments->columns.maps);
   columns
       ->add_option("--sample-rate-Hz", arguments->columns.rate_Hz,
                    "Samples per second, where there is no time")
