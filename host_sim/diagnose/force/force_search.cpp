@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <tuple>
 #include <utility>
@@ -22,6 +23,14 @@ constexpr int kRounds = 3;  ///< of terms that take the place of others
 
 ForceFit fitted_anew(const ForceData& data, const ForceFit& fit) {
   return data.fit(fit.terms, fit.parameters, kAnew);
+}
+
+/// Puts those of what sessions differ in behind the others.
+/// @returns the first of them
+std::vector<effects::ForceTerm>::iterator of_sessions_last(std::vector<effects::ForceTerm>& terms) {
+  return std::stable_partition(terms.begin(), terms.end(), [](effects::ForceTerm term) {
+    return !is_of(effects::ForceLaw::Of::session, term);
+  });
 }
 
 bool is_seen(effects::ForceTerm term, const PairedGain& gain) {
@@ -77,7 +86,29 @@ void ForceSearch::run() {
       break;
     }
   }
+  find_left_out();
   leave_out_outliers();
+}
+
+/// Effects that the model does without, of those that gain most beside it.
+void ForceSearch::find_left_out() {
+  std::vector<effects::ForceTerm> terms = beside(model_.fit.terms);
+  const auto of_sessions = of_sessions_last(terms);
+  std::vector<Candidate> all = with_each(model_.fit, {terms.begin(), of_sessions}, HUGE_VAL);
+  hold_out(all);
+  std::ranges::move(with_session_effects({of_sessions, terms.end()}), std::back_inserter(all));
+  for (const Candidate& one : all) {
+    const effects::ForceTerm term = one.fit.terms.back();
+    const double probability =
+        probability_of(term, paired_gain(data_, model_.held, one.held, true), data_);
+    const auto same = std::ranges::find_if(
+        left_out_, [&](const LeftOut& other) { return same_effect(other.term, term); });
+    if (same == left_out_.end()) {
+      left_out_.push_back({term, probability});
+    } else {
+      same->probability = std::max(same->probability, probability);  // by another law
+    }
+  }
 }
 
 /// Grows as long as that gains.
@@ -236,9 +267,7 @@ void ForceSearch::hold_out(std::vector<Candidate>& all) const {
 bool ForceSearch::grow() {
   constexpr std::size_t kTried = 4;
   std::vector<effects::ForceTerm> terms = beside(model_.fit.terms);
-  const auto of_sessions = std::stable_partition(
-      terms.begin(), terms.end(),
-      [](effects::ForceTerm term) { return !is_of(effects::ForceLaw::Of::session, term); });
+  const auto of_sessions = of_sessions_last(terms);
   std::vector<Candidate> all = with_each(model_.fit, {terms.begin(), of_sessions}, HUGE_VAL);
   all.resize(std::min(all.size(), kTried));
   hold_out(all);

@@ -34,6 +34,7 @@ class ForceSearch {
   [[nodiscard]] double nominal_rmse_N() const { return data_.rmse_N(nominal_.held.plain_N2); }
   [[nodiscard]] double rmse_N() const { return data_.rmse_N(model_.held.plain_N2); }
   [[nodiscard]] const std::vector<Judged>& judged() const { return judged_; }
+  [[nodiscard]] const std::vector<LeftOut>& left_out() const { return left_out_; }
 
   /// Of the parameters of the model.
   [[nodiscard]] std::vector<double> half_widths() const {
@@ -55,6 +56,7 @@ class ForceSearch {
 
   void report(double share) const;
   bool settle();
+  void find_left_out();
   void leave_out_outliers();
   void learn_covariance();
   [[nodiscard]] std::vector<effects::ForceTerm> beside(const effects::ForceTerms& taken) const;
@@ -89,6 +91,7 @@ class ForceSearch {
   Candidate nominal_;
   Candidate model_;
   std::vector<Judged> judged_;
+  std::vector<LeftOut> left_out_;
   Structure left_;  ///< by the model that they are judged in
   std::vector<Added> added_;
   bool with_timing_ = false;          ///< noise of when samples were read is learned, too

@@ -160,7 +160,7 @@ bool Judgement::stays(std::size_t place) const {
   };
   return told_apart && data_.is_physical(model_, place) &&
          within_scatter(one.gain, not_worse_N2()) &&
-         (((moves_sessions(one) || of_session) &&
+         (((moves_sessions(one) || apart) &&
            material(taken_N2(one), held_.weighted_N2, left_.repeats_N2)) ||
           material(one.gain.beside_scatter_N2, held_.beside_scatter_N2, left_.beside_scatter_N2)) &&
          probability_of(one.term, one.gain, data_) >= kLikely;

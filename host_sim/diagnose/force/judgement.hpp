@@ -14,6 +14,12 @@ namespace host_sim::diagnose {
 /// What it takes to be seen on sessions that the fit never saw, in standard errors.
 inline constexpr double kSeen = 3;
 
+/// An effect that is not in a model, and the probability of what it gains beside that.
+struct LeftOut {
+  effects::ForceTerm term{};
+  double probability = 0;
+};
+
 /// A term in a model, by what the model does without it.
 struct Judged {
   effects::ForceTerm term{};

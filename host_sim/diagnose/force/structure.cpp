@@ -5,7 +5,9 @@
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/students_t.hpp>
 #include <cmath>
+#include <functional>
 #include <numeric>
+#include <optional>
 
 namespace host_sim::diagnose {
 namespace {
@@ -129,18 +131,61 @@ std::vector<double> sizes_of(const effects::ForceRecord& record,
   return sizes;
 }
 
-/// Mean product of residuals that are so far apart, less twice what chance puts there by its
-/// scatter between sessions.
+/// Residuals of one session by weight, and how far apart they are asked to be alike.
+struct GoingOn {
+  const effects::ForceRecord* record;
+  std::vector<double> values_N;
+  std::size_t later;  ///< samples in an eighth of the time between reversals
+
+  [[nodiscard]] double later_s() const { return static_cast<double>(later) * record->step_s(); }
+
+  /// Mean product of those that lie some samples apart; none where there are none.
+  [[nodiscard]] std::optional<double> product_N2(std::size_t apart) const {
+    Pairs pairs;
+    pairs.add(record->used, values_N, apart);
+    return pairs.count > 0 ? std::optional(pairs.products / static_cast<double>(pairs.count))
+                           : std::nullopt;
+  }
+};
+
+/// What noise remembers for so long: sessions that turn slowly have it, too, and no more later.
+/// @param slow that go on for the longest
+double remembered_N2(const std::vector<GoingOn>& slow, double later_s) {
+  double sum_N2 = 0;
+  double count = 0;
+  for (const GoingOn& one : slow) {
+    const auto apart = static_cast<std::size_t>(std::lround(later_s / one.record->step_s()));
+    if (apart < one.later) {
+      const auto soon_N2 = one.product_N2(apart);
+      const auto later_N2 = one.product_N2(one.later);
+      if (soon_N2 && later_N2) {
+        sum_N2 += *soon_N2 - *later_N2;
+        ++count;
+      }
+    }
+  }
+  return count > 0 ? std::max(sum_N2 / count, 0.0) : 0;
+}
+
+/// Mean product of residuals that are so far apart, without what noise remembers, less twice what
+/// chance puts there by its scatter between sessions.
 double going_on(const ForceData& data, const std::vector<std::vector<double>>& residuals_N) {
   constexpr double kChance = 2;
-  std::vector<double> of_sessions;
+  constexpr std::size_t kSlow = 4;  ///< a quarter of sessions
+  std::vector<GoingOn> all;
   for (std::size_t j = 0; j < residuals_N.size(); ++j) {
     const effects::ForceRecord& record = data.records()[j];
-    Pairs pairs;
-    pairs.add(record.used, weighted_N(data, j, residuals_N[j]),
-              part_of_stroke(record, data.scales().stroke_m));
-    if (pairs.count > 0) {
-      of_sessions.push_back(pairs.products / static_cast<double>(pairs.count));
+    all.push_back({&record, weighted_N(data, j, residuals_N[j]),
+                   part_of_stroke(record, data.scales().stroke_m)});
+  }
+  std::ranges::sort(all, std::greater<>(), &GoingOn::later_s);
+  const std::vector<GoingOn> slow(
+      all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::max(
+                                     all.size() / kSlow, std::min(kFewSessions, all.size()))));
+  std::vector<double> of_sessions;
+  for (const GoingOn& one : all) {
+    if (const auto product_N2 = one.product_N2(one.later)) {
+      of_sessions.push_back(*product_N2 - remembered_N2(slow, one.later_s()));
     }
   }
   if (of_sessions.size() < 2) {

@@ -28,11 +28,13 @@ const ForceData& sixteen_sessions() {
 }
 
 std::map<std::string, double> found(const std::vector<Judged>& judged, const std::string& rest,
-                                    bool remainder_stands) {
+                                    bool remainder_stands,
+                                    const std::vector<LeftOut>& left_out = {}) {
   std::map<std::string, double> all;
   double sum = 0;
   double before = 1;
-  for (const Candidate& one : candidates_of(sixteen_sessions(), judged, rest, remainder_stands)) {
+  for (const Candidate& one :
+       candidates_of(sixteen_sessions(), judged, left_out, rest, remainder_stands)) {
     EXPECT_LE(one.probability, before) << "most probable first";
     before = one.probability;
     sum += one.probability;
@@ -44,6 +46,26 @@ std::map<std::string, double> found(const std::vector<Judged>& judged, const std
 
 TEST(ForceCandidates, WithoutEffectsTheRestIsAll) {
   EXPECT_EQ(found({}, "none", false), (std::map<std::string, double>{{"none", 1}}));
+}
+
+/// Of what is left out 35 % is there: 0.65 that it is not of one that is certain, times 0.825 of
+/// one that is even; the rest by their probabilities.
+TEST(ForceCandidates, WhatIsLeftOutMayBeThere) {
+  const LeftOut certain{effects::ForceTerm::slack, 1};
+  const LeftOut even{effects::ForceTerm::delay, 0.5};
+  auto all = found({}, "none", false, {certain, even});
+  EXPECT_NEAR(all.at("none"), 0.53625, 1e-12);
+  EXPECT_NEAR(all.at("slack"), 0.46375 * 2 / 3, 1e-12);
+  EXPECT_NEAR(all.at("channel_delay"), 0.46375 / 3, 1e-12);
+  all = found({of_odds(effects::ForceTerm::preload, 1e12)}, "unknown", false, {certain});
+  EXPECT_NEAR(all.at("friction_preload"), 0.65, 1e-9);
+  EXPECT_NEAR(all.at("friction_preload+slack"), 0.35, 1e-9);
+  const LeftOut third{effects::ForceTerm::compliance, 1};
+  const LeftOut fourth{effects::ForceTerm::lag, 1};
+  all = found({}, "none", false, {certain, third, fourth});
+  EXPECT_NEAR(all.at("none"), 0.5, 1e-12) << "nothing is as likely as the model as it is";
+  EXPECT_NEAR(all.at("compliance"), 0.5 / 3, 1e-12);
+  EXPECT_EQ(found({}, "unknown", true, {certain}).size(), 1U) << "that more is wrong is known";
 }
 
 /// Odds of 99 are 0.99 of both, each by itself.
@@ -82,7 +104,7 @@ TEST(ForceCandidates, WhatCouldBeInItsPlaceHasItsOdds) {
 TEST(ForceCandidates, OfTwoThatAreEvenTheOneThatTheModelHasIsFirst) {
   Judged one = of_odds(effects::ForceTerm::delay, 1e9);
   one.others = {{effects::ForceTerm::lag, 0}};
-  const auto candidates = candidates_of(sixteen_sessions(), std::vector{one}, "none", false);
+  const auto candidates = candidates_of(sixteen_sessions(), std::vector{one}, {}, "none", false);
   EXPECT_EQ(candidates[0].id, "channel_delay");
   EXPECT_EQ(candidates[1].id, "filter_lag");
   EXPECT_EQ(candidates[0].probability, candidates[1].probability);
