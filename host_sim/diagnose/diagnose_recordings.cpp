@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,6 +14,8 @@
 #include "host_sim/diagnose/force/diagnose_forces.hpp"
 #include "host_sim/diagnose/force/remainder.hpp"
 #include "host_sim/diagnose/force_records.hpp"
+#include "host_sim/recording/recording.hpp"
+#include "host_sim/reference/equations.hpp"
 
 namespace host_sim::diagnose {
 
@@ -35,6 +39,38 @@ reference::Constants constants_of(const NominalModel& nominal) {
     constants.ipl_exponent = nominal.life->ipl_exponent;
   }
   return constants;
+}
+
+/// Where both were recorded, what the current stands for.
+std::vector<Doubt> doubts_of_current(const std::vector<recording::Recording>& recordings,
+                                     const NominalModel& nominal) {
+  using enum hal::files::ProfileColumnId;
+  constexpr double kDoubtfulLogGain = 0.3;
+  double products_N2 = 0;
+  double squares_N2 = 0;
+  for (const recording::Recording& recording : recordings) {
+    if (!nominal.drive || !recording.has(kInputTensionColumn) ||
+        !recording.has(kMotorCurrentColumn)) {
+      continue;
+    }
+    const reference::Drive drive = nominal.drive->reference();
+    for (std::size_t i = 0; i < recording.samples(); ++i) {
+      const double by_current_N =
+          reference::input_tension_from_current(recording[kMotorCurrentColumn][i], drive);
+      products_N2 += by_current_N * recording[kInputTensionColumn][i];
+      squares_N2 += by_current_N * by_current_N;
+    }
+  }
+  const double times = squares_N2 > 0 ? products_N2 / squares_N2 : 1;
+  if (times > 0 && std::abs(std::log(times)) < kDoubtfulLogGain) {
+    return {};
+  }
+  return {{{},
+           std::string(hal::files::profile_columns()[kMotorCurrentColumn].name),
+           fmt::format("the input tension is {:.3g} times what the current stands for: are its "
+                       "unit and sign, the radius and the torque constant right?",
+                       times),
+           false}};
 }
 
 TensionDiagnosis nothing_to_see(bool faulty) {
@@ -96,7 +132,7 @@ std::string next_experiment(const Findings& findings) {
 
 TensionDiagnosis diagnose_tension(const Campaign& campaign, const DiagnoseOptions& options) {
   const auto recordings = recording::read_recordings(campaign.folder, campaign.columns);
-  const auto faults = recording::faults_of(recordings, campaign.two_sided);
+  const auto faults = recording::faults_of(recordings);
   if (!campaign.two_sided && !recordings.empty() && !campaign.nominal.sheath) {
     throw InputError((campaign.folder / "campaign.toml").string(), 0, 0,
                      "no table [model.sheath], which friction is compared with",
@@ -108,6 +144,8 @@ TensionDiagnosis diagnose_tension(const Campaign& campaign, const DiagnoseOption
       records.empty()
           ? nothing_to_see(!faults.empty())
           : diagnose_forces(records, campaign.nominal, constants_of(campaign.nominal), options);
+  std::ranges::move(doubts_of_current(recordings, campaign.nominal),
+                    std::back_inserter(diagnosis.findings.doubts));
   diagnosis.findings.next_experiment = next_experiment(diagnosis.findings);
   for (const recording::FaultSummary& summary : recording::summary_of(faults)) {
     diagnosis.faults.push_back(summary.words);

@@ -62,6 +62,10 @@ std::vector<std::string> credible_set_of(const std::vector<Candidate>& candidate
 
 bool improves(const HeldOutGain& gain) {
   constexpr double kNotWorse = 1.02;
+  constexpr double kWithinScatter = 1.1;
+  // Damage is about the sixth power of a force: 10 % of it are 1.7 % of that.
+  constexpr double kDamageNotWorse = 1.5;
+  constexpr double kSmallDamage_percent = 10;
   const auto metric = [&](std::string_view name) -> const Metric* {
     const auto found = std::ranges::find(gain.metrics, name, &Metric::name);
     return found == gain.metrics.end() ? nullptr : &*found;
@@ -69,7 +73,13 @@ bool improves(const HeldOutGain& gain) {
   const Metric* const density = metric("log_predictive_density");
   const bool denser = density != nullptr && density->after > density->before;
   if (const Metric* const input = metric("input_rmse_N")) {
-    const bool not_worse = gain.within_scatter || input->after <= kNotWorse * input->before;
+    const Metric* const damage = metric("damage_error_percent");
+    if (damage != nullptr &&
+        damage->after > std::max(kDamageNotWorse * damage->before, kSmallDamage_percent)) {
+      return false;
+    }
+    const bool not_worse =
+        input->after <= (gain.within_scatter ? kWithinScatter : kNotWorse) * input->before;
     return input->after < input->before || (denser && not_worse);
   }
   const Metric* const output = metric("rmse_N");
@@ -104,6 +114,29 @@ std::string listed(const std::vector<std::string>& items, std::string_view last)
     text += items[i];
   }
   return text;
+}
+
+std::string doubt_prose(const Doubt& doubt) {
+  constexpr std::size_t kMost = 5;
+  std::string where;
+  if (!doubt.sessions.empty()) {
+    std::vector<std::string> sessions(doubt.sessions.begin(),
+                                      doubt.sessions.begin() + static_cast<std::ptrdiff_t>(std::min(
+                                                                   kMost, doubt.sessions.size())));
+    if (doubt.sessions.size() > kMost) {
+      sessions.push_back(fmt::format("{} more", doubt.sessions.size() - kMost));
+    }
+    where = fmt::format("{} {}", doubt.sessions.size() > 1 ? "sessions" : "session",
+                        listed(sessions, "and"));
+  }
+  where += !where.empty() && !doubt.column.empty() ? ", " : "";
+  where += doubt.column;
+  const std::string_view done = !doubt.spoils ? ""
+                                : doubt.sessions.empty()
+                                    ? " (nothing is named before that is settled)"
+                                : doubt.sessions.size() > 1 ? " (they are left out)"
+                                                            : " (it is left out)";
+  return fmt::format("{}{}{}{}", where, where.empty() ? "" : ": ", doubt.words, done);
 }
 
 std::string no_gain_prose(const Findings& findings) {
@@ -157,6 +190,7 @@ Findings merged(const Diagnosis& diagnosis) {
     append(all.refitted, one.refitted);
     append(all.extensions, one.extensions);
     append(all.prose, one.prose, " ");
+    append(all.doubts, one.doubts);
   }
   return all;
 }

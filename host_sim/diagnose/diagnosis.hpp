@@ -79,8 +79,9 @@ struct HeldOutGain {
 };
 
 /// Whether the error on such data becomes less: of the input tension where that is known, which a
-/// tendon breaks by, or its density larger with an error that is at most 2 % larger or within the
-/// scatter, since the density takes that into account; else of the output tension; else whether the
+/// tendon breaks by, or its density larger with an error that is at most 2 % larger, or 10 % within
+/// the scatter, since the density takes that into account, and in either case an error of the
+/// damage of at most 10 % or half as much again; else of the output tension; else whether the
 /// density is larger. What does not gain is no extension, however probable it is.
 [[nodiscard]] bool improves(const HeldOutGain& gain);
 
@@ -112,6 +113,18 @@ struct Correction {
   double after_N = 0;
 };
 
+/// What is likely to be wrong with the data or the nominal model as they were written down.
+struct Doubt {
+  std::vector<std::string> sessions;  ///< none: all
+  std::string column;                 ///< empty: of several
+  std::string words;                  ///< without either
+  /// Nothing is named beside it; where it is of single sessions, these are left out.
+  bool spoils = false;
+};
+
+/// With sessions, column and what is done about it, as a sentence.
+std::string doubt_prose(const Doubt& doubt);
+
 /// What is found in the recordings of a campaign, or in its lives.
 struct Findings {
   Verdict verdict = Verdict::none;
@@ -131,6 +144,7 @@ struct Findings {
   std::vector<Estimate> refitted;     ///< parameters that are not effects
   std::vector<Extension> extensions;  ///< to be written: named causes and the correction
   std::string prose;                  ///< the verdict in a few sentences
+  std::vector<Doubt> doubts;
 };
 
 /// Of what is named and does not gain, nothing is left to be written: it is ambiguous.

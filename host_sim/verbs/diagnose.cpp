@@ -115,15 +115,27 @@ class ModelOutput {
   std::exception_ptr failure_;
 };
 
-std::string next_step(const Arguments& arguments, diagnose::Verdict verdict) {
+/// Whether anything keeps causes from being named, of all of a part.
+bool is_spoilt(const diagnose::Diagnosis& diagnosis) {
+  return std::ranges::any_of(diagnose::merged(diagnosis).doubts, [](const diagnose::Doubt& doubt) {
+    return doubt.spoils && doubt.sessions.empty();
+  });
+}
+
+std::string next_step(const Arguments& arguments, const diagnose::Diagnosis& diagnosis,
+                      bool written) {
+  const diagnose::Verdict verdict = diagnosis.verdict();
+  const bool doubted = !diagnose::merged(diagnosis).doubts.empty();
+  if (is_spoilt(diagnosis) || (doubted && verdict == diagnose::Verdict::none)) {
+    return "settle what is in doubt, as above, and diagnose again";
+  }
   switch (verdict) {
     case diagnose::Verdict::none:
       return "take the model; host_sim plan --for-diagnosis PLAN says what another campaign would "
              "show";
     case diagnose::Verdict::named:
-      return arguments.out.empty()
-                 ? "--out extended.toml writes the model with what was named"
-                 : "host_sim pack " + shell_word(arguments.out) + " --out block.bin";
+      return !written ? "--out extended.toml writes the model with what was named"
+                      : "host_sim pack " + shell_word(arguments.out) + " --out block.bin";
     case diagnose::Verdict::ambiguous:
       return "make the experiment that separates them, as above, and diagnose again";
     case diagnose::Verdict::unknown:
@@ -153,9 +165,9 @@ int run(const Arguments& arguments) {
   commit_all({&json, &page});
   std::ostream& summary = summary_stream(arguments.outputs());
   diagnose::write_summary(summary, campaign.name, diagnosis);
-  write_next(summary, next_step(arguments, diagnosis.verdict()));
+  write_next(summary, next_step(arguments, diagnosis, !model.path().empty()));
   model.rethrow();
-  const bool found = diagnosis.verdict() != diagnose::Verdict::none;
+  const bool found = diagnosis.verdict() != diagnose::Verdict::none || is_spoilt(diagnosis);
   return arguments.fail_on_discrepancy && found ? kFoundInData : 0;
 }
 

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <utility>
 
+#include "host_sim/diagnose/force/doubts.hpp"
 #include "host_sim/diagnose/force/extended_model.hpp"
 #include "host_sim/diagnose/force/force_candidates.hpp"
 #include "host_sim/diagnose/force/force_pictures.hpp"
@@ -24,16 +26,26 @@ constexpr double kBesideRemainder = 2;
 
 class Report {
  public:
-  Report(const ForceData& data, const ForceSearch& search, const NominalModel& nominal,
-         const reference::Constants& constants, std::uint64_t seed)
+  /// @param records with all samples
+  /// @param doubts of them without a model
+  Report(const ForceData& data, std::span<const effects::ForceRecord> records,
+         const ForceSearch& search, const NominalModel& nominal,
+         const reference::Constants& constants, std::vector<Doubt> doubts, std::uint64_t seed)
       : data_(data),
         search_(search),
         stairs_(search.stairs()),
-        nominal_(nominal),
         constants_(constants),
         models_(data, search),
+        doubts_(std::move(doubts)),
         remainder_(remainder_of(data, search.nominal().fit, search.model().fit, search.covariates(),
-                                search.bins(), seed)) {}
+                                search.bins(), seed)) {
+    constexpr double kMuchLeft = 0.3;
+    if (!spoilt()) {
+      const bool much = (remainder_.stands && search.judged().empty()) || share_left() > kMuchLeft;
+      std::ranges::move(doubts_beside(data, records, search.model().fit, nominal, much),
+                        std::back_inserter(doubts_));
+    }
+  }
 
   TensionDiagnosis diagnosis(unsigned threads) {
     TensionDiagnosis diagnosis;
@@ -43,7 +55,7 @@ class Report {
     findings.credible_set = credible_set_of(findings.candidates);
     add_effects(findings);
     findings.steps = steps();
-    if (!search_.judged().empty() && !few()) {
+    if (!search_.judged().empty() && !names_nothing()) {
       findings.gain = gain_of({search_.model().fit, search_.model().held.residuals_N});
     }
     findings.remainder =
@@ -52,8 +64,9 @@ class Report {
                   .output_rmse_N = models_.output_rmse_N({search_.model().fit, {}}),
                   .covariate = std::string(remainder_.covariate),
                   .p = remainder_.p};
-    findings.prose = verdict_prose(findings, data_.records().size(), search_.nominal_rmse_N()) +
-                     doubts(data_.records(), search_.model().fit.parameters, nominal_);
+    findings.prose =
+        verdict_prose(findings, data_.records().size(), search_.nominal_rmse_N(), spoilt());
+    findings.doubts = doubts_;
     for (const Judged& one : search_.judged()) {
       if (one.imitated_by) {
         findings.prose += imitation_prose(law_of(one.term), law_of(*one.imitated_by));
@@ -74,12 +87,20 @@ class Report {
   }
 
  private:
-  [[nodiscard]] bool few() const { return data_.records().size() < kLeastSessions; }
+  /// A doubt of all sessions.
+  [[nodiscard]] bool spoilt() const {
+    return std::ranges::any_of(
+        doubts_, [](const Doubt& doubt) { return doubt.spoils && doubt.sessions.empty(); });
+  }
+
+  [[nodiscard]] bool names_nothing() const {
+    return data_.records().size() < kLeastSessions || spoilt();
+  }
 
   [[nodiscard]] Verdict verdict() const {
     const auto& judged = search_.judged();
-    if (judged.empty() || few()) {
-      return remainder_.stands ? Verdict::unknown : Verdict::none;
+    if (judged.empty() || names_nothing()) {
+      return remainder_.stands || spoilt() ? Verdict::unknown : Verdict::none;
     }
     if (std::ranges::any_of(judged, [&](const Judged& one) { return stands(one); })) {
       return Verdict::named;
@@ -110,7 +131,8 @@ class Report {
   [[nodiscard]] std::vector<Candidate> candidates(Verdict verdict) const {
     const bool none =
         verdict == Verdict::none || (verdict == Verdict::ambiguous && !remainder_.stands);
-    return candidates_of(data_, few() ? std::span<const Judged>() : search_.judged(),
+    return candidates_of(data_, names_nothing() ? std::span<const Judged>() : search_.judged(),
+                         names_nothing() ? std::span<const LeftOut>() : search_.left_out(),
                          none ? "none" : "unknown", remainder_.stands);
   }
 
@@ -254,7 +276,7 @@ class Report {
     const bool between = findings.verdict == Verdict::ambiguous && improves(findings.gain);
     const ForceSearch::Candidate& by = named || between ? search_.model() : search_.nominal();
     extended_ = {by.fit, by.held.residuals_N};
-    if (findings.verdict != Verdict::none && !few()) {
+    if (findings.verdict != Verdict::none && !names_nothing()) {
       extended_ = models_.corrected(std::move(extended_));
     }
     const ExtendedModel written = models_.written(extended_);
@@ -263,6 +285,9 @@ class Report {
           *written_term(written.fit.terms[i],
                         parameters_at(i, written.fit.terms, written.fit.parameters, data_.scales()),
                         data_.scales()));
+    }
+    if (named) {
+      findings.prose += left_out_prose(findings, written);
     }
     add_refitted(written.fit, diagnosis);
     if (between && !findings.equivalent_sets.empty() && !findings.extensions.empty()) {
@@ -284,6 +309,23 @@ class Report {
     if (!findings.extensions.empty()) {
       diagnosis.damage_ratio = models_.damage_ratio(extended_, constants_);
     }
+  }
+
+  /// What of the causes a file cannot hold, and how good a model is without.
+  [[nodiscard]] std::string left_out_prose(const Findings& findings,
+                                           const ExtendedModel& written) const {
+    std::vector<std::string> left_out;
+    for (const FoundEffect& effect : findings.effects) {
+      const bool held = std::ranges::any_of(written.fit.terms, [&](effects::ForceTerm term) {
+        return law_of(term).id() == effect.id;
+      });
+      if (!held) {
+        left_out.push_back(effect.term);
+      }
+    }
+    return left_out.empty() ? ""
+                            : not_written_prose(left_out, written.correction.has_value(),
+                                                rmse_N(written.held_N));
   }
 
   void add_refitted(const ForceFit& model, TensionDiagnosis& diagnosis) const {
@@ -321,9 +363,9 @@ class Report {
   const ForceData& data_;
   const ForceSearch& search_;
   std::vector<ForceSearch::Candidate> stairs_;
-  const NominalModel& nominal_;
   const reference::Constants& constants_;
   ModelExtension models_;
+  std::vector<Doubt> doubts_;
   ForceRemainder remainder_;
   ExtendedModel extended_;
 };
@@ -333,11 +375,14 @@ class Report {
 TensionDiagnosis diagnose_forces(const std::vector<effects::ForceRecord>& records,
                                  const NominalModel& nominal, const reference::Constants& constants,
                                  const DiagnoseOptions& options) {
-  ForceData data(records);
-  ForceSearch search(data, records, nominal.sheath ? nominal.sheath->friction_coefficient : 0.1,
+  std::vector<Doubt> doubts = doubts_of(records, nominal);
+  const std::vector<effects::ForceRecord> sound = sound_of(records, doubts);
+  ForceData data(sound);
+  ForceSearch search(data, sound, nominal.sheath ? nominal.sheath->friction_coefficient : 0.1,
                      options);
   search.run();
-  return Report(data, search, nominal, constants, options.seed).diagnosis(options.threads);
+  return Report(data, sound, search, nominal, constants, std::move(doubts), options.seed)
+      .diagnosis(options.threads);
 }
 
 }  // namespace host_sim::diagnose

@@ -44,10 +44,15 @@ std::string how_far(const std::vector<Step>& steps) {
       steps.back().output_rmse_N, steps.back().input_rmse_N);
 }
 
-std::string verdict_prose(const Findings& findings, std::size_t sessions, double nominal_rmse_N) {
+std::string verdict_prose(const Findings& findings, std::size_t sessions, double nominal_rmse_N,
+                          bool spoilt) {
   const Remainder& left = findings.remainder.value();
+  if (spoilt) {
+    return "The recordings cannot be right as they are: nothing is named before the doubts below "
+           "are settled.";
+  }
   const std::string few = sessions < kLeastSessions
-                              ? fmt::format(" {} of {} sessions that it takes to name anything.",
+                              ? fmt::format(" It takes {1} sessions to name anything (here: {0}).",
                                             sessions, kLeastSessions)
                               : "";
   if (findings.verdict == Verdict::none) {
@@ -108,55 +113,20 @@ std::string either_way_prose(const effects::ForceTerms& written) {
       listed(terms, "and"));
 }
 
+std::string not_written_prose(const std::vector<std::string>& terms, bool corrected,
+                              double rmse_N) {
+  return fmt::format(
+      " A model that is written cannot hold {}, which no controller evaluates; {} its error of the "
+      "input tension is {:.3g} N.",
+      listed(terms, "and"), corrected ? "with a correction in its place" : "without it", rmse_N);
+}
+
 std::string correction_prose(const Correction& correction) {
   return fmt::format(
       " What is left repeats in sessions that nothing was fitted to: a correction over {} by "
       "direction, which is no cause, takes the error of the input force on them from {:.3g} N to "
       "{:.3g} N.",
       correction.covariate, correction.before_N, correction.after_N);
-}
-
-std::string doubts(std::span<const effects::ForceRecord> records,
-                   std::span<const double> parameters, const NominalModel& nominal) {
-  constexpr double kDoubtfulLogGain = 0.3;
-  constexpr double kTimesNominal = 3;
-  std::string text;
-  if (std::abs(std::log(parameters[0])) > kDoubtfulLogGain) {
-    text += fmt::format(
-        " The input force is {:.3g} times what the model has: are its unit, the "
-        "radius and the torque constant right?",
-        parameters[0]);
-  }
-  if (nominal.sheath && parameters[1] > kTimesNominal * nominal.sheath->friction_coefficient) {
-    text +=
-        fmt::format(" Friction is {:.3g} times the nominal one: are bend angle and units right?",
-                    parameters[1] / nominal.sheath->friction_coefficient);
-  }
-  double product = 0;
-  double moved_square = 0;
-  double square = 0;
-  for (const effects::ForceRecord& record : records) {
-    for (std::size_t i = 1; i < record.samples(); ++i) {
-      const double moved_m = record.position_m[i] - record.position_m[i - 1];
-      const double expected_m = (record.velocity_m_s[i] + record.velocity_m_s[i - 1]) / 2 *
-                                (record.time_s[i] - record.time_s[i - 1]);
-      product += moved_m * expected_m;
-      moved_square += moved_m * moved_m;
-      square += expected_m * expected_m;
-    }
-  }
-  constexpr double kOpposite = -0.5;
-  constexpr double kScale = 1.3;
-  const double scale = std::sqrt(moved_square / std::max(square, 1e-300));
-  if (product < kOpposite * std::sqrt(moved_square * square)) {
-    text += " Velocity runs against the position: one of the two has the wrong sign.";
-  } else if (product > 0 && (scale > kScale || scale < 1 / kScale)) {
-    text += fmt::format(
-        " The position moves {:.3g} times as far as the velocity says: are their "
-        "units, the radius and the ratio of the gear right?",
-        scale);
-  }
-  return text;
 }
 
 }  // namespace host_sim::diagnose

@@ -14,7 +14,9 @@ namespace host_sim::diagnose {
 /// not explain all, and what is left.
 /// @param findings with effects, steps, equivalent sets and the remainder
 /// @param nominal_rmse_N of the input force on sessions that the fit never saw
-std::string verdict_prose(const Findings& findings, std::size_t sessions, double nominal_rmse_N);
+/// @param spoilt whether a doubt keeps anything from being named
+std::string verdict_prose(const Findings& findings, std::size_t sessions, double nominal_rmse_N,
+                          bool spoilt);
 
 /// "wear of the sheath (friction_wear, 99.6 %) and ..."
 std::string listed(const std::vector<FoundEffect>& effects);
@@ -33,13 +35,11 @@ std::string doubtful_prose(const effects::ForceLaw& effect, double probability);
 /// sentences.
 std::string either_way_prose(const effects::ForceTerms& written);
 
+/// What of the causes no controller evaluates, behind other sentences.
+/// @param rmse_N of the input force by a model that is written
+std::string not_written_prose(const std::vector<std::string>& terms, bool corrected, double rmse_N);
+
 /// "A correction ... takes the error ... from ... to ..." behind other sentences.
 std::string correction_prose(const Correction& correction);
-
-/// What a user may have got wrong before any physics does: units, signs and ratios, behind other
-/// sentences.
-/// @param parameters gain and friction coefficient of the model first
-std::string doubts(std::span<const effects::ForceRecord> records,
-                   std::span<const double> parameters, const NominalModel& nominal);
 
 }  // namespace host_sim::diagnose

@@ -85,8 +85,9 @@ std::string hindrance(const LifeSample& sample, const NominalFit& nominal) {
 LifeDiagnosis undiagnosed(const Campaign& campaign, const std::string& why) {
   LifeDiagnosis diagnosis;
   Findings& findings = diagnosis.findings;
-  findings.prose = "These lives cannot be diagnosed: " + why + ".";
+  findings.prose = "These lives cannot be diagnosed.";
   findings.next_experiment = why;
+  findings.doubts = {{{}, "", why, true}};
   findings.candidates = {{"none", 1}, {"unknown", 0}};
   findings.credible_set = {"none"};
   for (const auto& effect : effects::life_effects()) {
@@ -98,6 +99,22 @@ LifeDiagnosis undiagnosed(const Campaign& campaign, const std::string& why) {
     diagnosis.weibull_shape = campaign.nominal.life->weibull_shape;
   }
   return diagnosis;
+}
+
+/// No wire is thicker than what it bends around.
+std::optional<Doubt> doubt_of_ratios(const Campaign& campaign) {
+  const auto inverse = std::ranges::count_if(
+      campaign.specimens,
+      [](const Campaign::Specimen& specimen) { return specimen.wire_to_bend_ratio > 1.0; });
+  if (inverse == 0) {
+    return std::nullopt;
+  }
+  return Doubt{{},
+               "wire_to_bend_ratio",
+               fmt::format("of {} specimens the wire would be thicker than what it bends around: "
+                           "is the ratio D/d in place of d/D?",
+                           inverse),
+               false};
 }
 
 /// Structure that is left with less than this by chance is not explained.
@@ -352,10 +369,13 @@ LifeDiagnosis diagnose_lives(const Campaign& campaign, const DiagnoseOptions& op
     nominal = lives::fit_nominal(sample);
   }
   const std::string why = lives::hindrance(sample, nominal);
-  if (!why.empty()) {
-    return lives::undiagnosed(campaign, why);
+  LifeDiagnosis diagnosis =
+      why.empty() ? lives::Diagnostician(campaign, options, std::move(sample)).run(nominal)
+                  : lives::undiagnosed(campaign, why);
+  if (const auto doubt = lives::doubt_of_ratios(campaign)) {
+    diagnosis.findings.doubts.push_back(*doubt);
   }
-  return lives::Diagnostician(campaign, options, std::move(sample)).run(nominal);
+  return diagnosis;
 }
 
 }  // namespace host_sim::diagnose

@@ -107,9 +107,17 @@ ordered_json extensions_json(const std::vector<Extension>& extensions) {
   return json;
 }
 
+ordered_json doubt_json(const Doubt& doubt) {
+  return {{"sessions", doubt.sessions},
+          {"column", text_or_null(doubt.column)},
+          {"words", doubt.words},
+          {"spoils", doubt.spoils}};
+}
+
 ordered_json findings_json(const Findings& findings) {
   return {{"verdict", name_of(findings.verdict)},
           {"words", findings.prose},
+          {"doubts", json_list(findings.doubts, doubt_json)},
           {"effects", json_list(findings.effects, effect_json)},
           {"candidates", json_list(findings.candidates, candidate_json)},
           {"credible_set", findings.credible_set},

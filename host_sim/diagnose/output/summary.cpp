@@ -127,6 +127,9 @@ void write_part(std::ostream& out, const DataFindings& part, const std::string& 
   if (!findings.prose.empty()) {
     fmt::print(out, "  {}\n", printable(findings.prose));
   }
+  for (const Doubt& doubt : findings.doubts) {
+    fmt::print(out, "  doubt: {}\n", printable(doubt_prose(doubt)));
+  }
   write_effects(out, findings);
   write_candidates(out, findings);
   for (const Estimate& estimate : findings.refitted) {

@@ -199,12 +199,24 @@ std::string part(std::string_view id, std::string_view title, const Findings& fi
   return out.str();
 }
 
+/// Doubts first.
+std::vector<std::string> warnings_of(const Diagnosis& diagnosis) {
+  std::vector<std::string> warnings;
+  for (const diagnose::DataFindings& of_data : diagnose::findings_by_data(diagnosis)) {
+    for (const diagnose::Doubt& doubt : of_data.findings->doubts) {
+      warnings.push_back("In doubt: " + diagnose::doubt_prose(doubt));
+    }
+  }
+  warnings.insert(warnings.end(), diagnosis.warnings.begin(), diagnosis.warnings.end());
+  return warnings;
+}
+
 std::string body(std::string_view campaign, const Diagnosis& diagnosis) {
   Slots slots;
   slots["campaign"] = html_escape(campaign);
   slots["verdict"] = html_escape(verdict(diagnosis));
   slots["origin"] = html_escape(origin(diagnosis));
-  slots["warnings"] = elements::warnings(diagnosis.warnings);
+  slots["warnings"] = elements::warnings(warnings_of(diagnosis));
   slots["tiles"] = tiles(diagnosis);
   const auto& tension = diagnosis.tension;
   slots["recordings"] = tension ? part("recordings", "Recordings", tension->findings,

@@ -187,8 +187,8 @@ TEST(DiagnoseForces, OfASmoothForceALagIsAsLikelyAsADelay) {
               ElementsAre(UnorderedElementsAre("filter_lag", "channel_delay")));
   ASSERT_GE(findings.candidates.size(), 2U);
   EXPECT_THAT(findings.candidates[0].id, AnyOf("filter_lag", "channel_delay"));
-  EXPECT_NEAR(findings.candidates[0].probability, 0.5, 0.01);
-  EXPECT_NEAR(findings.candidates[1].probability, 0.5, 0.01);
+  EXPECT_NEAR(findings.candidates[0].probability, findings.candidates[1].probability, 0.01);
+  EXPECT_GT(findings.candidates[0].probability + findings.candidates[1].probability, 0.7);
 }
 
 /// Friction that falls with a load of 10 to 90 N by an exponent of 0.5 is nearly a line: little of
@@ -266,16 +266,16 @@ TEST(DiagnoseForces, WhatIsAsGoodInThePlaceOfACauseIsACandidateToo) {
     all += candidate.probability;
   }
   EXPECT_NEAR(all, 1, 1e-12);
-  // Of twelve sessions a second parameter is 1/sqrt(12) as likely as none.
-  EXPECT_THAT(
-      ids, ElementsAre(AnyOf("friction_preload", "load_cell_zero"),
-                       AnyOf("friction_preload", "load_cell_zero"), "friction_velocity", "none"));
+  // Of twelve sessions a second parameter is 1/sqrt(12) as likely as none. What is left out beside
+  // each of them has a part of it.
+  ASSERT_GE(ids.size(), 4U);
+  EXPECT_THAT(ids[0], AnyOf("friction_preload", "load_cell_zero"));
+  EXPECT_THAT(ids[1], AnyOf("friction_preload", "load_cell_zero"));
   EXPECT_NE(ids[0], ids[1]);
-  const double fewer = 1 / (2 + 1 / std::sqrt(12));
-  EXPECT_NEAR(findings.candidates[0].probability, fewer, 0.01);
-  EXPECT_NEAR(findings.candidates[1].probability, fewer, 0.01);
-  EXPECT_NEAR(findings.candidates[2].probability, fewer / std::sqrt(12), 0.01);
-  EXPECT_EQ(findings.credible_set.size(), ids.size() - 1);
+  EXPECT_EQ(ids[2], "friction_velocity");
+  EXPECT_NEAR(findings.candidates[1].probability, findings.candidates[0].probability, 0.01);
+  EXPECT_NEAR(findings.candidates[2].probability,
+              findings.candidates[0].probability / std::sqrt(12), 0.05);
   // By one of them the model is right either way.
   ASSERT_EQ(findings.extensions.size(), 1U);
   EXPECT_THAT(ids, Contains(findings.extensions.front().id));
@@ -643,23 +643,30 @@ TEST(DiagnoseForces, FewSessionsAreTurnedOverInAllWays) {
 TEST(DiagnoseForces, AFewSessionsNameNothing) {
   const Findings findings = found(measured({.preload_N = 12}, 5, 3));
   EXPECT_THAT(ids_of(findings), IsEmpty());
-  EXPECT_THAT(findings.prose, HasSubstr("3 of 4 sessions"));
+  EXPECT_THAT(findings.prose, HasSubstr("It takes 4 sessions to name anything (here: 3)"));
 }
 
-TEST(DiagnoseForces, DoubtsWhatAUserMayHaveGotWrong) {
-  EXPECT_THAT(found(measured({.preload_N = 12}, 6)).prose, Not(HasSubstr("Velocity runs against")));
-  EXPECT_THAT(found(measured({.preload_N = 12, .velocity_reversed = true}, 6)).prose,
-              HasSubstr("Velocity runs against the position"));
-  std::vector<effects::ForceRecord> millimetres = measured({.preload_N = 12}, 6);
-  std::vector<effects::ForceRecord> kilonewtons = millimetres;
-  for (std::size_t j = 0; j < millimetres.size(); ++j) {
-    for (std::size_t i = 0; i < millimetres[j].samples(); ++i) {
-      millimetres[j].position_m[i] *= 1000;
-      kilonewtons[j].input_N[i] /= 10;
-    }
+TEST(DiagnoseForces, NothingIsNamedBesideADoubtThatSpoilsIt) {
+  const Findings sound = found(measured({.preload_N = 12}, 6));
+  EXPECT_THAT(ids_of(sound), Contains("friction_preload"));
+  EXPECT_THAT(sound.doubts, IsEmpty());
+  const Findings reversed = found(measured({.preload_N = 12, .velocity_reversed = true}, 6));
+  EXPECT_EQ(reversed.verdict, Verdict::unknown);
+  EXPECT_THAT(reversed.effects, IsEmpty());
+  EXPECT_THAT(reversed.extensions, IsEmpty());
+  ASSERT_EQ(reversed.doubts.size(), 1U);
+  EXPECT_TRUE(reversed.doubts[0].spoils);
+}
+
+TEST(DiagnoseForces, ASessionThatADoubtSpoilsIsLeftOut) {
+  std::vector<effects::ForceRecord> records = measured({.preload_N = 12}, 6);
+  for (double& velocity_m_s : records[4].velocity_m_s) {
+    velocity_m_s = -velocity_m_s;
   }
-  EXPECT_THAT(found(millimetres).prose, HasSubstr("times as far as the velocity says"));
-  EXPECT_THAT(found(kilonewtons).prose, HasSubstr("times what the model has"));
+  const Findings findings = found(records);
+  EXPECT_EQ(ids_of(findings), ids_of(found(measured({.preload_N = 12}, 6))));
+  ASSERT_EQ(findings.doubts.size(), 1U);
+  EXPECT_THAT(findings.doubts[0].sessions, ElementsAre("s4"));
 }
 
 TEST(DiagnoseForces, WhatIsTakenOutOfTheCatalogueIsNotNamed) {

@@ -21,7 +21,12 @@ std::string row(int number, double tension_N, double cycles, const char* status)
 LifeDiagnosis expect_nothing_asked(const Campaign& campaign, const std::string& why) {
   const LifeDiagnosis diagnosis = diagnose_lives(campaign, {});
   EXPECT_EQ(diagnosis.findings.verdict, Verdict::none);
-  EXPECT_THAT(diagnosis.findings.prose, HasSubstr(why));
+  EXPECT_THAT(diagnosis.findings.prose, HasSubstr("cannot be diagnosed"));
+  EXPECT_EQ(diagnosis.findings.doubts.size(), 1U);
+  if (!diagnosis.findings.doubts.empty()) {
+    EXPECT_THAT(diagnosis.findings.doubts[0].words, HasSubstr(why));
+    EXPECT_TRUE(diagnosis.findings.doubts[0].spoils);
+  }
   EXPECT_EQ(diagnosis.findings.invisible.size(), effects::life_effects().size());
   EXPECT_TRUE(diagnosis.findings.effects.empty());
   return diagnosis;
@@ -61,6 +66,26 @@ TEST(DiagnoseLivesBadInput, LivesWithoutScatter) {
     text += row(i, i % 2 == 0 ? 30 : 60, i % 2 == 0 ? 1400 : 540, "failed");
   }
   expect_nothing_asked(text, "without any scatter");
+}
+
+/// A wire of 0.457 mm over a sheave of 14 mm is 0.033 of it, and not 30.
+TEST(DiagnoseLivesBadInput, ARatioTheWrongWayRoundIsInDoubt) {
+  std::string text = kHeader;
+  for (int i = 0; i < 20; ++i) {
+    text += row(i, 30 + 10 * (i % 3), 1400 - 200 * (i % 3) + 7 * i, "failed");
+  }
+  Campaign campaign = campaign_of(text);
+  for (Campaign::Specimen& specimen : campaign.specimens) {
+    specimen.wire_to_bend_ratio = 0.033;
+  }
+  EXPECT_TRUE(diagnose_lives(campaign, {}).findings.doubts.empty());
+  for (Campaign::Specimen& specimen : campaign.specimens) {
+    specimen.wire_to_bend_ratio = 30;
+  }
+  const std::vector<Doubt> doubts = diagnose_lives(campaign, {}).findings.doubts;
+  ASSERT_EQ(doubts.size(), 1U);
+  EXPECT_EQ(doubts[0].column, "wire_to_bend_ratio");
+  EXPECT_THAT(doubts[0].words, HasSubstr("D/d in place of d/D"));
 }
 
 TEST(DiagnoseLivesBadInput, AFewFailuresNameNothing) {

@@ -22,6 +22,11 @@ TEST(Gain, IsOneOfTheErrorElseOfTheDensity) {
   const std::vector<Metric> scattered{{"log_predictive_density", 2, 3}, {"input_rmse_N", 1.5, 1.6}};
   EXPECT_TRUE(improves({"session", scattered, true}));
   EXPECT_FALSE(improves({"session", {{"log_predictive_density", 3, 2}, scattered[1]}, true}));
+  EXPECT_FALSE(improves({"session", {scattered[0], {"input_rmse_N", 1.5, 1.7}}, true}));
+  EXPECT_TRUE(
+      improves({"session", {{"input_rmse_N", 1.5, 1.4}, {"damage_error_percent", 10, 14.9}}}));
+  EXPECT_FALSE(
+      improves({"session", {{"input_rmse_N", 1.5, 1.4}, {"damage_error_percent", 10, 15.1}}}));
   EXPECT_TRUE(improves({"session", {{"rmse_N", 1.5, 1.6}, {"input_rmse_N", 1.5, 1.4}}}));
   EXPECT_FALSE(
       improves({"session", {{"log_predictive_density", 3, 2}, {"input_rmse_N", 1.5, 1.52}}}));

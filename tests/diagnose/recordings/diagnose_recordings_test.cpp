@@ -235,7 +235,8 @@ TEST_F(DiagnoseRecordings, NamesNothingOfOneSession) {
       diagnose_tension(make({.sessions = 1, .hidden = kPreload}), {});
   EXPECT_NE(diagnosis.findings.verdict, Verdict::named);
   EXPECT_THAT(diagnosis.findings.extensions, IsEmpty());
-  EXPECT_THAT(diagnosis.findings.prose, HasSubstr("1 of 4 sessions"));
+  EXPECT_THAT(diagnosis.findings.prose,
+              HasSubstr("It takes 4 sessions to name anything (here: 1)"));
 }
 
 TEST_F(DiagnoseRecordings, SaysThatNothingMoved) {
