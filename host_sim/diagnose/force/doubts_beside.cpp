@@ -22,6 +22,7 @@ class Robust {
   explicit Robust(const std::vector<double>& values) : middle_(median_of(values)) {
     constexpr double kSdOfMedian = 1.4826;
     std::vector<double> off;
+    off.reserve(values.size());
     for (const double value : values) {
       off.push_back(std::abs(value - middle_));
     }
@@ -60,6 +61,7 @@ std::optional<Shift> shift_of(const std::vector<const effects::ForceRecord*>& re
   constexpr double kLeast_s = 0.02;
   constexpr double kGained = 0.5;
   std::vector<std::optional<Alone>> now;
+  now.reserve(records.size());
   for (const effects::ForceRecord* const record : records) {
     now.push_back(alone(*record));
   }
