@@ -11,6 +11,7 @@
 #include "hal/files/input_error.hpp"
 #include "host_sim/diagnose/audit/audit.hpp"
 #include "host_sim/diagnose/diagnosis.hpp"
+#include "host_sim/diagnose/force/alone.hpp"
 #include "host_sim/diagnose/force/diagnose_forces.hpp"
 #include "host_sim/diagnose/force/remainder.hpp"
 #include "host_sim/diagnose/force_records.hpp"
@@ -45,7 +46,6 @@ reference::Constants constants_of(const NominalModel& nominal) {
 std::vector<Doubt> doubts_of_current(const std::vector<recording::Recording>& recordings,
                                      const NominalModel& nominal) {
   using enum hal::files::ProfileColumnId;
-  constexpr double kDoubtfulLogGain = 0.3;
   double products_N2 = 0;
   double squares_N2 = 0;
   for (const recording::Recording& recording : recordings) {
@@ -66,7 +66,7 @@ std::vector<Doubt> doubts_of_current(const std::vector<recording::Recording>& re
     return {};
   }
   return {{{},
-           std::string(hal::files::profile_columns()[kMotorCurrentColumn].name),
+           column(kMotorCurrentColumn),
            fmt::format("the input tension is {:.3g} times what the current stands for: are its "
                        "unit and sign, the radius and the torque constant right?",
                        times),

@@ -116,6 +116,11 @@ std::string listed(const std::vector<std::string>& items, std::string_view last)
   return text;
 }
 
+bool spoil_all(const std::vector<Doubt>& doubts) {
+  return std::ranges::any_of(
+      doubts, [](const Doubt& doubt) { return doubt.spoils && doubt.sessions.empty(); });
+}
+
 std::string doubt_prose(const Doubt& doubt) {
   constexpr std::size_t kMost = 5;
   std::string where;

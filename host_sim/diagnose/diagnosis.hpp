@@ -122,6 +122,9 @@ struct Doubt {
   bool spoils = false;
 };
 
+/// Whether one of all sessions spoils the result.
+bool spoil_all(const std::vector<Doubt>& doubts);
+
 /// With sessions, column and what is done about it, as a sentence.
 std::string doubt_prose(const Doubt& doubt);
 

@@ -115,18 +115,11 @@ class ModelOutput {
   std::exception_ptr failure_;
 };
 
-/// Whether anything keeps causes from being named, of all of a part.
-bool is_spoilt(const diagnose::Diagnosis& diagnosis) {
-  return std::ranges::any_of(diagnose::merged(diagnosis).doubts, [](const diagnose::Doubt& doubt) {
-    return doubt.spoils && doubt.sessions.empty();
-  });
-}
-
 std::string next_step(const Arguments& arguments, const diagnose::Diagnosis& diagnosis,
                       bool written) {
   const diagnose::Verdict verdict = diagnosis.verdict();
-  const bool doubted = !diagnose::merged(diagnosis).doubts.empty();
-  if (is_spoilt(diagnosis) || (doubted && verdict == diagnose::Verdict::none)) {
+  const std::vector<diagnose::Doubt> doubts = diagnose::merged(diagnosis).doubts;
+  if (diagnose::spoil_all(doubts) || (!doubts.empty() && verdict == diagnose::Verdict::none)) {
     return "settle what is in doubt, as above, and diagnose again";
   }
   switch (verdict) {
@@ -167,7 +160,8 @@ int run(const Arguments& arguments) {
   diagnose::write_summary(summary, campaign.name, diagnosis);
   write_next(summary, next_step(arguments, diagnosis, !model.path().empty()));
   model.rethrow();
-  const bool found = diagnosis.verdict() != diagnose::Verdict::none || is_spoilt(diagnosis);
+  const bool found = diagnosis.verdict() != diagnose::Verdict::none ||
+                     diagnose::spoil_all(diagnose::merged(diagnosis).doubts);
   return arguments.fail_on_discrepancy && found ? kFoundInData : 0;
 }
 

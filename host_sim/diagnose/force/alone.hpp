@@ -13,6 +13,8 @@ namespace host_sim::diagnose {
 
 /// Of sessions: what more than that show is not told of single ones.
 inline constexpr double kFewOfAll = 0.25;
+/// Of ln gain: beyond it units and parameters are asked for.
+inline constexpr double kDoubtfulLogGain = 0.3;
 /// Of fewer sessions it is not known which of them is unlike the others.
 inline constexpr std::size_t kEnoughToCompare = 10;
 

@@ -87,11 +87,7 @@ class Report {
   }
 
  private:
-  /// A doubt of all sessions.
-  [[nodiscard]] bool spoilt() const {
-    return std::ranges::any_of(
-        doubts_, [](const Doubt& doubt) { return doubt.spoils && doubt.sessions.empty(); });
-  }
+  [[nodiscard]] bool spoilt() const { return spoil_all(doubts_); }
 
   [[nodiscard]] bool names_nothing() const {
     return data_.records().size() < kLeastSessions || spoilt();

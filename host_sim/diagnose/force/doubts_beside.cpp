@@ -55,23 +55,23 @@ struct Shift {
 
 /// The best of shifts of one channel against the others in all of these records; none where little
 /// would be gained.
-std::optional<Shift> shift_of(const std::vector<const effects::ForceRecord*>& records) {
+std::optional<Shift> shift_of(std::span<const effects::ForceRecord> records) {
   constexpr double kMost_s = 0.6;
   constexpr double kStep_s = 0.01;
   constexpr double kLeast_s = 0.02;
   constexpr double kGained = 0.5;
   std::vector<std::optional<Alone>> now;
   now.reserve(records.size());
-  for (const effects::ForceRecord* const record : records) {
-    now.push_back(alone(*record));
+  for (const effects::ForceRecord& record : records) {
+    now.push_back(alone(record));
   }
   const auto left_by = [&](double input_s, double velocity_s) {
     double sum = 0;
     for (std::size_t j = 0; j < records.size(); ++j) {
       const auto samples = [&](double time_s) {
-        return static_cast<std::ptrdiff_t>(std::lround(time_s / records[j]->step_s()));
+        return static_cast<std::ptrdiff_t>(std::lround(time_s / records[j].step_s()));
       };
-      const auto then = alone(*records[j], samples(input_s), samples(velocity_s));
+      const auto then = alone(records[j], samples(input_s), samples(velocity_s));
       sum += now[j] && then && then->friction > 0 && now[j]->square_N2 > 0
                  ? then->square_N2 / now[j]->square_N2
                  : 1;
@@ -139,7 +139,7 @@ class OddSessions {
     for (std::size_t j = 0; j < gains_.size(); ++j) {
       const effects::ForceRecord& record = data_.records()[j];
       const bool error_is_odd = error.is_above(log_errors_[j], kLeastLogError);
-      const auto shift = error_is_odd ? shift_of_session(record.session) : std::nullopt;
+      const auto shift = error_is_odd ? shift_of_session(j) : std::nullopt;
       const bool loaded = loads_N2_[j] > kLoaded * usual_N2;
       std::string words;
       if (shift) {
@@ -171,24 +171,18 @@ class OddSessions {
  private:
   /// A shift that leaves no more than other sessions have beside the model: friction that builds up
   /// as the motion turns looks like one, and leaves more.
-  [[nodiscard]] std::optional<Shift> shift_of_session(const std::string& session) const {
+  [[nodiscard]] std::optional<Shift> shift_of_session(std::size_t session) const {
     constexpr double kTimesUsual = 2;
-    const effects::ForceRecord& record = record_of(session);
-    const auto now = alone(record);
-    const auto shift = shift_of({&record});
+    const auto now = alone(records_[session]);
+    const auto shift = shift_of(records_.subspan(session, 1));
     return now && shift &&
                    shift->left * now->square_N2 < std::pow(kTimesUsual, 2) * median_of(left_N2_)
                ? shift
                : std::nullopt;
   }
 
-  /// With all samples.
-  [[nodiscard]] const effects::ForceRecord& record_of(const std::string& session) const {
-    return *std::ranges::find(records_, session, &effects::ForceRecord::session);
-  }
-
   const ForceData& data_;
-  std::span<const effects::ForceRecord> records_;
+  std::span<const effects::ForceRecord> records_;  ///< the same, with all samples
   const ForceFit& model_;
   /// Of sessions, beside the model; the gain as a share of that of the model.
   std::vector<double> gains_, frictions_, log_errors_;
@@ -203,7 +197,6 @@ std::vector<Doubt> doubts_beside(const ForceData& data,
                                  std::span<const effects::ForceRecord> records,
                                  const ForceFit& model, const NominalModel& nominal, bool much) {
   constexpr double kNearlyAll = 0.1;
-  constexpr double kDoubtfulLogGain = 0.3;
   constexpr double kTimesNominal = 3;
   std::vector<Doubt> doubts;
   const double gain = model.parameters[0];
@@ -232,11 +225,7 @@ std::vector<Doubt> doubts_beside(const ForceData& data,
     OddSessions(data, records, model).add_to(doubts);
   }
   if (much) {
-    std::vector<const effects::ForceRecord*> all;
-    for (const effects::ForceRecord& record : records) {
-      all.push_back(&record);
-    }
-    if (const auto shift = shift_of(all)) {
+    if (const auto shift = shift_of(records)) {
       doubts.push_back({{}, column(shift->column), shift_prose(*shift), shift->left < kNearlyAll});
     }
   }
