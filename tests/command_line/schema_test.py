@@ -4,10 +4,12 @@ the page of host_sim that reads them.
     schema_test.py HOST_SIM SOURCE
 """
 import copy
+import csv
 import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -101,6 +103,7 @@ RUNS = (
     "diagnose both",
     "diagnose lives",
     "diagnose two_sided",
+    "diagnose spoilt",
     f"fleet examples/fleet/tendons.csv {MODEL}",
     f"fleet examples/fleet/tendons.csv {MODEL} --cost-replacement 50 --cost-break 900 --horizon 2000h",
     "fmeca",
@@ -220,6 +223,15 @@ def live_views(program):
         process.stderr.close()
 
 
+def reverse_velocity(recording):
+    with recording.open(newline="") as file:
+        rows = list(csv.DictReader(file))
+    with recording.open("w", newline="") as file:
+        writer = csv.DictWriter(file, rows[0])
+        writer.writeheader()
+        writer.writerows({**row, "tendon_velocity_m_s": -float(row["tendon_velocity_m_s"])} for row in rows)
+
+
 def write_files(program, examples):
     pathlib.Path("examples").symlink_to(examples)
     pathlib.Path("slack.csv").write_text(
@@ -230,6 +242,9 @@ def write_files(program, examples):
     pathlib.Path("current.toml").write_text(pathlib.Path("examples/upper_arm.toml").read_text()
                                             + "[extension.current_offset]\ncurrent_offset_A = 0.1\n")
     pathlib.Path("two_sided.toml").write_text(TWO_SIDED)
+    shutil.copytree("examples/recorded", "spoilt")
+    for recording in pathlib.Path("spoilt/recordings").iterdir():
+        reverse_velocity(recording)
     program.output("init plan")
     for name in ("few", "many/few", "many/bad"):
         folder = pathlib.Path(name)
