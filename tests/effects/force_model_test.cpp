@@ -222,6 +222,21 @@ TEST(ForceModel, PositionMultipliesAllFrictionOfTheSheath) {
               10 + 3 * 1.1, 1e-9);
 }
 
+/// Where only the velocity is known a place is found again by the middle of the stroke: 0.06 m
+/// in one of 0.02 .. 0.1 m is its middle, 0.11 m in one of 0.01 .. 0.11 m a quarter of the stroke
+/// of all beyond it.
+TEST(ForceModel, PositionMayCountFromTheMiddleOfTheRecord) {
+  const ForceTerms terms{ForceTerm::preload, ForceTerm::position_from_middle};
+  const std::vector<double> parameters{1, 0, 3, 0.2, 0.3, 0, 0, 0, 0, 0, 0};
+  EXPECT_NEAR(predicted(record({0.02, 0.1, 0.06}, 1, 10), terms, parameters), 10 + 3 * 1.3, 1e-9);
+  EXPECT_NEAR(predicted(record({0.01, 0.11}, 1, 10), terms, parameters), 10 + 3 * 1.2, 1e-9);
+  ForceRecord of_rotor = record({0, 0.1}, 1, 10);
+  EXPECT_TRUE(is_shown(terms[1], std::span(&of_rotor, 1)));
+  of_rotor.rotor_known = true;
+  EXPECT_FALSE(is_shown(terms[1], std::span(&of_rotor, 1)));
+  EXPECT_TRUE(is_shown(ForceTerm::position, std::span(&of_rotor, 1)));
+}
+
 TEST(ForceModel, SensorsShiftAndDelayTheOutput) {
   EXPECT_NEAR(predicted(record({0, 0.1}, 1, 10), {ForceTerm::zero}, {1, 0, 0.5}), 9.5, 1e-9);
   ForceRecord rising = record({0, 0.1}, 1, 10);

@@ -8,32 +8,14 @@ namespace host_sim::effects {
 namespace {
 
 /// In order of ForceTerm.
-constexpr std::array<const ForceLaw*, kForceTermCount> kLaws{&laws::kPreload,
-                                                             &laws::kVelocity,
-                                                             &laws::kPresliding,
-                                                             &laws::kElasticPresliding,
-                                                             &laws::kStribeck,
-                                                             &laws::kLoad,
-                                                             &laws::kPosition,
-                                                             &laws::kSlack,
-                                                             &laws::kLooseTendon,
-                                                             &laws::kCompliance,
-                                                             &laws::kLag,
-                                                             &laws::kDelay,
-                                                             &laws::kZero,
-                                                             &laws::kTemperature,
-                                                             &laws::kWear,
-                                                             &laws::kRunIn,
-                                                             &laws::kBendAngle,
-                                                             &laws::kCurrentOffset,
-                                                             &laws::kGearAsymmetry,
-                                                             &laws::kTorqueGain,
-                                                             &laws::kTorqueRipple,
-                                                             &laws::kGivingSheath,
-                                                             &laws::kOneWayFriction,
-                                                             &laws::kBentSensor,
-                                                             &laws::kDriftingGain,
-                                                             &laws::kWarmSensor};
+constexpr std::array<const ForceLaw*, kForceTermCount> kLaws{
+    &laws::kPreload,    &laws::kVelocity,     &laws::kPresliding,    &laws::kElasticPresliding,
+    &laws::kStribeck,   &laws::kLoad,         &laws::kPosition,      &laws::kPositionFromMiddle,
+    &laws::kSlack,      &laws::kLooseTendon,  &laws::kCompliance,    &laws::kLag,
+    &laws::kDelay,      &laws::kZero,         &laws::kTemperature,   &laws::kWear,
+    &laws::kRunIn,      &laws::kBendAngle,    &laws::kCurrentOffset, &laws::kGearAsymmetry,
+    &laws::kTorqueGain, &laws::kTorqueRipple, &laws::kGivingSheath,  &laws::kOneWayFriction,
+    &laws::kBentSensor, &laws::kDriftingGain, &laws::kWarmSensor};
 
 }  // namespace
 

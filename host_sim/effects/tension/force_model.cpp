@@ -198,13 +198,21 @@ class Forward {
 
  private:
   [[nodiscard]] double position_factor(std::size_t i) const {
+    double first_sine = kinematics_.stroke_sine[i];
+    double first_cosine = kinematics_.stroke_cosine[i];
+    if (values_.from_middle) {
+      first_sine = kinematics_.stroke_sine[i] * kinematics_.middle_cosine -
+                   kinematics_.stroke_cosine[i] * kinematics_.middle_sine;
+      first_cosine = kinematics_.stroke_cosine[i] * kinematics_.middle_cosine +
+                     kinematics_.stroke_sine[i] * kinematics_.middle_sine;
+    }
     // Each harmonic by the one before it: sin((k + 1) x) is sin(k x) cos x + cos(k x) sin x.
     double sine = 0;
     double cosine = 1;
     double factor = 1;
     for (std::size_t harmonic = 1; harmonic <= ForceValues::kHarmonics; ++harmonic) {
-      const double next = sine * kinematics_.stroke_cosine[i] + cosine * kinematics_.stroke_sine[i];
-      cosine = cosine * kinematics_.stroke_cosine[i] - sine * kinematics_.stroke_sine[i];
+      const double next = sine * first_cosine + cosine * first_sine;
+      cosine = cosine * first_cosine - sine * first_sine;
       sine = next;
       factor +=
           values_.harmonics[2 * harmonic - 2] * sine + values_.harmonics[2 * harmonic - 1] * cosine;

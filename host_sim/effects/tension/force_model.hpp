@@ -24,6 +24,7 @@ enum class ForceTerm : unsigned {
   stribeck,
   load,
   position,
+  position_from_middle,
   slack,
   loose_tendon,
   compliance,
@@ -44,7 +45,7 @@ enum class ForceTerm : unsigned {
   drifting_gain,
   warm_sensor,
 };
-inline constexpr std::size_t kForceTermCount = 26;
+inline constexpr std::size_t kForceTermCount = 27;
 inline constexpr auto kForceTerms = [] {
   std::array<ForceTerm, kForceTermCount> all{};
   for (unsigned i = 0; i < kForceTermCount; ++i) {
@@ -88,6 +89,7 @@ struct ForceValues {
   double presliding_N_m = 0;  ///< of a length that is in proportion to the friction
   double load_exponent = 0;
   std::array<double, 2 * kHarmonics> harmonics{};  ///< sine and cosine of each, of the stroke
+  bool from_middle = false;                        ///< of each record, and not of all
   double slack_m = 0;
   double loose_m = 0;
   double loose_log_drop = 0;

@@ -104,9 +104,16 @@ std::vector<double> reversals_m(const ForceRecord& record) {
 Kinematics kinematics_of(const ForceRecord& record, const ForceScales& scales) {
   Kinematics kinematics;
   kinematics.turned_over = turned_over(record, scales);
+  const auto turn_of = [&](double position_m) {
+    return 2 * std::numbers::pi * (position_m - scales.position_m) / scales.stroke_m;
+  };
+  if (record.samples() > 0) {
+    const auto [low_m, high_m] = std::ranges::minmax(record.position_m);
+    kinematics.middle_sine = std::sin(turn_of((low_m + high_m) / 2));
+    kinematics.middle_cosine = std::cos(turn_of((low_m + high_m) / 2));
+  }
   for (std::size_t i = 0; i < record.samples(); ++i) {
-    const double turn =
-        2 * std::numbers::pi * (record.position_m[i] - scales.position_m) / scales.stroke_m;
+    const double turn = turn_of(record.position_m[i]);
     kinematics.stroke_sine.push_back(std::sin(turn));
     kinematics.stroke_cosine.push_back(std::cos(turn));
     kinematics.pose.push_back(nearest(scales.poses_rad, record.bend_angle_rad[i]));

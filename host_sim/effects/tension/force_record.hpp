@@ -59,6 +59,7 @@ struct Kinematics {
   std::vector<double> turned_over;  ///< how far its speed turns friction over, -1 .. 1
   std::vector<std::size_t> pose;    ///< the nearest of ForceScales::poses_rad
   std::vector<double> stroke_sine, stroke_cosine;  ///< of its place in the stroke, a turn long
+  double middle_sine = 0, middle_cosine = 1;       ///< the same of the middle of the record
 };
 
 /// Where the motion turns between samples, on the parabola of their speeds, as reversal_m.

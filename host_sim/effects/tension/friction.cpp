@@ -203,6 +203,25 @@ constexpr ForceLaw kLaw{
     .written = about_zero,
     .of = ForceLaw::Of::friction};
 
+std::string_view needs_integrals(const ForceRecord& record) {
+  return record.rotor_known ? "the rotor shows where the tendon is" : "";
+}
+
+/// An integral of the velocity starts anew with each record: strokes may have an end in common, or
+/// their middle.
+constexpr ForceLaw kAboutMiddle{
+    .effect = &kEffect,
+    .own_term = "position-dependent friction, from the middle of each stroke",
+    .equation = "mu (1 + g(x - m)), F (1 + g(x - m)), m the middle of each record",
+    .missing = needs_integrals,
+    .parameters = parameters,
+    .set =
+        [](Numbers numbers, ForceValues& values) {
+          kLaw.set(numbers, values);
+          values.from_middle = true;
+        },
+    .of = ForceLaw::Of::friction};
+
 }  // namespace position
 
 namespace presliding {
@@ -261,6 +280,7 @@ constinit const ForceLaw kVelocity = velocity::kViscous;
 constinit const ForceLaw kStribeck = velocity::kStribeck;
 constinit const ForceLaw kLoad = load::kLaw;
 constinit const ForceLaw kPosition = position::kLaw;
+constinit const ForceLaw kPositionFromMiddle = position::kAboutMiddle;
 constinit const ForceLaw kPresliding = presliding::kOverLength;
 constinit const ForceLaw kElasticPresliding = presliding::kByStiffness;
 

@@ -76,6 +76,7 @@ extern const ForceLaw kVelocity;
 extern const ForceLaw kStribeck;
 extern const ForceLaw kLoad;
 extern const ForceLaw kPosition;
+extern const ForceLaw kPositionFromMiddle;
 extern const ForceLaw kPresliding;
 extern const ForceLaw kElasticPresliding;
 
