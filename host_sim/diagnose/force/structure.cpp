@@ -260,7 +260,9 @@ double BinMeans::statistic(const std::vector<double>& signs) const {
 }
 
 double BinMeans::square_N2() const {
+  constexpr double kChance = 2;  // standard errors
   double sum_N2 = 0;
+  double variance_N4 = 0;
   double weights = 0;
   for (std::size_t bin = 0; bin < kBins; ++bin) {
     const std::vector<double> means_N = of_sessions(bin);
@@ -270,8 +272,10 @@ double BinMeans::square_N2() const {
     const Spread spread = spread_of(means_N);
     const double chance_N2 = spread.sd_N * spread.sd_N / static_cast<double>(means_N.size());
     sum_N2 += weights_[bin] * (spread.mean_N * spread.mean_N - chance_N2);
+    variance_N4 += 2 * std::pow(weights_[bin] * chance_N2, 2);
     weights += weights_[bin];
   }
+  sum_N2 -= kChance * std::sqrt(variance_N4);
   return weights > 0 ? std::max(sum_N2 / weights, 0.0) : 0;
 }
 

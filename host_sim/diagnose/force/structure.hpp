@@ -24,8 +24,8 @@ class BinMeans {
   /// @param signs by which sessions are turned over
   [[nodiscard]] double statistic(const std::vector<double>& signs) const;
 
-  /// Square of the means over sessions, less what chance puts there, in the mean over all samples
-  /// by weight.
+  /// Square of the means over sessions, less what chance puts there and twice its standard error,
+  /// in the mean over all samples by weight.
   [[nodiscard]] double square_N2() const;
 
   /// Of one bin, those that there are.

@@ -63,6 +63,30 @@ std::vector<std::string> names_of(const std::vector<ForceCovariate>& covariates,
   return names;
 }
 
+/// Of twelve sessions four have samples in the first bin, of 1, 1, 1 and a last value; the others,
+/// in the last one, have as many above zero as below. A mean of 1 that scatters by nothing counts
+/// whole; where it is 1.5 standard errors, as chance puts there once in seven times, not at all.
+TEST(BinMeans, CountWhatIsMoreThanChance) {
+  const auto square_N2 = [](double last_N) {
+    std::vector<effects::ForceRecord> records = measured({}, 1, 12);
+    const CovariateBins bins(records, force_covariates(records).front());
+    std::vector<std::vector<double>> residuals_N;
+    CovariateBins two = bins;
+    for (std::size_t j = 0; j < records.size(); ++j) {
+      const bool first = j < 4;
+      std::ranges::fill(two.places[j], first ? 0 : 2 * CovariateBins::kCount - 1);
+      residuals_N.emplace_back(records[j].samples(), first   ? (j == 3 ? last_N : 1.0)
+                                                     : j % 2 ? 1e-3
+                                                             : -1e-3);
+    }
+    const ForceData data(std::move(records));
+    return BinMeans(data, two, residuals_N, data.covariance()).square_N2();
+  };
+  EXPECT_NEAR(square_N2(1), 4.0 / 12, 0.03);
+  EXPECT_EQ(square_N2(-0.6), 0);
+  EXPECT_GT(square_N2(0.5), 0.1);
+}
+
 TEST(ForceCovariates, OfSessionsAreThoseThatAllHaveAndThatDiffer) {
   const auto with = [](effects::ForceRecord& record, int session) {
     record.cycle.assign(record.samples(), 100.0 * session);
