@@ -33,6 +33,11 @@ std::vector<Stretch> gaps_in(std::span<const double> time_s) {
 
 namespace {
 
+/// Whether it is a tension or the current that stands for one.
+bool is_load(ProfileColumnId id) {
+  return id == kInputTensionColumn || id == kMotorCurrentColumn || id == kOutputTensionColumn;
+}
+
 using Excursion = double (*)(std::span<const double>, const Stretch&);
 
 double largest_share(const LiveChannel& channel, const Stretch& stretch,
@@ -135,10 +140,6 @@ bool may_be_stuck(const LiveChannel& channel, const Stretch& stretch,
 }
 
 }  // namespace
-
-bool is_load(ProfileColumnId id) {
-  return id == kInputTensionColumn || id == kMotorCurrentColumn || id == kOutputTensionColumn;
-}
 
 bool has_to_change(ProfileColumnId id) {
   return is_load(id) || id == kTendonVelocity || id == kMotorAngle;

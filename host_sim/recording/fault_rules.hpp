@@ -24,9 +24,6 @@ struct SessionView {
   std::span<const Stretch> slips;  ///< see slips_of(); none where velocity was not measured
 };
 
-/// Whether it is a tension or the current that stands for one.
-bool is_load(hal::files::ProfileColumnId id);
-
 /// Whether a channel has to change within a session. Temperatures and the bend angle do not.
 bool has_to_change(hal::files::ProfileColumnId id);
 

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "host_sim/diagnose/force/diagnose_forces.hpp"
+#include "tests/diagnose/force/joint.hpp"
 
 namespace host_sim::diagnose {
 namespace {
@@ -22,14 +23,6 @@ using testing::IsEmpty;
 using testing::SizeIs;
 
 using effects::ForceRecord;
-
-constexpr reference::Constants kDoubtWire{177.4, 0.2, 1.53e5, 1.38, 5.94};
-
-NominalModel sheath_of_doubts() {
-  NominalModel nominal;
-  nominal.sheath = {.friction_coefficient = 0.1, .bend_angle_deg = 180};
-  return nominal;
-}
 
 /// A tendon in sheaths that turn by 90, 180 and 270 degrees: T_in = T_out exp(0.12 angle sgn v).
 std::vector<ForceRecord> pulled(unsigned seed, int sessions = 12) {
@@ -87,11 +80,11 @@ std::vector<ForceRecord> scaled_once(Channel channel, double times, int sessions
 }
 
 std::vector<Doubt> doubts(const std::vector<ForceRecord>& records) {
-  return doubts_of(records, sheath_of_doubts());
+  return doubts_of(records, nominal());
 }
 
 Findings diagnosed(const std::vector<ForceRecord>& records) {
-  return diagnose_forces(records, sheath_of_doubts(), kDoubtWire, {}).findings;
+  return diagnose_forces(records, nominal(), kWire, {}).findings;
 }
 
 TEST(Doubts, AreNoneOfSoundRecordings) {
