@@ -46,6 +46,17 @@ double ForceData::square_of(const effects::ForceTerms& terms, std::span<const do
   return square_N2;
 }
 
+double ForceData::distance_N2(const ForceFit& one, const ForceFit& other) const {
+  double square_N2 = 0;
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    const std::vector<double> of_one_N = residuals_N(j, one.terms, one.parameters);
+    const std::vector<double> of_other_N = residuals_N(j, other.terms, other.parameters);
+    const Eigen::VectorXd apart_N = vector_of(of_one_N) - vector_of(of_other_N);
+    square_N2 += covariance_.product(j, apart_N, apart_N)(0, 0);
+  }
+  return square_N2;
+}
+
 ForceData::Normal ForceData::normal_of(const effects::ForceTerms& terms,
                                        std::span<const double> parameters, int fold) const {
   const auto all = parameters_of(terms, scales_);
@@ -293,7 +304,12 @@ double ForceData::rmse_N(std::span<const double> means_N2) const {
   return std::sqrt(square_N2 / std::max(samples_, 1.0));
 }
 
-std::vector<double> ForceData::half_widths(const ForceFit& fit) const {
+double ForceData::freedom_of(const ForceFit& fit) const {
+  const double records = static_cast<double>(records_.size());
+  return std::max(records - static_cast<double>(fit.parameters.size()), 1.0);
+}
+
+Eigen::MatrixXd ForceData::covariance_of(const ForceFit& fit) const {
   const Normal normal = normal_of(fit.terms, fit.parameters, -1);
   const Eigen::Index count = normal.gradient.size();
   Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(count, count);
@@ -304,17 +320,43 @@ std::vector<double> ForceData::half_widths(const ForceFit& fit) const {
   const Eigen::MatrixXd inverse =
       normal.matrix.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
   const double records = static_cast<double>(records_.size());
-  const double freedom = std::max(records - static_cast<double>(count), 1.0);
-  const Eigen::MatrixXd covariance = inverse * scatter * inverse * (records / freedom);
-  const double wide = statistics::student95(freedom);
+  return inverse * scatter * inverse * (records / freedom_of(fit));
+}
+
+std::vector<double> ForceData::half_widths(const ForceFit& fit) const {
+  const Eigen::MatrixXd covariance = covariance_of(fit);
+  const double wide = statistics::student95(freedom_of(fit));
   const auto all = parameters_of(fit.terms, scales_);
   std::vector<double> half;
-  for (Eigen::Index k = 0; k < count; ++k) {
+  for (Eigen::Index k = 0; k < covariance.rows(); ++k) {
     const double step_m = all[static_cast<std::size_t>(k)].stepped ? resolution_m_ : 0;
     half.push_back(std::hypot(wide * std::sqrt(std::max(covariance(k, k), 0.0)),
                               statistics::kNormal95 * step_m));
   }
   return half;
+}
+
+double ForceData::log_occam(const ForceFit& fit, std::size_t term) const {
+  constexpr double kLeast = 1e-300;
+  const auto values = parameters_at(term, fit.terms, fit.parameters, scales_);
+  const auto first = static_cast<Eigen::Index>(values.data() - fit.parameters.data());
+  double log_prior = 0;
+  std::vector<Eigen::Index> places;
+  std::vector<double> usual;
+  const auto parameters = parameters_of(fit.terms[term], scales_);
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    if (parameters[k].chosen) {
+      log_prior -= std::log(static_cast<double>(parameters[k].starts.size()));
+      continue;
+    }
+    usual.push_back(parameters[k].usual == 0 ? parameters[k].starts.front() : parameters[k].usual);
+    places.push_back(first + static_cast<Eigen::Index>(k));
+    log_prior -= std::pow(values[k] / usual.back(), 2) / 2;
+  }
+  const Eigen::VectorXd scale = vector_of(usual).cwiseInverse();
+  const Eigen::MatrixXd of_usual =
+      scale.asDiagonal() * covariance_of(fit)(places, places) * scale.asDiagonal();
+  return log_prior + std::log(std::max(of_usual.determinant(), kLeast)) / 2;
 }
 
 bool ForceData::is_physical(const ForceFit& fit, std::size_t term) const {

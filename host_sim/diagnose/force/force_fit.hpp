@@ -78,6 +78,9 @@ class ForceData {
   /// Of all records.
   [[nodiscard]] std::vector<std::vector<double>> residuals_N(const ForceFit& fit) const;
 
+  /// Sum of squares of what two models differ by, beside the scatter of sessions.
+  [[nodiscard]] double distance_N2(const ForceFit& one, const ForceFit& other) const;
+
   /// Least squares beside the scatter of sessions, within the bounds (Levenberg-Marquardt), from
   /// these parameters on.
   /// @param fold records of this number modulo kFolds stay out; none: all take part
@@ -120,6 +123,10 @@ class ForceData {
   /// parameter lies between samples of how far they are apart at all reversals.
   [[nodiscard]] std::vector<double> half_widths(const ForceFit& fit) const;
 
+  /// ln of the density of a term's parameters before they are measured, normal of their usual size,
+  /// times the volume that data leave of them (Laplace). Of one that is chosen each is as likely.
+  [[nodiscard]] double log_occam(const ForceFit& fit, std::size_t term) const;
+
   /// Whether the parameters of a term are within the bounds of physics, of which zero is none where
   /// it is the least, and larger than what samples that are so far apart resolve.
   [[nodiscard]] bool is_physical(const ForceFit& fit, std::size_t term) const;
@@ -131,6 +138,10 @@ class ForceData {
   }
 
  private:
+  /// Of the parameters, of records that scatter as wholes (sandwich).
+  [[nodiscard]] Eigen::MatrixXd covariance_of(const ForceFit& fit) const;
+  [[nodiscard]] double freedom_of(const ForceFit& fit) const;
+
   /// In the place of a fold: one record in three, where those are enough to choose a start by.
   static constexpr int kSome = -2;
   [[nodiscard]] bool is_left_out(std::size_t record, int fold) const {

@@ -225,9 +225,12 @@ std::vector<effects::ForceTerm> ForceSearch::beside(const effects::ForceTerms& t
 /// The model with one of these more, those that start best and stay within physics, the least
 /// squares first.
 /// @param most_N2 that a term may start with
+/// @param like a model to start near to, which is as good as to start best
 std::vector<ForceSearch::Candidate> ForceSearch::with_each(
-    const ForceFit& from, const std::vector<effects::ForceTerm>& terms, double most_N2) const {
+    const ForceFit& from, const std::vector<effects::ForceTerm>& terms, double most_N2,
+    const ForceFit* like) const {
   constexpr std::size_t kFinished = 5;
+  constexpr std::size_t kNearest = 2;
   const auto by_squares = [](const Candidate& one) { return one.fit.square_N2; };
   std::vector<Candidate> all;
   for (ForceFit& fit : data_.started(from, terms, options_.threads)) {
@@ -236,7 +239,16 @@ std::vector<ForceSearch::Candidate> ForceSearch::with_each(
     }
   }
   std::ranges::sort(all, {}, by_squares);
-  all.resize(std::min(all.size(), kFinished));
+  std::size_t kept = std::min(all.size(), kFinished);
+  if (like != nullptr) {
+    const std::size_t nearest = std::min(all.size() - kept, kNearest);
+    std::ranges::partial_sort(
+        all.begin() + static_cast<std::ptrdiff_t>(kept),
+        all.begin() + static_cast<std::ptrdiff_t>(kept + nearest), all.end(), {},
+        [&](const Candidate& one) { return data_.distance_N2(one.fit, *like); });
+    kept += nearest;
+  }
+  all.resize(kept);
   statistics::parallel_for(
       all.size(), [&](std::size_t i) { all[i].fit = data_.finished(all[i].fit); },
       options_.threads);
@@ -420,12 +432,12 @@ bool ForceSearch::exchange(bool allowed) {
         Judgement::beside_catalogue(other, lost, judged);
         continue;
       }
-      if (allowed && judgement.takes_place(judged, other, lost)) {
+      if (allowed && judgement.takes_place(judged, one.fit, lost)) {
         added_.push_back({other, std::nullopt});
         model_ = std::move(one);
         return true;
       }
-      if (const auto log_odds = judgement.log_odds_of(judged, other, lost)) {
+      if (const auto log_odds = judgement.log_odds_of(judged, one.fit, lost)) {
         judged.others.push_back({other, *log_odds});
       }
     }
@@ -443,8 +455,8 @@ std::vector<ForceSearch::Candidate> ForceSearch::in_place_of(std::size_t place) 
     }
   }
   const double taken_N2 = judged_[place].without.square_N2 - model_.fit.square_N2;
-  std::vector<Candidate> all =
-      with_each(judged_[place].without, others, model_.fit.square_N2 + kHopeless * taken_N2);
+  std::vector<Candidate> all = with_each(judged_[place].without, others,
+                                         model_.fit.square_N2 + kHopeless * taken_N2, &model_.fit);
   std::erase_if(all, [&](const Candidate& one) {
     return one.fit.square_N2 - model_.fit.square_N2 > kFarOff * taken_N2;
   });

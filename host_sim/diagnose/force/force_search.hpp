@@ -62,7 +62,8 @@ class ForceSearch {
   [[nodiscard]] std::vector<effects::ForceTerm> beside(const effects::ForceTerms& taken) const;
   [[nodiscard]] std::vector<Candidate> with_each(const ForceFit& from,
                                                  const std::vector<effects::ForceTerm>& terms,
-                                                 double most_N2) const;
+                                                 double most_N2,
+                                                 const ForceFit* like = nullptr) const;
   void hold_out(std::vector<Candidate>& all) const;
   bool grow_on();
   bool grow();

@@ -88,6 +88,20 @@ bool moves_sessions(const Judged& one) {
   return one.gain.beside_scatter_N2 < (of_session ? kShiftOfSession : kShift) * taken_N2(one);
 }
 
+/// Whether models differ in what gain and friction of each session take up, nearly all.
+bool is_shift(const PairedGain& gain) {
+  return gain.within_N2 < kShift * gain.moved_N2;
+}
+
+/// Whether one is what a sensor shows and the other what sessions differ in, and they differ in
+/// what they do to whole sessions alone.
+bool both_shift(const Judged& one, effects::ForceTerm other, const PairedGain& lost) {
+  using enum effects::ForceLaw::Of;
+  return moves_sessions(one) && is_shift(lost) &&
+         ((is_of(sensor, one.term) && is_of(session, other)) ||
+          (is_of(session, one.term) && is_of(sensor, other)));
+}
+
 }  // namespace
 
 bool is_of(effects::ForceLaw::Of kind, effects::ForceTerm term) {
@@ -107,8 +121,7 @@ double evidence_of(effects::ForceTerm term, const PairedGain& gain) {
   if (!is_of(effects::ForceLaw::Of::session, term)) {
     return half_square(gain.z);
   }
-  const bool within = gain.within_N2 >= kShift * gain.moved_N2;
-  return gain.of_sessions + (within ? half_square(gain.z_within) : 0);
+  return gain.of_sessions + (is_shift(gain) ? 0 : half_square(gain.z_within));
 }
 
 double freedom_of(effects::ForceTerm term, const ForceData& data) {
@@ -190,8 +203,12 @@ bool Judgement::is_worse_than_none(const Judged& one, const PairedGain& lost) co
   return one.gain.plain_N2 - lost.plain_N2 < -not_worse_N2();
 }
 
-bool Judgement::takes_place(const Judged& one, effects::ForceTerm other,
+bool Judgement::takes_place(const Judged& one, const ForceFit& with_other,
                             const PairedGain& lost) const {
+  const effects::ForceTerm other = with_other.terms.back();
+  if (both_shift(one, other, lost)) {
+    return log_odds_of_shifts(one, with_other, lost) < 0;
+  }
   const double log_odds = both_of(effects::ForceLaw::Of::session, one.term, other)
                               ? log_odds_between_sessions(one, other, lost)
                               : lost.log_odds;
@@ -209,13 +226,24 @@ double Judgement::log_odds_between_sessions(const Judged& one, effects::ForceTer
   return (by_scatter ? lost.of_sessions : lost.log_odds) + of_freedom(one, other);
 }
 
-std::optional<double> Judgement::log_odds_of(const Judged& one, effects::ForceTerm other,
+/// By how sessions scatter with each, and what data leave of their parameters.
+double Judgement::log_odds_of_shifts(const Judged& one, const ForceFit& with_other,
+                                     const PairedGain& lost) const {
+  const auto place = std::ranges::find(model_.terms, one.term) - model_.terms.begin();
+  return lost.of_sessions + data_.log_occam(model_, static_cast<std::size_t>(place)) -
+         data_.log_occam(with_other, with_other.terms.size() - 1);
+}
+
+std::optional<double> Judgement::log_odds_of(const Judged& one, const ForceFit& with_other,
                                              const PairedGain& lost) const {
+  const effects::ForceTerm other = with_other.terms.back();
   if (same_effect(one.term, other)) {
     return std::nullopt;
   }
-  if (both_of(effects::ForceLaw::Of::session, one.term, other)) {
-    const double log_odds = log_odds_between_sessions(one, other, lost);
+  const bool shifts = both_shift(one, other, lost);
+  if (shifts || both_of(effects::ForceLaw::Of::session, one.term, other)) {
+    const double log_odds = shifts ? log_odds_of_shifts(one, with_other, lost)
+                                   : log_odds_between_sessions(one, other, lost);
     return log_odds < kOdds ? std::optional(std::max(log_odds, -kOdds)) : std::nullopt;
   }
   const bool even = alike(one, lost);

@@ -80,12 +80,13 @@ class Judgement {
   [[nodiscard]] bool is_worse_than_none(const Judged& one, const PairedGain& lost) const;
 
   /// Whether another term does better in the place of one.
-  [[nodiscard]] bool takes_place(const Judged& one, effects::ForceTerm other,
+  /// @param with_other the model with that in its place, as its last term
+  [[nodiscard]] bool takes_place(const Judged& one, const ForceFit& with_other,
                                  const PairedGain& lost) const;
 
   /// Against another effect in the place of one; none where it is told that it is not that, or is
   /// the same.
-  [[nodiscard]] std::optional<double> log_odds_of(const Judged& one, effects::ForceTerm other,
+  [[nodiscard]] std::optional<double> log_odds_of(const Judged& one, const ForceFit& with_other,
                                                   const PairedGain& lost) const;
 
   /// What is no effect of the catalogue takes no place, but may be as likely as one that has it.
@@ -105,6 +106,8 @@ class Judgement {
   [[nodiscard]] double of_freedom(const Judged& one, effects::ForceTerm other) const;
   [[nodiscard]] double log_odds_between_sessions(const Judged& one, effects::ForceTerm other,
                                                  const PairedGain& lost) const;
+  [[nodiscard]] double log_odds_of_shifts(const Judged& one, const ForceFit& with_other,
+                                          const PairedGain& lost) const;
 
   const ForceData& data_;
   const ForceFit& model_;

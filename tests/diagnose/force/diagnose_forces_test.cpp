@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <functional>
@@ -34,14 +35,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 using testing::UnorderedElementsAre;
-
-constexpr reference::Constants kWire{177.4, 0.2, 1.53e5, 1.38, 5.94};
-
-NominalModel nominal() {
-  NominalModel nominal;
-  nominal.sheath = {.friction_coefficient = 0.1, .bend_angle_deg = 180};
-  return nominal;
-}
 
 Findings found(const std::vector<effects::ForceRecord>& records) {
   return diagnose_forces(records, nominal(), kWire, {}).findings;
@@ -243,6 +236,79 @@ TEST(DiagnoseForces, WhatMovesSessionsIsNamedBesideTheirScatter) {
     EXPECT_THAT(ids_of(findings), ElementsAre("friction_temperature")) << findings.prose;
     EXPECT_THAT(ids_of(found(warm_sessions(0, seed))), IsEmpty());
   }
+}
+
+/// What shifts friction of whole sessions of a tendon by direction, whose friction scatters by 3 %.
+struct Shifted {
+  double gear_asymmetry = 0;
+  std::array<double, 3> pose_errors_deg{};
+};
+
+/// Sessions of a motor current at 80, 200 and 340 degrees in turn, friction coefficient 0.1.
+std::vector<effects::ForceRecord> shifted(const Shifted& shift, unsigned seed) {
+  constexpr std::array kPoses_deg{80.0, 200.0, 340.0};
+  constexpr double kRadPerDeg = std::numbers::pi / 180;
+  std::vector<effects::ForceRecord> records =
+      measured({.load_N = 15, .still_N = 40, .noise_N = 0.1}, seed, 18);
+  std::mt19937 engine(seed);
+  std::normal_distribution<double> noise(0, 0.2);
+  std::normal_distribution<double> scatter(1, 0.03);
+  for (std::size_t j = 0; j < records.size(); ++j) {
+    effects::ForceRecord& record = records[j];
+    record.pulls_alone = true;
+    record.input_N_per_A = 20;
+    const double pose_deg = kPoses_deg[j % 3];
+    record.bend_angle_rad.assign(record.samples(), pose_deg * kRadPerDeg);
+    const double log_ratio =
+        0.1 * scatter(engine) * (pose_deg + shift.pose_errors_deg[j % 3]) * kRadPerDeg;
+    for (std::size_t i = 0; i < record.samples(); ++i) {
+      const double slip = std::tanh(record.velocity_m_s[i] / 1e-3);
+      record.input_N[i] =
+          record.output_N[i] * std::exp(log_ratio * slip) / (1 + shift.gear_asymmetry * slip) +
+          noise(engine);
+    }
+  }
+  return records;
+}
+
+/// An asymmetry of 3 % is as much at each pose, and a gear has one number where poses have two.
+/// Errors of 12 degrees either way lie on no line.
+TEST(DiagnoseForces, AnAsymmetryOfTheGearIsToldFromErrorsOfThePose) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    const Findings of_gear = found(shifted({.gear_asymmetry = 0.03}, seed));
+    ASSERT_FALSE(of_gear.candidates.empty());
+    EXPECT_EQ(of_gear.candidates.front().id, "gear_asymmetry") << of_gear.prose;
+    EXPECT_THAT(ids_of(of_gear), ElementsAre("gear_asymmetry")) << of_gear.prose;
+    EXPECT_NEAR(estimate(of_gear, "gear_asymmetry").value, 0.03, 0.008);
+    const Findings of_pose = found(shifted({.pose_errors_deg = {12, -12, 0}}, seed));
+    EXPECT_THAT(ids_of(of_pose), ElementsAre("bend_angle")) << of_pose.prose;
+  }
+}
+
+/// Friction of 6 N, four times as much in the middle of strokes of 30 and 60 mm, which both start
+/// at their ends: an integral of the velocity has that 15 and 30 mm from where it begins.
+TEST(DiagnoseForces, ATightPlaceIsFoundWhereOnlyTheVelocityIsKnown) {
+  std::vector<effects::ForceRecord> records = measured({.noise_N = 0.2, .rotor_known = false}, 9);
+  for (std::size_t j = 0; j < records.size(); ++j) {
+    effects::ForceRecord& record = records[j];
+    const double amplitude_m = j % 2 == 0 ? 0.015 : 0.03;
+    for (std::size_t i = 0; i < record.samples(); ++i) {
+      const double from_middle_m = record.position_m[i] * amplitude_m / 0.05;
+      record.position_m[i] = from_middle_m + amplitude_m;
+      record.velocity_m_s[i] *= amplitude_m / 0.05;
+      record.input_N[i] += 6 * (1 + 3 * std::exp(-std::pow(from_middle_m / 0.01, 2))) *
+                           std::tanh(record.velocity_m_s[i] / 1e-3);
+    }
+    record.reversal_m = reversals_m(record);
+  }
+  const Findings findings = found(records);
+  EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
+  EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_position", "friction_preload"))
+      << findings.prose;
+  EXPECT_THAT(findings.prose, HasSubstr("from the middle of each stroke"));
+  EXPECT_TRUE(std::ranges::none_of(findings.extensions, [](const auto& extension) {
+    return extension.id == "friction_position";
+  })) << "a controller does not know where it is";
 }
 
 /// All motion goes one way at one speed: friction of 8 N that the load does not change and a zero

@@ -12,6 +12,7 @@
 
 #include "host_sim/diagnose/force/force_covariates.hpp"
 #include "host_sim/diagnose/force/paired_gain.hpp"
+#include "host_sim/statistics/distribution.hpp"
 #include "tests/diagnose/force/joint.hpp"
 
 namespace host_sim::diagnose {
@@ -169,6 +170,22 @@ TEST(ForceData, WhatMovesSessionsIsSeenByHowTheyScatter) {
     EXPECT_NEAR(gain.of_sessions, -17.5 * std::log(warm.left()), 0.15 * gain.of_sessions);
     EXPECT_LT(gain.within_N2, 0.02 * gain.moved_N2);
   }
+}
+
+/// A normal density of a usual size, here 5 % of the force, at the value that was found, times the
+/// standard error over that size; of four times as many sessions that is half as large.
+TEST(ForceData, WhatIsKnownBetterWasLessLikelyBefore) {
+  const auto occam = [](int sessions) {
+    const ForceData data(measured({.preload_N = 3, .gain_scatter = 0.0}, 21, sessions));
+    const ForceFit fit = data.with(data.fit({}, {1, 0.006}, 15), effects::ForceTerm::preload, 1);
+    const double usual_N = 0.05 * data.scales().larger_N();
+    const double off = fit.parameters[2] / usual_N;
+    const double known =
+        data.half_widths(fit)[2] / statistics::student95(static_cast<double>(sessions) - 3);
+    EXPECT_NEAR(data.log_occam(fit, 0), -off * off / 2 + std::log(known / usual_N), 1e-9);
+    return data.log_occam(fit, 0);
+  };
+  EXPECT_NEAR(occam(12) - occam(48), std::log(2), 0.6);
 }
 
 /// b, d and what friction there is of the rest.

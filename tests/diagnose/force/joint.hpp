@@ -8,8 +8,19 @@
 #include <vector>
 
 #include "host_sim/effects/tension/force_model.hpp"
+#include "host_sim/model/model.hpp"
+#include "host_sim/reference/constants.hpp"
 
 namespace host_sim::diagnose {
+
+inline constexpr reference::Constants kWire{177.4, 0.2, 1.53e5, 1.38, 5.94};
+
+/// A sheath of half a turn, whose friction coefficient is 0.1.
+inline NominalModel nominal() {
+  NominalModel nominal;
+  nominal.sheath = {.friction_coefficient = 0.1, .bend_angle_deg = 180};
+  return nominal;
+}
 
 /// A joint that is driven both ways, by its own equations.
 struct Joint {

@@ -218,7 +218,7 @@ TEST_F(DiagnoseRecordings, CallsUnknownWhatIsTakenOutOfTheCatalogue) {
   DiagnoseOptions options;
   options.without = {"friction_preload"};
   const TensionDiagnosis diagnosis = diagnose_tension(make({.hidden = kPreload}), options);
-  EXPECT_EQ(diagnosis.findings.verdict, Verdict::unknown);
+  EXPECT_EQ(diagnosis.findings.verdict, Verdict::unknown) << diagnosis.findings.prose;
   EXPECT_EQ(probability_of(diagnosis.findings, "friction_preload"), 0);
 }
 
