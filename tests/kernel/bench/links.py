@@ -1,5 +1,6 @@
 """Virtual buses and what is done to them."""
 
+import json
 import subprocess
 
 
@@ -40,6 +41,10 @@ class Cable:
     def fault(self, *netem):
         """Replaces the faults, in the words of tc-netem(8)."""
         run("tc", "qdisc", "replace", "dev", self.near, "root", "netem", *netem)
+
+    def queue(self):
+        """What tc(8) counts of the queue at `near`: `qlen` frames wait in it, `drops` found no room."""
+        return json.loads(run("tc", "-s", "-j", "qdisc", "show", "dev", self.near))[0]
 
     def heal(self):
         run("tc", "qdisc", "delete", "dev", self.near, "root")
