@@ -296,14 +296,15 @@ struct Presliding {
 
 /// Wear or run-in of the sheath: mu (1 + a (n/1000)^p), or mu (1 + a exp(-n/n0)) where p is 0.
 struct FrictionWear {
-  std::int32_t log2_size = 0;  ///< log2 |a|, Q21
+  std::int32_t log2_size = 0;  ///< log2 |a|, Q21, to 8
   std::int32_t lowers = 0;     ///< 1 where a is negative
   std::int32_t exponent = 0;   ///< p, Q28, 0 .. 2
   std::int32_t fading = 0;     ///< log2(e) / (2 n0) for each half cycle, Q31, where p is 0
 
   [[nodiscard]] constexpr bool plausible() const {
-    return log2_size >= -(64 << kExponentBits) && log2_size <= 0 && (lowers & ~1) == 0 &&
-           exponent >= 0 && exponent <= 2 * kOne && fading >= 0 && (exponent == 0) == (fading != 0);
+    return log2_size >= -(64 << kExponentBits) && log2_size <= kMostLog2Size &&
+           (lowers & ~1) == 0 && exponent >= 0 && exponent <= 2 * kOne && fading >= 0 &&
+           (exponent == 0) == (fading != 0);
   }
   template <class Word>
   constexpr void words(Word&& word) {
@@ -320,6 +321,8 @@ struct FrictionWear {
   }
 
  private:
+  static constexpr std::int32_t kMostLog2Size = 3 << kExponentBits;
+
   /// Q21.
   [[nodiscard]] constexpr std::int64_t log2_growth(std::uint32_t half_cycles) const {
     constexpr std::int64_t kNothing = -(std::int64_t{1} << 40);

@@ -199,13 +199,13 @@ void check_wear(const std::string& table, std::uint32_t cycles) {
 RC_GTEST_PROP(Corrector, Wear, ()) {
   check_wear(fmt::format("[extension.friction_wear]\nwear_coefficient = {}\nwear_exponent = {}\n"
                          "run_in_cycles = 0\n",
-                         drawn(-1, 1), drawn(0.1, 2)),
+                         drawn(-1, 6), drawn(0.1, 2)),
              *rc::gen::inRange<std::uint32_t>(0, 5000));
 }
 RC_GTEST_PROP(Corrector, RunIn, ()) {
   check_wear(fmt::format("[extension.friction_wear]\nwear_coefficient = {}\nwear_exponent = 0\n"
                          "run_in_cycles = {}\n",
-                         drawn(-1, 1), drawn(1, 10000)),
+                         drawn(-1, 6), drawn(1, 10000)),
              *rc::gen::inRange<std::uint32_t>(0, 100000));
 }
 

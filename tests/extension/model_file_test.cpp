@@ -103,6 +103,16 @@ TEST(ExtensionRead, AWearWithoutALawIsRefused) {
             "");
 }
 
+/// A factor of mu is held to 7.
+TEST(ExtensionRead, FrictionIsUpToSevenTimesAsHighWhenNew) {
+  const auto with = [](const std::string& coefficient) {
+    return complaint("[extension.friction_wear]\nwear_coefficient = " + coefficient +
+                     "\nwear_exponent = 0\nrun_in_cycles = 300\n");
+  };
+  EXPECT_EQ(with("6"), "");
+  EXPECT_THAT(with("6.1"), HasSubstr("wear_coefficient -1..6"));
+}
+
 TEST(ExtensionRead, FrictionOfVelocityIsOneLawOrTheOther) {
   const Model model = model_with("[extension.friction_velocity]\nviscous_N_s_m = 30\n");
   ASSERT_EQ(model.extensions[0].values.size(), 1u);

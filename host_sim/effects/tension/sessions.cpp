@@ -42,7 +42,10 @@ constexpr ForceLaw kLaw{
 
 namespace wear {
 
-constexpr TableKey kTable[] = {{{"wear_coefficient", "", {-1, 1}}},
+/// Friction is held to seven times that of the model.
+constexpr double kMostWear = 6;
+
+constexpr TableKey kTable[] = {{{"wear_coefficient", "", {-1, kMostWear}}},
                                {{"wear_exponent", "", {0, 2}}},
                                {{"run_in_cycles", "cycles", {0, 10000}}}};
 
@@ -62,7 +65,7 @@ std::string_view needs_cycles(const ForceRecord& record) {
 }
 
 Parameters wear_parameters(const ForceScales& /*scales*/) {
-  return {usual(0.3, {"wear_coefficient", "1", -1, 1, {0.02}}),
+  return {usual(0.3, {"wear_coefficient", "1", -1, kMostWear, {0.02}}),
           {"wear_exponent", "1", 0.1, 2, {1, 0.5}}};
 }
 
@@ -87,7 +90,7 @@ constexpr ForceLaw kWear{.effect = &kEffect,
 constexpr double kMost_cycles = 10000;
 
 Parameters run_in_parameters(const ForceScales& scales) {
-  return {usual(0.3, {"wear_coefficient", "1", -1, 1, {0.05}}),
+  return {usual(0.3, {"wear_coefficient", "1", -1, kMostWear, {0.05}}),
           {"run_in_cycles",
            "cycles",
            1,
