@@ -293,7 +293,7 @@ bool ForceSearch::grow() {
     best = std::ranges::max_element(all, {}, [&](const Candidate& one) {
       const effects::ForceTerm term = one.fit.terms.back();
       return evidence_of(term, paired_gain(data_, model_.held, one.held, true)) -
-             freedom_of(term, data_);
+             cost_of(term, data_);
     });
   }
   if (best == all.end()) {
@@ -432,12 +432,13 @@ bool ForceSearch::exchange(bool allowed) {
         Judgement::beside_catalogue(other, lost, judged);
         continue;
       }
-      if (allowed && judgement.takes_place(judged, one.fit, lost)) {
+      const Rival rival = judgement.rival(judged, one.fit, lost);
+      if (allowed && Judgement::takes_place(judged, rival)) {
         added_.push_back({other, std::nullopt});
         model_ = std::move(one);
         return true;
       }
-      if (const auto log_odds = judgement.log_odds_of(judged, one.fit, lost)) {
+      if (const auto log_odds = judgement.log_odds_of(judged, rival)) {
         judged.others.push_back({other, *log_odds});
       }
     }

@@ -124,18 +124,18 @@ double evidence_of(effects::ForceTerm term, const PairedGain& gain) {
   return gain.of_sessions + (is_shift(gain) ? 0 : half_square(gain.z_within));
 }
 
-double freedom_of(effects::ForceTerm term, const ForceData& data) {
-  double freedom = 0;
+double cost_of(effects::ForceTerm term, const ForceData& data) {
+  double cost = 0;
   for (const effects::ForceParameter& parameter : parameters_of(term, data.scales())) {
-    freedom += parameter.chosen ? std::log(static_cast<double>(parameter.starts.size()))
-                                : std::log(static_cast<double>(data.records().size())) / 2;
+    cost += parameter.chosen ? std::log(static_cast<double>(parameter.starts.size()))
+                             : std::log(static_cast<double>(data.records().size())) / 2;
   }
-  return freedom;
+  return cost;
 }
 
 double probability_of(effects::ForceTerm term, const PairedGain& gain, const ForceData& data) {
   const double evidence = evidence_of(term, gain);
-  const double log_odds = evidence + std::log(kPrior / (1 - kPrior)) - freedom_of(term, data);
+  const double log_odds = evidence + std::log(kPrior / (1 - kPrior)) - cost_of(term, data);
   return evidence > 0 && gain.any() ? 1 / (1 + std::exp(-log_odds)) : 0;
 }
 
@@ -203,27 +203,34 @@ bool Judgement::is_worse_than_none(const Judged& one, const PairedGain& lost) co
   return one.gain.plain_N2 - lost.plain_N2 < -not_worse_N2();
 }
 
-bool Judgement::takes_place(const Judged& one, const ForceFit& with_other,
-                            const PairedGain& lost) const {
+Rival Judgement::rival(const Judged& one, const ForceFit& with_other,
+                       const PairedGain& lost) const {
   const effects::ForceTerm other = with_other.terms.back();
-  if (both_shift(one, other, lost)) {
-    return log_odds_of_shifts(one, with_other, lost) < 0;
+  Rival rival{other, lost, lost.log_odds, both_shift(one, other, lost)};
+  if (rival.shifts) {
+    rival.log_odds = log_odds_of_shifts(one, with_other, lost);
+  } else if (both_of(effects::ForceLaw::Of::session, one.term, other)) {
+    rival.log_odds = log_odds_between_sessions(one, other, lost);
   }
-  const double log_odds = both_of(effects::ForceLaw::Of::session, one.term, other)
-                              ? log_odds_between_sessions(one, other, lost)
-                              : lost.log_odds;
-  return log_odds < -kOdds && (!same_effect(one.term, other) || lost.z < -kSeen);
+  return rival;
 }
 
-double Judgement::of_freedom(const Judged& one, effects::ForceTerm other) const {
-  return freedom_of(other, data_) - freedom_of(one.term, data_);
+bool Judgement::takes_place(const Judged& one, const Rival& rival) {
+  if (rival.shifts) {
+    return rival.log_odds < 0;
+  }
+  return rival.log_odds < -kOdds && (!same_effect(one.term, rival.term) || rival.lost.z < -kSeen);
+}
+
+double Judgement::cheaper(const Judged& one, effects::ForceTerm other) const {
+  return cost_of(other, data_) - cost_of(one.term, data_);
 }
 
 /// By what is seen of them within sessions, or by how those scatter.
 double Judgement::log_odds_between_sessions(const Judged& one, effects::ForceTerm other,
                                             const PairedGain& lost) const {
   const bool by_scatter = alike(one, lost) || std::abs(lost.of_sessions) > std::abs(lost.log_odds);
-  return (by_scatter ? lost.of_sessions : lost.log_odds) + of_freedom(one, other);
+  return (by_scatter ? lost.of_sessions : lost.log_odds) + cheaper(one, other);
 }
 
 /// By how sessions scatter with each, and what data leave of their parameters.
@@ -234,26 +241,22 @@ double Judgement::log_odds_of_shifts(const Judged& one, const ForceFit& with_oth
          data_.log_occam(with_other, with_other.terms.size() - 1);
 }
 
-std::optional<double> Judgement::log_odds_of(const Judged& one, const ForceFit& with_other,
-                                             const PairedGain& lost) const {
-  const effects::ForceTerm other = with_other.terms.back();
-  if (same_effect(one.term, other)) {
+std::optional<double> Judgement::log_odds_of(const Judged& one, const Rival& rival) const {
+  if (same_effect(one.term, rival.term)) {
     return std::nullopt;
   }
-  const bool shifts = both_shift(one, other, lost);
-  if (shifts || both_of(effects::ForceLaw::Of::session, one.term, other)) {
-    const double log_odds = shifts ? log_odds_of_shifts(one, with_other, lost)
-                                   : log_odds_between_sessions(one, other, lost);
-    return log_odds < kOdds ? std::optional(std::max(log_odds, -kOdds)) : std::nullopt;
+  if (rival.shifts || both_of(effects::ForceLaw::Of::session, one.term, rival.term)) {
+    return rival.log_odds < kOdds ? std::optional(std::max(rival.log_odds, -kOdds)) : std::nullopt;
   }
+  const PairedGain& lost = rival.lost;
   const bool even = alike(one, lost);
   const bool between = !moves_sessions(one) && nearer_by(lost) < kNearer;
-  if (!even && !between && lost.log_odds >= kOdds) {
+  if (!even && !between && rival.log_odds >= kOdds) {
     return std::nullopt;
   }
   // Chance and the laws' own errors both count.
   const double most = even ? 0 : std::min(std::abs(nearer_by(lost)), kOdds);
-  return std::clamp(lost.log_odds, -most, most) + of_freedom(one, other);
+  return std::clamp(rival.log_odds, -most, most) + cheaper(one, rival.term);
 }
 
 void Judgement::beside_catalogue(effects::ForceTerm other, const PairedGain& lost, Judged& one) {

@@ -47,8 +47,8 @@ bool same_effect(effects::ForceTerm one, effects::ForceTerm other);
 /// those within sessions and the likelihood of what they differ by.
 double evidence_of(effects::ForceTerm term, const PairedGain& gain);
 
-/// What the freedom of a term's parameters counts against it, as a logarithm of odds (Laplace).
-double freedom_of(effects::ForceTerm term, const ForceData& data);
+/// What a term's parameters count against it, as a logarithm of odds (Laplace).
+double cost_of(effects::ForceTerm term, const ForceData& data);
 
 /// That the effect of a term is there: Laplace, evidence against as many parameters, of so many
 /// sessions, and of what is tried one by one each as likely before.
@@ -59,6 +59,14 @@ bool may_be(effects::ForceTerm term, const PairedGain& gain, const ForceData& da
 
 /// Whether the error is larger, sample by sample, by no more than is allowed and sessions scatter.
 bool within_scatter(const PairedGain& gain, double allowed_N2 = 0);
+
+/// Another term in the place of one.
+struct Rival {
+  effects::ForceTerm term{};
+  PairedGain lost;      ///< by it
+  double log_odds = 0;  ///< of the model, against one with it
+  bool shifts = false;  ///< one moves whole sessions alone, as a sensor does, and so does the other
+};
 
 /// What it takes to stay in a model, and what could stand in the place of that.
 class Judgement {
@@ -79,15 +87,15 @@ class Judgement {
   /// @param lost by another term in that place
   [[nodiscard]] bool is_worse_than_none(const Judged& one, const PairedGain& lost) const;
 
-  /// Whether another term does better in the place of one.
-  /// @param with_other the model with that in its place, as its last term
-  [[nodiscard]] bool takes_place(const Judged& one, const ForceFit& with_other,
-                                 const PairedGain& lost) const;
+  /// @param with_other the model with another term in the place of one, as its last
+  [[nodiscard]] Rival rival(const Judged& one, const ForceFit& with_other,
+                            const PairedGain& lost) const;
 
-  /// Against another effect in the place of one; none where it is told that it is not that, or is
-  /// the same.
-  [[nodiscard]] std::optional<double> log_odds_of(const Judged& one, const ForceFit& with_other,
-                                                  const PairedGain& lost) const;
+  /// Whether the other does better.
+  [[nodiscard]] static bool takes_place(const Judged& one, const Rival& rival);
+
+  /// Against another effect; none where it is told that it is not that, or is the same.
+  [[nodiscard]] std::optional<double> log_odds_of(const Judged& one, const Rival& rival) const;
 
   /// What is no effect of the catalogue takes no place, but may be as likely as one that has it.
   static void beside_catalogue(effects::ForceTerm other, const PairedGain& lost, Judged& one);
@@ -103,11 +111,11 @@ class Judgement {
  private:
   [[nodiscard]] double not_worse_N2() const;
   [[nodiscard]] bool alike(const Judged& one, const PairedGain& lost) const;
-  [[nodiscard]] double of_freedom(const Judged& one, effects::ForceTerm other) const;
   [[nodiscard]] double log_odds_between_sessions(const Judged& one, effects::ForceTerm other,
                                                  const PairedGain& lost) const;
   [[nodiscard]] double log_odds_of_shifts(const Judged& one, const ForceFit& with_other,
                                           const PairedGain& lost) const;
+  [[nodiscard]] double cheaper(const Judged& one, effects::ForceTerm other) const;
 
   const ForceData& data_;
   const ForceFit& model_;
