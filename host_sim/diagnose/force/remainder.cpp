@@ -29,7 +29,7 @@ constexpr double kRareTrend = SessionScatter::kRare;
 /// After a second noise of sensors is forgotten, and after a quarter its size: of first order, with
 /// a coefficient of 0.95 at 100 Hz, a correlation of 0.006 is left, and of its squares 0.08.
 constexpr double kForgotten_s = 1;
-constexpr double kLeastMemory = 0.1;
+constexpr double kLeastMemory = 0.05;
 constexpr double kBurst_s = 0.25;
 constexpr double kLeastOfBursts = 0.12;
 
