@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
+#include <span>
 #include <utility>
 
 #include "hal/files/input_error.hpp"
 #include "host_sim/recording/motion.hpp"
+#include "host_sim/recording/sensor.hpp"
 #include "host_sim/recording/signal.hpp"
 #include "host_sim/reference/equations.hpp"
 
@@ -47,8 +50,8 @@ std::vector<double> input_of(const Recording& recording, const NominalModel& nom
   return input_N;
 }
 
-std::vector<double> position_of(const Recording& recording, bool rotor_known,
-                                const NominalModel& nominal) {
+std::vector<double> position_of(const Recording& recording, const std::vector<double>& velocity_m_s,
+                                bool rotor_known, const NominalModel& nominal) {
   if (rotor_known) {
     std::vector<double> position_m = recording[kMotorAngle];
     for (double& value : position_m) {
@@ -56,7 +59,7 @@ std::vector<double> position_of(const Recording& recording, bool rotor_known,
     }
     return position_m;
   }
-  return recording::integral(recording[kTime], recording[kTendonVelocity]);
+  return recording::integral(recording[kTime], velocity_m_s);
 }
 
 std::vector<double> angle_of(const Recording& recording, const NominalModel& nominal) {
@@ -111,15 +114,62 @@ void leave_out(const Recording& recording, const std::vector<Fault>& faults,
   }
 }
 
-/// At rest, to rounding, friction has no direction.
+double most_of(std::span<const double> velocity_m_s) {
+  double most_m_s = 0;
+  for (const double value_m_s : velocity_m_s) {
+    most_m_s = std::max(most_m_s, std::abs(value_m_s));
+  }
+  return most_m_s;
+}
+
+/// Without what noise makes of rest, which would move the tendon there and back. A velocity that is
+/// quieter there than elsewhere stays as it is.
+std::vector<double> velocity_of(const Recording& recording) {
+  constexpr std::ptrdiff_t kLeast = 10;  // samples in a row: fewer are of a slow turn
+  constexpr double kOfNoise = 4;
+  constexpr double kMost = 0.25;  // of the largest speed
+  // Half of normal noise is beyond 0.67 of its standard deviation.
+  constexpr double kQuiet = 0.2;
+  // A motion that turns goes from one end of the band to the other: half of its samples are beyond
+  // twice the noise, in the mean, on each side.
+  constexpr double kOfMean = 1.5;
+  std::vector<double> velocity_m_s = recording[kTendonVelocity];
+  const double noise_m_s = recording::noise_sigma(velocity_m_s);
+  const double least_m_s = std::min(kOfNoise * noise_m_s, kMost * most_of(velocity_m_s));
+  const auto is_slow = [&](double value_m_s) { return std::abs(value_m_s) <= least_m_s; };
+  const auto is_quiet = [&](double value_m_s) { return std::abs(value_m_s) <= kQuiet * noise_m_s; };
+  for (auto at = velocity_m_s.begin(); at != velocity_m_s.end();) {
+    const auto first = std::find_if(at, velocity_m_s.end(), is_slow);
+    at = std::find_if_not(first, velocity_m_s.end(), is_slow);
+    const std::ptrdiff_t half = (at - first) / 2;
+    const double most_m_s = kOfMean * noise_m_s * static_cast<double>(half);
+    if (at - first >= kLeast && std::count_if(first, at, is_quiet) <= half &&
+        std::abs(std::accumulate(first, first + half, 0.0)) <= most_m_s &&
+        std::abs(std::accumulate(at - half, at, 0.0)) <= most_m_s) {
+      std::fill(first, at, 0.0);
+    }
+  }
+  return velocity_m_s;
+}
+
+/// At rest, to rounding, friction has no direction, and before and after a while of that none that
+/// is known.
 void leave_out_rest(effects::ForceRecord& record) {
   constexpr double kRounding = 1e-9;
-  double most_m_s = 0;
-  for (const double velocity_m_s : record.velocity_m_s) {
-    most_m_s = std::max(most_m_s, std::abs(velocity_m_s));
-  }
+  constexpr std::size_t kWhile = 4;  // samples
+  const double least_m_s = kRounding * most_of(record.velocity_m_s);
+  std::size_t rested = 0;
   for (std::size_t i = 0; i < record.samples(); ++i) {
-    record.used[i] = record.used[i] && std::abs(record.velocity_m_s[i]) > kRounding * most_m_s;
+    if (std::abs(record.velocity_m_s[i]) <= least_m_s) {
+      ++rested;
+      record.used[i] = false;
+      if (rested == kWhile && i >= kWhile) {
+        record.used[i - kWhile] = false;
+      }
+    } else {
+      record.used[i] = record.used[i] && rested < kWhile;
+      rested = 0;
+    }
   }
 }
 
@@ -178,10 +228,10 @@ std::vector<effects::ForceRecord> force_records(const std::vector<Recording>& re
     }
     record.output_N = recording[kOutputTensionColumn];
     record.output_rate_N_s = rate_of(record.time_s, record.output_N);
-    record.velocity_m_s = recording[kTendonVelocity];
+    record.velocity_m_s = velocity_of(recording);
     const bool rotor = recording.has(kMotorAngle) && !constant(recording, faults, kMotorAngle);
     record.rotor_known = nominal.drive && rotor;
-    record.position_m = position_of(recording, record.rotor_known, nominal);
+    record.position_m = position_of(recording, record.velocity_m_s, record.rotor_known, nominal);
     if (rotor) {
       record.rotor_rad = recording[kMotorAngle];
     }

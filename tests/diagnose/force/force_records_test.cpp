@@ -58,6 +58,40 @@ TEST(ForceRecords, SamplesAtRestDoNotCount) {
   EXPECT_TRUE(record_of(recording).used[50]);
 }
 
+std::vector<double> noisy(std::vector<double> values, double sd) {
+  std::mt19937 engine(3);
+  std::normal_distribution<double> noise(0, sd);
+  for (double& value : values) {
+    value += noise(engine);
+  }
+  return values;
+}
+
+/// Two seconds there, two of rest and two back, with noise of the velocity: the tendon stays where
+/// it is at rest, and neither that nor the samples on either side of it count.
+TEST(ForceRecords, NoiseOfAVelocityAtRestIsNoMotion) {
+  Recording recording = recorded(sine_N);
+  std::vector<double> velocity_m_s(600);
+  std::fill_n(velocity_m_s.begin(), 200, 0.02);
+  std::fill_n(velocity_m_s.begin() + 400, 200, -0.02);
+  recording.channels[kTendonVelocity] = noisy(velocity_m_s, 0.001);
+  const effects::ForceRecord record = record_of(recording);
+  EXPECT_EQ(record.position_m[399], record.position_m[201]);
+  EXPECT_EQ(std::ranges::count(record.used, false), 202);
+  EXPECT_TRUE(record.used[198]);
+  EXPECT_FALSE(record.used[199]);
+  EXPECT_FALSE(record.used[400]);
+  EXPECT_TRUE(record.used[401]);
+}
+
+/// Twelve samples of each of six turns are within four standard deviations of the noise: they are
+/// taken for motion, but for some by chance.
+TEST(ForceRecords, AMotionThatTurnsSlowlyDoesNotRest) {
+  Recording recording = recorded(sine_N);
+  recording.channels[kTendonVelocity] = noisy(recording.channels[kTendonVelocity], 0.003);
+  EXPECT_LT(std::ranges::count(record_of(recording).used, false), 12);
+}
+
 TEST(ForceRecords, CyclesGoOnFromTheStartOfTheSession) {
   const std::vector<Recording> recordings{recorded(sine_N, 1000), recorded(sine_N, 3000)};
   const std::vector<effects::ForceRecord> records =
