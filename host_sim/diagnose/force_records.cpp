@@ -125,7 +125,7 @@ double most_of(std::span<const double> velocity_m_s) {
 /// Without what noise makes of rest, which would move the tendon there and back. A velocity that is
 /// quieter there than elsewhere stays as it is.
 std::vector<double> velocity_of(const Recording& recording) {
-  constexpr std::ptrdiff_t kLeast = 10;  // samples in a row: fewer are of a slow turn
+  constexpr std::size_t kLeast = 10;  // samples in a row: fewer are of a slow turn
   constexpr double kOfNoise = 4;
   constexpr double kMost = 0.25;  // of the largest speed
   // Half of normal noise is beyond 0.67 of its standard deviation.
@@ -136,17 +136,21 @@ std::vector<double> velocity_of(const Recording& recording) {
   std::vector<double> velocity_m_s = recording[kTendonVelocity];
   const double noise_m_s = recording::noise_sigma(velocity_m_s);
   const double least_m_s = std::min(kOfNoise * noise_m_s, kMost * most_of(velocity_m_s));
-  const auto is_slow = [&](double value_m_s) { return std::abs(value_m_s) <= least_m_s; };
   const auto is_quiet = [&](double value_m_s) { return std::abs(value_m_s) <= kQuiet * noise_m_s; };
-  for (auto at = velocity_m_s.begin(); at != velocity_m_s.end();) {
-    const auto first = std::find_if(at, velocity_m_s.end(), is_slow);
-    at = std::find_if_not(first, velocity_m_s.end(), is_slow);
-    const std::ptrdiff_t half = (at - first) / 2;
+  std::vector<bool> slow;
+  slow.reserve(velocity_m_s.size());
+  for (const double value_m_s : velocity_m_s) {
+    slow.push_back(std::abs(value_m_s) <= least_m_s);
+  }
+  for (const recording::Stretch& stretch : recording::stretches_of(slow, true, kLeast)) {
+    const auto first = velocity_m_s.begin() + static_cast<std::ptrdiff_t>(stretch.first);
+    const auto end = first + static_cast<std::ptrdiff_t>(stretch.count);
+    const std::ptrdiff_t half = (end - first) / 2;
     const double most_m_s = kOfMean * noise_m_s * static_cast<double>(half);
-    if (at - first >= kLeast && std::count_if(first, at, is_quiet) <= half &&
+    if (std::count_if(first, end, is_quiet) <= half &&
         std::abs(std::accumulate(first, first + half, 0.0)) <= most_m_s &&
-        std::abs(std::accumulate(at - half, at, 0.0)) <= most_m_s) {
-      std::fill(first, at, 0.0);
+        std::abs(std::accumulate(end - half, end, 0.0)) <= most_m_s) {
+      std::fill(first, end, 0.0);
     }
   }
   return velocity_m_s;
@@ -158,17 +162,17 @@ void leave_out_rest(effects::ForceRecord& record) {
   constexpr double kRounding = 1e-9;
   constexpr std::size_t kWhile = 4;  // samples
   const double least_m_s = kRounding * most_of(record.velocity_m_s);
-  std::size_t rested = 0;
+  std::vector<bool> rests;
   for (std::size_t i = 0; i < record.samples(); ++i) {
-    if (std::abs(record.velocity_m_s[i]) <= least_m_s) {
-      ++rested;
-      record.used[i] = false;
-      if (rested == kWhile && i >= kWhile) {
-        record.used[i - kWhile] = false;
-      }
-    } else {
-      record.used[i] = record.used[i] && rested < kWhile;
-      rested = 0;
+    rests.push_back(std::abs(record.velocity_m_s[i]) <= least_m_s);
+    record.used[i] = record.used[i] && !rests[i];
+  }
+  for (const recording::Stretch& stretch : recording::stretches_of(rests, true, kWhile)) {
+    if (stretch.first > 0) {
+      record.used[stretch.first - 1] = false;
+    }
+    if (stretch.end() < record.samples()) {
+      record.used[stretch.end()] = false;
     }
   }
 }

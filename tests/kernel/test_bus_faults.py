@@ -74,8 +74,7 @@ class CableFaultTest(Case):
     def test_a_full_queue_blocks_nothing_and_the_emergency_survives(self):
         # Ten frames find room, then none until the queue is gone.
         self._cable.fault("delay", "60s", "limit", "10")
-        self.eventually(lambda: self._cable.queue()["drops"] > 0, "the queue is full")
-        refused = self._cable.queue()["drops"]
+        refused = self.eventually(lambda: self._cable.queue()["drops"], "the queue is full")
         self.assert_loop_goes_on()
         self.eventually(lambda: self._cable.queue()["drops"] > refused, "frames are offered in vain")
         self._chip.pull("stop", up=True)
