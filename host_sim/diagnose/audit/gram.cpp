@@ -132,25 +132,16 @@ GramLayout layout_of(std::span<const ForceRecord> records, const ForceScales& sc
   return layout;
 }
 
-Eigen::MatrixX2d directions_of(const ForceRecord& record, const effects::Kinematics& kinematics,
-                               const ForceScales& scales, double gain,
-                               double friction_coefficient) {
-  constexpr double kStep = 1e-4;
-  const Eigen::VectorXd at_N =
-      predicted_N(record, kinematics, {}, scales, {gain, friction_coefficient});
-  const Eigen::VectorXd above_N =
-      predicted_N(record, kinematics, {}, scales, {gain, friction_coefficient + kStep});
-  Eigen::MatrixX2d directions_N(at_N.size(), 2);
-  directions_N << at_N, (above_N - at_N) / kStep;
-  return directions_N;
-}
-
 Eigen::MatrixXd columns_of(const ForceRecord& record, const GramLayout& layout,
                            const ForceScales& scales, double friction_coefficient) {
   const effects::Kinematics kinematics = kinematics_of(record, scales);
   Eigen::MatrixXd columns(static_cast<Index>(record.samples()), static_cast<Index>(layout.size));
-  columns.leftCols<2>() = directions_of(record, kinematics, scales, 1, friction_coefficient);
-  const Eigen::VectorXd nominal_N = columns.col(Index{GramLayout::kGain});
+  constexpr double kStep = 1e-4;
+  const Eigen::VectorXd nominal_N =
+      predicted_N(record, kinematics, {}, scales, {1, friction_coefficient});
+  const Eigen::VectorXd above_N =
+      predicted_N(record, kinematics, {}, scales, {1, friction_coefficient + kStep});
+  columns.leftCols<2>() << nominal_N, (above_N - nominal_N) / kStep;
   for (const GramLayout::Effect& effect : layout.effects) {
     for (const GramLayout::Case& one : effect.cases) {
       const auto with_N = [&](const std::vector<double>& of_term) {

@@ -60,13 +60,6 @@ effects::ForceScales sharp_scales_of(std::span<const effects::ForceRecord> recor
 GramLayout layout_of(std::span<const effects::ForceRecord> records,
                      const effects::ForceScales& scales);
 
-/// What a unit of ln gain, then of friction, does to the input force of a record by the nominal
-/// model, in N; 0 where a sample does not count.
-Eigen::MatrixX2d directions_of(const effects::ForceRecord& record,
-                               const effects::Kinematics& kinematics,
-                               const effects::ForceScales& scales, double gain,
-                               double friction_coefficient);
-
 /// The columns of one record in N, samples() x size of the layout, in order of the layout; 0 where
 /// a sample does not count.
 Eigen::MatrixXd columns_of(const effects::ForceRecord& record, const GramLayout& layout,

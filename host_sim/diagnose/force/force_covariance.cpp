@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "host_sim/diagnose/audit/gram.hpp"
-
 namespace host_sim::diagnose {
 namespace {
 
@@ -147,19 +145,15 @@ double inflation_of(const Eigen::VectorXd& residuals) {
 }
 
 ForceCovariance::ForceCovariance(std::span<const effects::ForceRecord> records,
-                                 const effects::ForceScales& scales,
-                                 std::span<const double> parameters,
+                                 std::span<const Eigen::MatrixX2d> directions_N,
                                  const std::vector<std::vector<double>>& residuals_N,
-                                 bool with_timing) {
+                                 double friction_coefficient, bool with_timing) {
   const auto sessions = static_cast<double>(records.size());
   if (records.size() < 2) {
     return;
   }
-  std::vector<Eigen::MatrixX2d> directions_N;
   std::vector<RefitOfSession> refits;
   for (std::size_t j = 0; j < records.size(); ++j) {
-    directions_N.push_back(directions_of(records[j], kinematics_of(records[j], scales), scales,
-                                         parameters[0], parameters[1]));
     refits.push_back(refit_of(directions_N[j], Eigen::VectorXd::Ones(directions_N[j].rows()),
                               vector_of(residuals_N[j])));
   }
@@ -195,7 +189,7 @@ ForceCovariance::ForceCovariance(std::span<const effects::ForceRecord> records,
     variance += (refit.of.value.array() - mean).square() / (sessions - 1) -
                 refit.of.covariance.diagonal().array() / sessions;
   }
-  most_scatter_ = {kMostLogGain, kMostFriction * parameters[1]};
+  most_scatter_ = {kMostLogGain, kMostFriction * friction_coefficient};
   variance = variance.max(0).min(most_scatter_.square());
   log_gain_sd_ = std::sqrt(variance[0]);
   friction_sd_ = std::sqrt(variance[1]);

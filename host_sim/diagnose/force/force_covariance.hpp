@@ -24,12 +24,15 @@ class ForceCovariance {
   /// The same noise everywhere and no scatter.
   ForceCovariance() = default;
 
-  /// @param parameters of the nominal model: what gain and friction do to the force is taken there
+  /// @param directions_N dT_in/d ln gain and dT_in/d mu of each record, 0 where a sample does not
+  ///   count
   /// @param residuals_N of the best model so far, by record, 0 where a sample does not count
+  /// @param friction_coefficient that a tenth of is the most that scatters
   /// @param with_timing whether samples may have been read sooner or later than their time
-  ForceCovariance(std::span<const effects::ForceRecord> records, const effects::ForceScales& scales,
-                  std::span<const double> parameters,
-                  const std::vector<std::vector<double>>& residuals_N, bool with_timing);
+  ForceCovariance(std::span<const effects::ForceRecord> records,
+                  std::span<const Eigen::MatrixX2d> directions_N,
+                  const std::vector<std::vector<double>>& residuals_N, double friction_coefficient,
+                  bool with_timing);
 
   /// The same noise from here on, and no scatter.
   void forget_scatter();

@@ -10,6 +10,22 @@
 
 /// What a fit takes from the records before it begins, and what they leave of a model.
 namespace host_sim::diagnose {
+namespace {
+
+/// With what changes in a session as it is in its mean.
+effects::ForceRecord at_session_means(effects::ForceRecord record) {
+  for (auto* const channel :
+       {&record.sheath_temperature_C, &record.winding_temperature_C, &record.cycle}) {
+    const Eigen::Map<Eigen::VectorXd> values(channel->data(),
+                                             static_cast<Eigen::Index>(channel->size()));
+    if (!channel->empty()) {
+      std::ranges::fill(*channel, values.mean());
+    }
+  }
+  return record;
+}
+
+}  // namespace
 
 ForceData::ForceData(std::vector<effects::ForceRecord> records) {
   take_records(std::move(records), kMostSamples);
@@ -152,6 +168,40 @@ std::vector<std::vector<double>> ForceData::residuals_N(const ForceFit& fit) con
     all.push_back(residuals_N(j, fit.terms, fit.parameters));
   }
   return all;
+}
+
+Eigen::MatrixX2d ForceData::directions_N(std::size_t record, const ForceFit& model,
+                                         double friction_coefficient) const {
+  constexpr double kStep = 1e-4;
+  const effects::ForceRecord of = at_session_means(records_[record]);
+  std::vector<double> even = model.parameters;
+  std::vector<double> moved = model.parameters;
+  moved[1] *= 1 + kStep;
+  for (std::size_t i = 0; i < model.terms.size(); ++i) {
+    const auto at = static_cast<std::size_t>(
+        parameters_at(i, model.terms, model.parameters, scales_).data() - model.parameters.data());
+    if (model.terms[i] == effects::ForceTerm::preload) {
+      moved[at] *= 1 + kStep;
+    } else if (model.terms[i] == effects::ForceTerm::load) {
+      even[at] = 0;
+      moved[at] = 0;
+    }
+  }
+  const auto predicted_N = [&](const std::vector<double>& parameters) {
+    std::vector<double> input_N;
+    predict_input(of, kinematics_[record], model.terms, scales_, parameters, input_N);
+    return input_N;
+  };
+  const std::vector<double> at_N = predicted_N(model.parameters);
+  const std::vector<double> even_N = predicted_N(even);
+  const std::vector<double> moved_N = predicted_N(moved);
+  Eigen::MatrixX2d directions(static_cast<Eigen::Index>(at_N.size()), 2);
+  for (std::size_t i = 0; i < at_N.size(); ++i) {
+    const double used = of.used[i] ? 1 : 0;
+    directions.row(static_cast<Eigen::Index>(i)) << used * at_N[i],
+        used * (moved_N[i] - even_N[i]) / (kStep * friction_coefficient);
+  }
+  return directions;
 }
 
 double ForceData::noise_taken_N2(const ForceFit& before, const ForceFit& after) const {

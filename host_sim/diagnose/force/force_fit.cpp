@@ -290,8 +290,13 @@ std::vector<double> ForceData::mean_squares_N2(
 }
 
 void ForceData::learn_covariance(const ForceFit& nominal, const ForceFit& model, bool with_timing) {
+  const double friction_coefficient = nominal.parameters[1];
+  std::vector<Eigen::MatrixX2d> directions;
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    directions.push_back(directions_N(j, model, friction_coefficient));
+  }
   covariance_ =
-      ForceCovariance(records_, scales_, nominal.parameters, residuals_N(model), with_timing);
+      ForceCovariance(records_, directions, residuals_N(model), friction_coefficient, with_timing);
   gain_weight_N2_ = 0;
   gain_weight_N2_ = gain_weight_N2(square_of(model.terms, model.parameters, -1));
 }

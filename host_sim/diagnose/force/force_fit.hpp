@@ -58,7 +58,8 @@ class ForceData {
   /// @returns whether it is
   bool settle_turn_over(const ForceFit& model);
 
-  /// From here on gain and friction of sessions scatter as this model leaves them to.
+  /// From here on gain and friction of sessions scatter as this model leaves them to, and do to
+  /// the force what they do by it.
   /// @param with_timing whether samples may have been read sooner or later than their time
   void learn_covariance(const ForceFit& nominal, const ForceFit& model, bool with_timing);
   /// From here on they do not scatter.
@@ -77,6 +78,13 @@ class ForceData {
 
   /// Of all records.
   [[nodiscard]] std::vector<std::vector<double>> residuals_N(const ForceFit& fit) const;
+
+  /// What a unit of ln gain, then of friction, of a session does to the input force by a model, in
+  /// N; 0 where a sample does not count. All that rubs at any speed goes in proportion, at the
+  /// temperatures and the age of the whole session.
+  /// @param friction_coefficient that it is a share of
+  [[nodiscard]] Eigen::MatrixX2d directions_N(std::size_t record, const ForceFit& model,
+                                              double friction_coefficient) const;
 
   /// Sum of squares of what two models differ by, beside the scatter of sessions.
   [[nodiscard]] double distance_N2(const ForceFit& one, const ForceFit& other) const;

@@ -167,14 +167,22 @@ void ForceSearch::report(double share) const {
 /// model would leave where the force changes fast is noise only once those are in it that act
 /// there.
 void ForceSearch::learn_covariance() {
+  nominal_ = by_own_scatter(nominal_.fit);
   data_.learn_covariance(nominal_.fit, model_.fit, with_timing_);
-  for (Candidate* const one : {&nominal_, &model_}) {
-    one->fit = data_.fit(one->fit.terms, one->fit.parameters, ForceData::kIterations);
-    one->held = data_.held_out(one->fit);
-  }
+  model_.fit = data_.fit(model_.fit.terms, model_.fit.parameters, ForceData::kIterations);
+  model_.held = data_.held_out(model_.fit);
   for (Added& added : added_) {
     added.grown.reset();
   }
+}
+
+/// A model beside the scatter that itself leaves.
+ForceSearch::Candidate ForceSearch::by_own_scatter(const ForceFit& fit) const {
+  ForceData data = data_;
+  data.learn_covariance(nominal_.fit, fit, with_timing_);
+  Candidate one{data.fit(fit.terms, fit.parameters, ForceData::kIterations), {}};
+  one.held = data.held_out(one.fit);
+  return one;
 }
 
 std::vector<ForceSearch::Candidate> ForceSearch::stairs() const {
@@ -192,15 +200,16 @@ std::vector<ForceSearch::Candidate> ForceSearch::stairs() const {
       stairs.push_back(*added.grown);
     } else {
       all_so_far = false;
-      Candidate next{data_.with(stairs.back().fit, added.term, options_.threads), {}};
-      next.held = data_.held_out(next.fit);
-      stairs.push_back(std::move(next));
+      stairs.push_back(by_own_scatter(data_.with(stairs.back().fit, added.term, options_.threads)));
     }
   }
   if (judged_.empty()) {
     const auto least = std::ranges::min_element(
         stairs, {}, [&](const Candidate& one) { return data_.rmse_N(one.held.plain_N2); });
     stairs.erase(least + 1, stairs.end());
+  }
+  if (stairs.back().fit.terms == model_.fit.terms) {
+    stairs.back() = model_;
   }
   return stairs;
 }

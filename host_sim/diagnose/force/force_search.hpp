@@ -59,6 +59,7 @@ class ForceSearch {
   void find_left_out();
   void leave_out_outliers();
   void learn_covariance();
+  [[nodiscard]] Candidate by_own_scatter(const ForceFit& fit) const;
   [[nodiscard]] std::vector<effects::ForceTerm> beside(const effects::ForceTerms& taken) const;
   [[nodiscard]] std::vector<Candidate> with_each(const ForceFit& from,
                                                  const std::vector<effects::ForceTerm>& terms,
