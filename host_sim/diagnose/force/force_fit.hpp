@@ -80,8 +80,8 @@ class ForceData {
   [[nodiscard]] std::vector<std::vector<double>> residuals_N(const ForceFit& fit) const;
 
   /// What a unit of ln gain, then of friction, of a session does to the input force by a model, in
-  /// N; 0 where a sample does not count. All that rubs at any speed goes in proportion, at the
-  /// temperatures and the age of the whole session.
+  /// N; 0 where a sample does not count. What rubs at any speed goes in proportion to itself, that
+  /// of the sheath to the load, at the temperatures and the age of the whole session.
   /// @param friction_coefficient that it is a share of
   [[nodiscard]] Eigen::MatrixX2d directions_N(std::size_t record, const ForceFit& model,
                                               double friction_coefficient) const;

@@ -167,10 +167,10 @@ void ForceSearch::report(double share) const {
 /// model would leave where the force changes fast is noise only once those are in it that act
 /// there.
 void ForceSearch::learn_covariance() {
-  nominal_ = by_own_scatter(nominal_.fit);
   data_.learn_covariance(nominal_.fit, model_.fit, with_timing_);
   model_.fit = data_.fit(model_.fit.terms, model_.fit.parameters, ForceData::kIterations);
   model_.held = data_.held_out(model_.fit);
+  nominal_ = model_.fit.terms.empty() ? model_ : by_own_scatter(nominal_.fit);
   for (Added& added : added_) {
     added.grown.reset();
   }

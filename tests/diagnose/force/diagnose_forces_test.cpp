@@ -181,7 +181,14 @@ TEST(DiagnoseForces, OfASmoothForceALagIsAsLikelyAsADelay) {
   ASSERT_GE(findings.candidates.size(), 2U);
   EXPECT_THAT(findings.candidates[0].id, AnyOf("filter_lag", "channel_delay"));
   EXPECT_NEAR(findings.candidates[0].probability, findings.candidates[1].probability, 0.01);
-  EXPECT_GT(findings.candidates[0].probability + findings.candidates[1].probability, 0.7);
+  double of_either = 0;
+  for (const Candidate& candidate : findings.candidates) {
+    const std::vector<std::string_view> ids = effects_in(candidate.id);
+    const bool either = std::ranges::any_of(
+        ids, [](std::string_view id) { return id == "filter_lag" || id == "channel_delay"; });
+    of_either += either ? candidate.probability : 0;
+  }
+  EXPECT_GT(of_either, 0.95);
 }
 
 /// Friction that falls with a load of 10 to 90 N by an exponent of 0.5 is nearly a line: little of
@@ -191,7 +198,7 @@ TEST(DiagnoseForces, ASmallLawBesideALargeOneIsNamedWhereNothingElseIsLeft) {
       .friction = 0.8, .load_exponent = 0.5, .still_N = 50, .preload_N = 60, .noise_N = 0.1};
   const Findings whole = found(measured(joint, 3));
   EXPECT_THAT(ids_of(whole), Contains("friction_load")) << whole.prose;
-  joint.cogging_N = 2;
+  joint.cogging_N = 3;
   const Findings more = found(measured(joint, 3));
   EXPECT_THAT(ids_of(more), Not(Contains("friction_load"))) << more.prose;
 }
@@ -442,8 +449,9 @@ TEST(DiagnoseForces, WhatRemainsIsDrawnByDirectionForBothModels) {
   }
   EXPECT_EQ(diagnosis.remainders[0].direction, 1);
   EXPECT_EQ(diagnosis.remainders[1].direction, -1);
-  // Friction that the nominal model lacks is against the motion.
-  EXPECT_LT(mean(diagnosis.remainders[0].before_N) * mean(diagnosis.remainders[1].before_N), -9);
+  // Friction that the nominal model lacks is against the motion, a fifth of it at the least.
+  EXPECT_LT(mean(diagnosis.remainders[0].before_N) * mean(diagnosis.remainders[1].before_N),
+            -std::pow(12.0 / 5, 2));
 }
 
 TEST(DiagnoseForces, ACauseIsDrawnWithoutAndWithIt) {

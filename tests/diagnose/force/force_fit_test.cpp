@@ -104,6 +104,31 @@ TEST(ForceData, AModelPassesOnNoiseOfTheOutput) {
   EXPECT_EQ(data.noise_taken_N2(all, all), 0);
 }
 
+/// Friction of 12 N is 120 N for a unit of a coefficient of 0.1, one way and the other.
+TEST(ForceData, FrictionOfASessionIsAShareOfWhatRubsByTheModel) {
+  const ForceData data(measured({.preload_N = 12}, 4));
+  const effects::ForceRecord& record = data.records()[2];
+  const Eigen::MatrixX2d directions_N =
+      data.directions_N(2, {{effects::ForceTerm::preload}, {1, 0, 12}, 0}, 0.1);
+  for (std::size_t i = 0; i < record.samples(); ++i) {
+    const double slip = record.used[i] ? data.kinematics()[2].turned_over[i] : 0;
+    const double output_N = record.used[i] ? record.output_N[i] : 0;
+    const auto at = static_cast<Eigen::Index>(i);
+    EXPECT_NEAR(directions_N(at, 0), output_N + 12 * slip, 1e-9);
+    EXPECT_NEAR(directions_N(at, 1), 120 * slip, 1e-6);
+  }
+}
+
+/// Sheaths of sessions differ by as much of any load.
+TEST(ForceData, FrictionOfASessionIsInProportionToTheLoadWhereThatOfTheModelIsNot) {
+  const ForceData data(measured({}, 4));
+  const Eigen::MatrixX2d even = data.directions_N(2, {{}, {1, 0.02}, 0}, 0.1);
+  const Eigen::MatrixX2d falling =
+      data.directions_N(2, {{effects::ForceTerm::load}, {1, 0.02, 0.5}, 0}, 0.1);
+  EXPECT_GT(even.col(1).norm(), 0);
+  EXPECT_LT((falling.col(1) - even.col(1)).norm(), 1e-6 * even.col(1).norm());
+}
+
 /// One session of twelve says by 8 N^2 of its own that it is worse, and the others say nothing: the
 /// mean of 2/3 is as large as its standard error.
 TEST(ForceData, OneSessionThatIsWorseIsNoCertainLoss) {
