@@ -173,10 +173,12 @@ std::vector<std::vector<double>> ForceData::residuals_N(const ForceFit& fit) con
 Eigen::MatrixX2d ForceData::directions_N(std::size_t record, const ForceFit& model,
                                          double friction_coefficient) const {
   constexpr double kStep = 1e-4;
+  constexpr double kLeast = 1e-3;  // friction that is none
+  const double unit = std::max(friction_coefficient, kLeast);
   const effects::ForceRecord of = at_session_means(records_[record]);
   std::vector<double> even = model.parameters;
   std::vector<double> moved = model.parameters;
-  moved[1] *= 1 + kStep;
+  moved[1] += kStep * (friction_coefficient > kLeast ? moved[1] : unit);
   for (std::size_t i = 0; i < model.terms.size(); ++i) {
     const auto at = static_cast<std::size_t>(
         parameters_at(i, model.terms, model.parameters, scales_).data() - model.parameters.data());
@@ -199,7 +201,7 @@ Eigen::MatrixX2d ForceData::directions_N(std::size_t record, const ForceFit& mod
   for (std::size_t i = 0; i < at_N.size(); ++i) {
     const double used = of.used[i] ? 1 : 0;
     directions.row(static_cast<Eigen::Index>(i)) << used * at_N[i],
-        used * (moved_N[i] - even_N[i]) / (kStep * friction_coefficient);
+        used * (moved_N[i] - even_N[i]) / (kStep * unit);
   }
   return directions;
 }

@@ -191,6 +191,20 @@ TEST(DiagnoseForces, OfASmoothForceALagIsAsLikelyAsADelay) {
   EXPECT_GT(of_either, 0.95);
 }
 
+/// A drive that has no friction, whose output is read half a sample late.
+TEST(DiagnoseForces, WithoutFrictionAnOutputThatIsLateIsSeen) {
+  std::vector<effects::ForceRecord> records = measured({.friction = 0}, 3);
+  for (effects::ForceRecord& record : records) {
+    for (std::size_t i = 0; i < record.samples(); ++i) {
+      record.output_N[i] -= 0.005 * record.output_rate_N_s[i];
+    }
+  }
+  const Findings findings = found(records);
+  EXPECT_EQ(findings.verdict, Verdict::ambiguous) << findings.prose;
+  EXPECT_THAT(findings.equivalent_sets,
+              ElementsAre(UnorderedElementsAre("filter_lag", "channel_delay")));
+}
+
 /// Friction that falls with a load of 10 to 90 N by an exponent of 0.5 is nearly a line: little of
 /// it is beside 60 N that do not depend on the load, less than laws err by. Then nothing is left.
 TEST(DiagnoseForces, ASmallLawBesideALargeOneIsNamedWhereNothingElseIsLeft) {

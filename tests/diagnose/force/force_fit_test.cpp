@@ -119,6 +119,18 @@ TEST(ForceData, FrictionOfASessionIsAShareOfWhatRubsByTheModel) {
   }
 }
 
+/// exp(mu phi) of a coefficient that is none: T phi, of half a turn.
+TEST(ForceData, FrictionOfASessionIsAsTheSheathHasItWhereNothingRubs) {
+  const ForceData data(measured({.friction = 0}, 4));
+  const effects::ForceRecord& record = data.records()[2];
+  const Eigen::MatrixX2d directions_N = data.directions_N(2, {{}, {1, 0}, 0}, 0);
+  for (std::size_t i = 0; i < record.samples(); ++i) {
+    const double slip = record.used[i] ? data.kinematics()[2].turned_over[i] : 0;
+    const double expected_N = std::abs(record.output_N[i]) * record.bend_angle_rad[i] * slip;
+    EXPECT_NEAR(directions_N(static_cast<Eigen::Index>(i), 1), expected_N, 1e-4);
+  }
+}
+
 /// Sheaths of sessions differ by as much of any load.
 TEST(ForceData, FrictionOfASessionIsInProportionToTheLoadWhereThatOfTheModelIsNot) {
   const ForceData data(measured({}, 4));
