@@ -173,12 +173,13 @@ std::vector<std::vector<double>> ForceData::residuals_N(const ForceFit& fit) con
 Eigen::MatrixX2d ForceData::directions_N(std::size_t record, const ForceFit& model,
                                          double friction_coefficient) const {
   constexpr double kStep = 1e-4;
-  constexpr double kLeast = 1e-3;  // friction that is none
-  const double unit = std::max(friction_coefficient, kLeast);
+  constexpr double kNone = 1e-3;  // below it nothing rubs that friction could be a share of
+  const bool rubs = friction_coefficient > kNone;
+  const double unit = std::max(friction_coefficient, kNone);
   const effects::ForceRecord of = at_session_means(records_[record]);
   std::vector<double> even = model.parameters;
   std::vector<double> moved = model.parameters;
-  moved[1] += kStep * (friction_coefficient > kLeast ? moved[1] : unit);
+  moved[1] += kStep * (rubs ? moved[1] : unit);
   for (std::size_t i = 0; i < model.terms.size(); ++i) {
     const auto at = static_cast<std::size_t>(
         parameters_at(i, model.terms, model.parameters, scales_).data() - model.parameters.data());

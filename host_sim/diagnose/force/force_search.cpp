@@ -457,11 +457,9 @@ bool ForceSearch::exchange(bool allowed) {
 
 /// The model with a delay in the place of a lag, or the other way about, from as late on: noise of
 /// the output, which those do not pass on alike, would lead other starts elsewhere.
-ForceFit ForceSearch::late_otherwise(std::size_t place) const {
-  using enum effects::ForceTerm;
-  const Judged& one = judged_[place];
-  ForceFit other = one.without;
-  other.terms.push_back(one.term == lag ? delay : lag);
+ForceFit ForceSearch::as_late(std::size_t place, effects::ForceTerm otherwise) const {
+  ForceFit other = judged_[place].without;
+  other.terms.push_back(otherwise);
   other.parameters.push_back(
       parameters_at(place, model_.fit.terms, model_.fit.parameters, data_.scales()).front());
   return data_.finished(other);
@@ -476,16 +474,16 @@ std::vector<ForceSearch::Candidate> ForceSearch::in_place_of(std::size_t place) 
       others.push_back(term);
     }
   }
-  const bool of_time = is_of(effects::ForceLaw::Of::time, judged_[place].term);
-  if (of_time) {
-    std::erase_if(
-        others, [](effects::ForceTerm other) { return is_of(effects::ForceLaw::Of::time, other); });
-  }
+  const auto timed = std::ranges::stable_partition(others, [&](effects::ForceTerm other) {
+    return !both_of(effects::ForceLaw::Of::time, judged_[place].term, other);
+  });
+  const std::vector<effects::ForceTerm> late(timed.begin(), timed.end());
+  others.erase(timed.begin(), timed.end());
   const double taken_N2 = judged_[place].without.square_N2 - model_.fit.square_N2;
   std::vector<Candidate> all = with_each(judged_[place].without, others,
                                          model_.fit.square_N2 + kHopeless * taken_N2, &model_.fit);
-  if (of_time) {
-    all.push_back({late_otherwise(place), {}});
+  for (const effects::ForceTerm other : late) {
+    all.push_back({as_late(place, other), {}});
   }
   std::erase_if(all, [&](const Candidate& one) {
     return one.fit.square_N2 - model_.fit.square_N2 > kFarOff * taken_N2;

@@ -83,7 +83,7 @@ class ForceSearch {
   [[nodiscard]] PairedGain lost_as_sampled(const ForceFit& other) const;
   [[nodiscard]] PairedGain lost_in_time(const Judged& one, const Candidate& other) const;
   bool exchange(bool allowed);
-  [[nodiscard]] ForceFit late_otherwise(std::size_t place) const;
+  [[nodiscard]] ForceFit as_late(std::size_t place, effects::ForceTerm otherwise) const;
   [[nodiscard]] std::vector<Candidate> in_place_of(std::size_t place) const;
 
   ForceData& data_;
