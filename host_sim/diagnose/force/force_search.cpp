@@ -474,11 +474,12 @@ std::vector<ForceSearch::Candidate> ForceSearch::in_place_of(std::size_t place) 
       others.push_back(term);
     }
   }
-  const auto timed = std::ranges::stable_partition(others, [&](effects::ForceTerm other) {
-    return !both_of(effects::ForceLaw::Of::time, judged_[place].term, other);
-  });
-  const std::vector<effects::ForceTerm> late(timed.begin(), timed.end());
-  others.erase(timed.begin(), timed.end());
+  const auto timed =
+      std::stable_partition(others.begin(), others.end(), [&](effects::ForceTerm other) {
+        return !both_of(effects::ForceLaw::Of::time, judged_[place].term, other);
+      });
+  const std::vector<effects::ForceTerm> late(timed, others.end());
+  others.erase(timed, others.end());
   const double taken_N2 = judged_[place].without.square_N2 - model_.fit.square_N2;
   std::vector<Candidate> all = with_each(judged_[place].without, others,
                                          model_.fit.square_N2 + kHopeless * taken_N2, &model_.fit);
