@@ -44,13 +44,16 @@ class Slip {
 
  private:
   void move_by(double moved_m, double presliding_m) {
+    if (moved_m == 0) {
+      return;
+    }
     for (const double play_m : {values_.slack_m, values_.loose_m}) {
       if (play_m > 0) {
         taken_up_ = std::clamp(taken_up_ + 2 * moved_m / play_m, -1.0, 1.0);
       }
     }
     if (presliding_m > 0) {
-      const double side = moved_m > 0 ? 1 : moved_m < 0 ? -1 : presliding_;
+      const double side = moved_m > 0 ? 1 : -1;
       presliding_ = side + (presliding_ - side) * std::exp(-std::abs(moved_m) / presliding_m);
     }
   }
