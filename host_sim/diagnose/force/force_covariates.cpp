@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <span>
 #include <utility>
 
@@ -64,8 +63,8 @@ void add_of_sessions(std::vector<ForceCovariate>& all,
     if ((record.*values).empty()) {
       return;
     }
-    low = std::min(low, mean_of(record.*values));
-    high = std::max(high, mean_of(record.*values));
+    low = std::min(low, effects::mean_of(record.*values));
+    high = std::max(high, effects::mean_of(record.*values));
     covariate.values.push_back(record.*values);
   }
   if (high - low > least) {
@@ -86,10 +85,6 @@ std::vector<double> smoothed_over_strokes(const effects::ForceRecord& record,
 }
 
 }  // namespace
-
-double mean_of(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
 
 std::vector<ForceCovariate> force_covariates(const std::vector<effects::ForceRecord>& records) {
   std::vector<ForceCovariate> all{{"output tension", "N", {}, false, true},

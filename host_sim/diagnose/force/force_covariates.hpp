@@ -23,9 +23,6 @@ struct ForceCovariate {
 /// tendon's life, bend angle, temperatures of sheath and winding.
 std::vector<ForceCovariate> force_covariates(const std::vector<effects::ForceRecord>& records);
 
-/// @pre one value or more
-double mean_of(const std::vector<double>& values);
-
 /// Bins of a covariate that hold as many samples each, and which one each sample lies in: an even
 /// number where the motion goes one way, the next one where it goes back. What is noisy is smoothed
 /// over half the mean time between reversals: else samples lie in a bin by what their residuals

@@ -16,10 +16,8 @@ namespace {
 effects::ForceRecord at_session_means(effects::ForceRecord record) {
   for (auto* const channel :
        {&record.sheath_temperature_C, &record.winding_temperature_C, &record.cycle}) {
-    const Eigen::Map<Eigen::VectorXd> values(channel->data(),
-                                             static_cast<Eigen::Index>(channel->size()));
     if (!channel->empty()) {
-      std::ranges::fill(*channel, values.mean());
+      std::ranges::fill(*channel, effects::mean_of(*channel));
     }
   }
   return record;
@@ -196,7 +194,7 @@ Eigen::MatrixX2d ForceData::directions_N(std::size_t record, const ForceFit& mod
     return input_N;
   };
   const std::vector<double> at_N = predicted_N(model.parameters);
-  const std::vector<double> even_N = predicted_N(even);
+  const std::vector<double> even_N = even == model.parameters ? at_N : predicted_N(even);
   const std::vector<double> moved_N = predicted_N(moved);
   Eigen::MatrixX2d directions(static_cast<Eigen::Index>(at_N.size()), 2);
   for (std::size_t i = 0; i < at_N.size(); ++i) {

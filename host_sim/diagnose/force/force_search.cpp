@@ -21,6 +21,12 @@ constexpr double kHopeless = 0.9;
 constexpr int kAnew = 4;    ///< iterations on all samples from where the kept ones have led
 constexpr int kRounds = 3;  ///< of terms that take the place of others
 
+ForceSearch::Candidate candidate_of(const ForceData& data, const ForceFit& fit) {
+  ForceSearch::Candidate one{data.fit(fit.terms, fit.parameters, ForceData::kIterations), {}};
+  one.held = data.held_out(one.fit);
+  return one;
+}
+
 ForceFit fitted_anew(const ForceData& data, const ForceFit& fit) {
   return data.fit(fit.terms, fit.parameters, kAnew);
 }
@@ -168,8 +174,7 @@ void ForceSearch::report(double share) const {
 /// there.
 void ForceSearch::learn_covariance() {
   data_.learn_covariance(nominal_.fit, model_.fit, with_timing_);
-  model_.fit = data_.fit(model_.fit.terms, model_.fit.parameters, ForceData::kIterations);
-  model_.held = data_.held_out(model_.fit);
+  model_ = candidate_of(data_, model_.fit);
   nominal_ = model_.fit.terms.empty() ? model_ : by_own_scatter(nominal_.fit);
   for (Added& added : added_) {
     added.grown.reset();
@@ -180,9 +185,7 @@ void ForceSearch::learn_covariance() {
 ForceSearch::Candidate ForceSearch::by_own_scatter(const ForceFit& fit) const {
   ForceData data = data_;
   data.learn_covariance(nominal_.fit, fit, with_timing_);
-  Candidate one{data.fit(fit.terms, fit.parameters, ForceData::kIterations), {}};
-  one.held = data.held_out(one.fit);
-  return one;
+  return candidate_of(data, fit);
 }
 
 std::vector<ForceSearch::Candidate> ForceSearch::stairs() const {

@@ -61,7 +61,7 @@ class SessionTrend {
     const Eigen::Index count = refits.rows();
     Eigen::VectorXd place(count);
     for (Eigen::Index j = 0; j < count; ++j) {
-      place(j) = mean_of(covariate.values[static_cast<std::size_t>(j)]);
+      place(j) = effects::mean_of(covariate.values[static_cast<std::size_t>(j)]);
     }
     place = (place.array() - place.mean()) / std::max(place.cwiseAbs().maxCoeff(), 1e-300);
     add(place);

@@ -16,10 +16,6 @@ double quantile(std::vector<double>& values, double share) {
   return values[static_cast<std::size_t>(at)];
 }
 
-double mean_of(const std::vector<double>& values) {
-  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
 std::vector<double> poses_of(std::span<const ForceRecord> records) {
   constexpr double kSame_rad = std::numbers::pi / 180;
   std::vector<double> means_rad;
@@ -46,6 +42,10 @@ std::size_t nearest(const std::vector<double>& poses_rad, double bend_angle_rad)
 }
 
 }  // namespace
+
+double mean_of(const std::vector<double>& values) {
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
 
 ForceScales scales_of(std::span<const ForceRecord> records) {
   std::vector<double> speeds;

@@ -37,6 +37,9 @@ struct ForceRecord {
   }
 };
 
+/// Over the samples of a session. @pre one or more
+double mean_of(const std::vector<double>& values);
+
 /// What terms are measured by, of all records together.
 struct ForceScales {
   double speed_m_s = 0;   ///< nine tenths of all samples are slower

@@ -180,8 +180,8 @@ struct WarmSessions {
     double product = 0;
     double all = 0;
     for (std::size_t j = 0; j < share.size(); ++j) {
-      const double off_C = temperature_C[j] - mean_of(temperature_C);
-      const double off = share[j] - mean_of(share);
+      const double off_C = temperature_C[j] - effects::mean_of(temperature_C);
+      const double off = share[j] - effects::mean_of(share);
       squares += off_C * off_C;
       product += off_C * off;
       all += off * off;
