@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <memory>
 #include <numbers>
@@ -17,13 +16,9 @@
 #include <utility>
 #include <vector>
 
-#include "hal/files/input_file.hpp"
-#include "host_sim/campaign/campaign.hpp"
 #include "host_sim/diagnose/force/smoothing.hpp"
 #include "host_sim/extension/model_file.hpp"
-#include "host_sim/recording/import.hpp"
 #include "tests/diagnose/force/joint.hpp"
-#include "tests/io/support.hpp"
 
 namespace host_sim::diagnose {
 namespace {
@@ -774,49 +769,6 @@ TEST(DiagnoseForces, TheNumberOfThreadsDoesNotMatter) {
   };
   EXPECT_EQ(estimate(by(1), "preload_N").value, estimate(by(3), "preload_N").value);
   EXPECT_EQ(by(1).prose, by(3).prose);
-}
-
-/// Campaigns that were measured; the text beside them says what is in them.
-class MeasuredDrive : public testing::Test {
- protected:
-  static std::filesystem::path data(const char* name) {
-    return std::filesystem::path(TENDONLIFE_SHARED) / "data" / name;
-  }
-};
-
-constexpr const char* kNeverThere[] = {"friction_wear", "friction_temperature", "torque_ripple"};
-
-TEST_F(MeasuredDrive, AScrewDriveHasLoadIndependentAndViscousFriction) {
-  if (!std::filesystem::exists(data("emps_drive"))) {
-    GTEST_SKIP() << "no " << data("emps_drive") << ": the measurements are not part of the project";
-  }
-  const Findings findings = diagnose_tension(read_campaign(data("emps_drive")), {}).findings;
-  EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
-  // The forces of its drive are off by the same both ways, as those who measured it found too: by
-  // a zero or by friction that is larger one way.
-  EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload", "friction_velocity"));
-  EXPECT_THAT(findings.prose, HasSubstr("What looks like zero of the output sensor"));
-  EXPECT_LE(metric(findings, "input_rmse_N", true), 4.8);
-}
-
-TEST_F(MeasuredDrive, ACableDriveHasPresliding) {
-  const std::filesystem::path file = data("davinci_cable_torque") / "Tool_4_Maryland_L_4.csv";
-  if (!std::filesystem::exists(file)) {
-    GTEST_SKIP() << "no " << file << ": the measurements are not part of the project";
-  }
-  const test::TemporaryFolder folder;
-  recording::write_campaign(
-      recording::import_davinci(hal::files::open_source(file, "a file"), file.string(), {}),
-      folder / "davinci");
-  const Findings findings = diagnose_tension(read_campaign(folder / "davinci"), {}).findings;
-  EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
-  EXPECT_THAT(ids_of(findings), Contains("presliding"));
-  EXPECT_THAT(ids_of(findings), Contains("friction_preload"));
-  for (const char* const id : kNeverThere) {
-    EXPECT_THAT(ids_of(findings), Not(Contains(id)));
-  }
-  // 14.3 mNm over the pulley of 5 mm.
-  EXPECT_LE(metric(findings, "input_rmse_N", true), 14.3 / 5);
 }
 
 }  // namespace
