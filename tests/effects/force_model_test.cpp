@@ -370,6 +370,42 @@ TEST(ForceModel, RippleGoesWithTheAngleOfTheRotor) {
   EXPECT_NEAR(predicted(turned, {ForceTerm::torque_ripple}, {1, 0, 0, -0.25, 6}), 9.5, 1e-9);
 }
 
+/// Shares 0.4, 0.2 and -0.1 at a quarter, a half and twice of 10 N, on lines over the logarithm.
+TEST(ForceModel, FrictionMayDependOnTheLoadInAnyWay) {
+  EXPECT_TRUE(law_of(ForceTerm::friction_by_load).outside);
+  const auto friction_of = [&](double load_N) {
+    const double input_N = predicted(record({0, 0.1}, 1, load_N), {ForceTerm::friction_by_load},
+                                     {1, 0.1, 0.4, 0.2, -0.1});
+    return std::log(input_N / load_N) / (0.1 * pi);
+  };
+  EXPECT_NEAR(friction_of(1), 1.4, 1e-9);
+  EXPECT_NEAR(friction_of(2.5), 1.4, 1e-9);
+  EXPECT_NEAR(friction_of(2.5 * std::sqrt(2)), 1.3, 1e-9);
+  EXPECT_NEAR(friction_of(5), 1.2, 1e-9);
+  EXPECT_NEAR(friction_of(5 * std::sqrt(2)), 1.1, 1e-9);
+  EXPECT_NEAR(friction_of(10), 1, 1e-9);
+  EXPECT_NEAR(friction_of(10 * std::sqrt(2)), 0.95, 1e-9);
+  EXPECT_NEAR(friction_of(50), 0.9, 1e-9);
+}
+
+/// The same of the speed, 0.4 at rest, 0.2 at a quarter, -0.1 at the usual speed, and of a preload.
+TEST(ForceModel, FrictionMayDependOnTheSpeedInAnyWay) {
+  EXPECT_TRUE(law_of(ForceTerm::friction_by_speed).outside);
+  const auto share_at = [](double speeds) {
+    const ForceRecord back = record({0.1, 0}, -speeds * kScales.speed_m_s, 10);
+    return (predicted(back, {ForceTerm::preload, ForceTerm::friction_by_speed},
+                      {1, 0, 3, 0.4, 0.2, -0.1}) -
+            10) /
+           (predicted(back, {ForceTerm::preload}, {1, 0, 3}) - 10);
+  };
+  EXPECT_NEAR(share_at(0.125), 1.3, 1e-9);
+  EXPECT_NEAR(share_at(0.25), 1.2, 1e-9);
+  EXPECT_NEAR(share_at(0.375), 1.1, 1e-9);
+  EXPECT_NEAR(share_at(0.5), 1, 1e-9);
+  EXPECT_NEAR(share_at(0.75), 0.95, 1e-9);
+  EXPECT_NEAR(share_at(2), 0.9, 1e-9);
+}
+
 TEST(ForceModel, ASheathThatGivesBendsByTheLoad) {
   EXPECT_TRUE(law_of(ForceTerm::giving_sheath).outside);
   // At twice the scale of force by a fifth more, at half of it by a tenth less.

@@ -30,7 +30,8 @@ class Report {
   /// @param doubts of them without a model
   Report(const ForceData& data, std::span<const effects::ForceRecord> records,
          const ForceSearch& search, const NominalModel& nominal,
-         const reference::Constants& constants, std::vector<Doubt> doubts, std::uint64_t seed)
+         const reference::Constants& constants, std::vector<Doubt> doubts,
+         const DiagnoseOptions& options)
       : data_(data),
         search_(search),
         stairs_(search.stairs()),
@@ -38,7 +39,8 @@ class Report {
         models_(data, search),
         doubts_(std::move(doubts)),
         remainder_(remainder_of(data, search.nominal().fit, search.model().fit, search.covariates(),
-                                search.bins(), seed)) {
+                                search.bins(), options.seed)),
+        audit_(audit_of(data, search.model().fit, options.threads)) {
     constexpr double kMuchLeft = 0.3;
     if (!spoilt()) {
       const bool much = (remainder_.stands && search.judged().empty()) || share_left() > kMuchLeft;
@@ -47,7 +49,7 @@ class Report {
     }
   }
 
-  TensionDiagnosis diagnosis(unsigned threads) {
+  TensionDiagnosis diagnosis() {
     TensionDiagnosis diagnosis;
     Findings& findings = diagnosis.findings;
     findings.verdict = verdict();
@@ -79,7 +81,7 @@ class Report {
       findings.prose += no_gain_prose(findings);
     }
     extend(diagnosis);
-    add_invisible(data_, search_.model().fit, threads, findings);
+    add_invisible(audit_, findings);
     findings.discrepancies = remainder_.discrepancies;
     diagnosis.remainders = remainder_.pictures;
     add_pictures(diagnosis);
@@ -127,9 +129,18 @@ class Report {
   [[nodiscard]] std::vector<Candidate> candidates(Verdict verdict) const {
     const bool none =
         verdict == Verdict::none || (verdict == Verdict::ambiguous && !remainder_.stands);
-    return candidates_of(data_, names_nothing() ? std::span<const Judged>() : search_.judged(),
-                         names_nothing() ? std::span<const LeftOut>() : search_.left_out(),
-                         none ? "none" : "unknown", remainder_.stands);
+    return names_nothing()
+               ? candidates_of(data_, {}, {}, none ? "none" : "unknown", remainder_.stands)
+               : candidates_of(data_, search_.judged(), left_out(), none ? "none" : "unknown",
+                               remainder_.stands);
+  }
+
+  [[nodiscard]] std::vector<LeftOut> left_out() const {
+    std::vector<LeftOut> all = search_.left_out();
+    for (LeftOut& one : all) {
+      one.unseen = unseen_probability(audit_.of(law_of(one.term).id()).sigmas);
+    }
+    return all;
   }
 
   /// A term with its parameters, but for its probability.
@@ -363,6 +374,7 @@ class Report {
   ModelExtension models_;
   std::vector<Doubt> doubts_;
   ForceRemainder remainder_;
+  Audit audit_;
   ExtendedModel extended_;
 };
 
@@ -377,8 +389,7 @@ TensionDiagnosis diagnose_forces(const std::vector<effects::ForceRecord>& record
   ForceSearch search(data, sound, nominal.sheath ? nominal.sheath->friction_coefficient : 0.1,
                      options);
   search.run();
-  return Report(data, sound, search, nominal, constants, std::move(doubts), options.seed)
-      .diagnosis(options.threads);
+  return Report(data, sound, search, nominal, constants, std::move(doubts), options).diagnosis();
 }
 
 }  // namespace host_sim::diagnose

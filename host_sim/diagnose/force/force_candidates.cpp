@@ -68,13 +68,18 @@ void add(std::vector<std::string> ids, double probability, std::vector<Candidate
   }
 }
 
+/// That an effect is there, though a model does without.
+double probability_of(const LeftOut& one) {
+  return std::max(kOfLeftOut * one.probability, one.unseen);
+}
+
 /// Of each candidate what is it and one effect more that was left out.
 void share_with(std::span<const LeftOut> left_out, std::vector<Candidate>& candidates) {
   double as_it_is = 1;
   double sum = 0;
   for (const LeftOut& one : left_out) {
-    as_it_is *= 1 - kOfLeftOut * one.probability;
-    sum += one.probability;
+    as_it_is *= 1 - probability_of(one);
+    sum += probability_of(one);
   }
   as_it_is = std::max(as_it_is, kLeastAsItIs);
   if (sum <= 0) {
@@ -93,7 +98,7 @@ void share_with(std::span<const LeftOut> left_out, std::vector<Candidate>& candi
       if (std::ranges::find(ids, id) == ids.end()) {
         more.push_back(id);
       }
-      add(std::move(more), candidate.probability * (1 - as_it_is) * one.probability / sum,
+      add(std::move(more), candidate.probability * (1 - as_it_is) * probability_of(one) / sum,
           candidates);
     }
     std::ranges::find(candidates, candidate.id, &Candidate::id)->probability -=

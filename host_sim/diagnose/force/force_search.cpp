@@ -96,24 +96,27 @@ void ForceSearch::run() {
   leave_out_outliers();
 }
 
-/// Effects that the model does without, of those that gain most beside it.
+/// Effects that the model does without, and what gains most of them beside it.
 void ForceSearch::find_left_out() {
   std::vector<effects::ForceTerm> terms = beside(model_.fit.terms);
+  const auto of_effect = [&](effects::ForceTerm term) {
+    return std::ranges::find_if(
+        left_out_, [&](const LeftOut& other) { return same_effect(other.term, term); });
+  };
+  for (const effects::ForceTerm term : terms) {
+    if (of_effect(term) == left_out_.end()) {
+      left_out_.push_back({.term = term});
+    }
+  }
   const auto of_sessions = of_sessions_last(terms);
   std::vector<Candidate> all = with_each(model_.fit, {terms.begin(), of_sessions}, HUGE_VAL);
   hold_out(all);
   std::ranges::move(with_session_effects({of_sessions, terms.end()}), std::back_inserter(all));
   for (const Candidate& one : all) {
     const effects::ForceTerm term = one.fit.terms.back();
-    const double probability =
-        probability_of(term, paired_gain(data_, model_.held, one.held, true), data_);
-    const auto same = std::ranges::find_if(
-        left_out_, [&](const LeftOut& other) { return same_effect(other.term, term); });
-    if (same == left_out_.end()) {
-      left_out_.push_back({term, probability});
-    } else {
-      same->probability = std::max(same->probability, probability);  // by another law
-    }
+    double& most = of_effect(term)->probability;  // of several laws
+    most = std::max(most,
+                    probability_of(term, paired_gain(data_, model_.held, one.held, true), data_));
   }
 }
 
@@ -441,7 +444,7 @@ bool ForceSearch::exchange(bool allowed) {
         continue;
       }
       if (law_of(other).outside) {
-        Judgement::beside_catalogue(other, lost, judged);
+        judgement.beside_catalogue(other, lost, judged);
         continue;
       }
       const Rival rival = judgement.rival(judged, one.fit, lost);
@@ -473,7 +476,8 @@ std::vector<ForceSearch::Candidate> ForceSearch::in_place_of(std::size_t place) 
   std::vector<effects::ForceTerm> others = beside(judged_[place].without.terms);
   std::erase(others, judged_[place].term);
   for (const effects::ForceTerm term : effects::kForceTerms) {
-    if (law_of(term).outside && is_shown(term, data_.records())) {
+    if (law_of(term).outside && is_shown(term, data_.records()) &&
+        !depends_on_the_same(judged_[place].term, term)) {
       others.push_back(term);
     }
   }

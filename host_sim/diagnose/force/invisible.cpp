@@ -6,8 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "host_sim/diagnose/audit/audit.hpp"
-
 namespace host_sim::diagnose {
 namespace {
 
@@ -39,18 +37,20 @@ NoiseModel noise_of(const ForceData& data, const ForceFit& model) {
 
 }  // namespace
 
-void add_invisible(const ForceData& data, const ForceFit& model, unsigned threads,
-                   Findings& findings) {
-  const Audit audited = audit(data.records(), model.parameters[1], noise_of(data, model), threads);
-  for (const EffectAudit& effect : audited.effects) {
+Audit audit_of(const ForceData& data, const ForceFit& model, unsigned threads) {
+  return audit(data.records(), model.parameters[1], noise_of(data, model), threads);
+}
+
+void add_invisible(const Audit& audit, Findings& findings) {
+  for (const EffectAudit& effect : audit.effects) {
     if (!effect.visible()) {
       findings.invisible.push_back({std::string(effect.effect->id), effect.prose});
     }
   }
-  for (const EquivalenceClass& group : audited.classes) {
+  for (const EquivalenceClass& group : audit.classes) {
     std::vector<std::string> ids;
     for (const std::size_t member : group.members) {
-      ids.emplace_back(audited.effects[member].effect->id);
+      ids.emplace_back(audit.effects[member].effect->id);
     }
     const auto is_found = [&](const std::string& id) {
       return std::ranges::find(findings.effects, id, &FoundEffect::id) != findings.effects.end();

@@ -116,6 +116,10 @@ bool same_effect(effects::ForceTerm one, effects::ForceTerm other) {
   return law_of(one).id() == law_of(other).id();
 }
 
+bool depends_on_the_same(effects::ForceTerm one, effects::ForceTerm other) {
+  return law_of(one).by != effects::ForceLaw::By::nothing && law_of(one).by == law_of(other).by;
+}
+
 double evidence_of(effects::ForceTerm term, const PairedGain& gain) {
   const auto half_square = [](double z) { return z > 0 ? z * z / 2 : 0; };
   if (!is_of(effects::ForceLaw::Of::session, term)) {
@@ -137,6 +141,11 @@ double probability_of(effects::ForceTerm term, const PairedGain& gain, const For
   const double evidence = evidence_of(term, gain);
   const double log_odds = evidence + std::log(kPrior / (1 - kPrior)) - cost_of(term, data);
   return evidence > 0 && gain.any() ? 1 / (1 + std::exp(-log_odds)) : 0;
+}
+
+double unseen_probability(double sigmas) {
+  const double odds = kPrior / (1 - kPrior) / std::hypot(1, sigmas);
+  return odds / (1 + odds);
 }
 
 bool may_be(effects::ForceTerm term, const PairedGain& gain, const ForceData& data) {
@@ -259,9 +268,11 @@ std::optional<double> Judgement::log_odds_of(const Judged& one, const Rival& riv
   return std::clamp(rival.log_odds, -most, most) + cheaper(one, rival.term);
 }
 
-void Judgement::beside_catalogue(effects::ForceTerm other, const PairedGain& lost, Judged& one) {
-  const double share = 1 / (1 + std::exp(-lost.log_odds));
-  if (lost.log_odds < kOdds && share < one.share) {
+void Judgement::beside_catalogue(effects::ForceTerm other, const PairedGain& lost,
+                                 Judged& one) const {
+  const double log_odds = lost.log_odds + cheaper(one, other);
+  const double share = 1 / (1 + std::exp(-log_odds));
+  if (log_odds < kOdds && share < one.share) {
     one.share = share;
     one.imitated_by = other;
   }

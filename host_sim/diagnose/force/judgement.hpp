@@ -14,10 +14,11 @@ namespace host_sim::diagnose {
 /// What it takes to be seen on sessions that the fit never saw, in standard errors.
 inline constexpr double kSeen = 3;
 
-/// An effect that is not in a model, and the probability of what it gains beside that.
+/// An effect that is not in a model.
 struct LeftOut {
   effects::ForceTerm term{};
-  double probability = 0;
+  double probability = 0;  ///< of what it gains beside the model
+  double unseen = 0;       ///< that it is there and too small to be seen
 };
 
 /// A term in a model, by what the model does without it.
@@ -43,6 +44,9 @@ bool both_of(effects::ForceLaw::Of kind, effects::ForceTerm one, effects::ForceT
 /// Whether both are laws of one effect.
 bool same_effect(effects::ForceTerm one, effects::ForceTerm other);
 
+/// Whether both are laws of friction by one covariate.
+bool depends_on_the_same(effects::ForceTerm one, effects::ForceTerm other);
+
 /// For a term, as a logarithm of odds: the standard errors of the gain, of what sessions differ in
 /// those within sessions and the likelihood of what they differ by.
 double evidence_of(effects::ForceTerm term, const PairedGain& gain);
@@ -53,6 +57,10 @@ double cost_of(effects::ForceTerm term, const ForceData& data);
 /// That the effect of a term is there: Laplace, evidence against as many parameters, of so many
 /// sessions, and of what is tried one by one each as likely before.
 double probability_of(effects::ForceTerm term, const PairedGain& gain, const ForceData& data);
+
+/// That an effect is there of which nothing is seen: its size has a normal prior of zero mean.
+/// @param sigmas standard errors that a usual one makes, which is the standard deviation of that
+double unseen_probability(double sigmas);
 
 /// That what could be in the place of a cause is there at all.
 bool may_be(effects::ForceTerm term, const PairedGain& gain, const ForceData& data);
@@ -98,7 +106,7 @@ class Judgement {
   [[nodiscard]] std::optional<double> log_odds_of(const Judged& one, const Rival& rival) const;
 
   /// What is no effect of the catalogue takes no place, but may be as likely as one that has it.
-  static void beside_catalogue(effects::ForceTerm other, const PairedGain& lost, Judged& one);
+  void beside_catalogue(effects::ForceTerm other, const PairedGain& lost, Judged& one) const;
 
   /// What is lost by a lag of the input in the place of a delay, or the other way about: nothing is
   /// known of it before they are seen to differ.

@@ -9,13 +9,21 @@ namespace {
 
 /// In order of ForceTerm.
 constexpr std::array<const ForceLaw*, kForceTermCount> kLaws{
-    &laws::kPreload,    &laws::kVelocity,     &laws::kPresliding,    &laws::kElasticPresliding,
-    &laws::kStribeck,   &laws::kLoad,         &laws::kPosition,      &laws::kPositionFromMiddle,
-    &laws::kSlack,      &laws::kLooseTendon,  &laws::kCompliance,    &laws::kLag,
-    &laws::kDelay,      &laws::kZero,         &laws::kTemperature,   &laws::kWear,
-    &laws::kRunIn,      &laws::kBendAngle,    &laws::kCurrentOffset, &laws::kGearAsymmetry,
-    &laws::kTorqueGain, &laws::kTorqueRipple, &laws::kGivingSheath,  &laws::kOneWayFriction,
-    &laws::kBentSensor, &laws::kDriftingGain, &laws::kWarmSensor};
+    &laws::kPreload,        &laws::kVelocity,
+    &laws::kPresliding,     &laws::kElasticPresliding,
+    &laws::kStribeck,       &laws::kLoad,
+    &laws::kPosition,       &laws::kPositionFromMiddle,
+    &laws::kSlack,          &laws::kLooseTendon,
+    &laws::kCompliance,     &laws::kLag,
+    &laws::kDelay,          &laws::kZero,
+    &laws::kTemperature,    &laws::kWear,
+    &laws::kRunIn,          &laws::kBendAngle,
+    &laws::kCurrentOffset,  &laws::kGearAsymmetry,
+    &laws::kTorqueGain,     &laws::kTorqueRipple,
+    &laws::kFrictionByLoad, &laws::kFrictionBySpeed,
+    &laws::kGivingSheath,   &laws::kOneWayFriction,
+    &laws::kBentSensor,     &laws::kDriftingGain,
+    &laws::kWarmSensor};
 
 }  // namespace
 

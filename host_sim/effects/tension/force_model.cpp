@@ -123,7 +123,9 @@ class Forward {
         kinematics_(kinematics),
         values_(values),
         scales_(scales),
-        by_position_(values.harmonics != decltype(values.harmonics){}) {}
+        by_position_(values.harmonics != decltype(values.harmonics){}),
+        by_load_(values.by_load != decltype(values.by_load){}),
+        by_speed_(values.by_speed != decltype(values.by_speed){}) {}
 
   /// Input force before the gain, for a friction that is turned over by `slip`.
   /// @param loose whether the drive holds only a part of the force
@@ -131,7 +133,8 @@ class Forward {
     const double output_N = output_of_tendon_N(i);
     const double size_N = std::abs(output_N);
     const double speed_m_s = std::abs(record_.velocity_m_s[i]);
-    const double place = by_position_ ? position_factor(i) : 1;
+    const double place =
+        (by_position_ ? position_factor(i) : 1) * (by_speed_ ? speed_factor(speed_m_s) : 1);
     double coefficient = values_.friction * place * age_factor(i);
     coefficient += values_.viscous_friction_s_m * speed_m_s;
     if (values_.stribeck_friction != 0) {
@@ -145,6 +148,9 @@ class Forward {
     double log_ratio = coefficient * warm * angle_rad(i) * slip;
     const double by_way = 1 + values_.one_way_share * slip;
     log_ratio *= by_way;
+    if (by_load_) {
+      log_ratio *= load_factor(size_N);
+    }
     if (values_.giving_share != 0) {
       log_ratio *= std::max(0.0, 1 + values_.giving_share * (size_N / scales_.force_N - 1));
     }
@@ -200,6 +206,24 @@ class Forward {
   }
 
  private:
+  /// 1 at a half of the usual speed; what each end has beyond a knot stays.
+  [[nodiscard]] double speed_factor(double speed_m_s) const {
+    const auto& [at_rest, at_quarter, at_full] = values_.by_speed;
+    const double quarters = std::min(4 * speed_m_s / scales_.speed_m_s, 4.0);
+    return 1 + (quarters < 1   ? std::lerp(at_rest, at_quarter, quarters)
+                : quarters < 2 ? std::lerp(at_quarter, 0.0, quarters - 1)
+                               : at_full * (quarters - 2) / 2);
+  }
+
+  /// 1 at the root mean square of the load, on lines over its logarithm.
+  [[nodiscard]] double load_factor(double load_N) const {
+    const auto& [at_quarter, at_half, at_twice] = values_.by_load;
+    const double doubled = std::clamp(std::log2(load_N / scales_.force_N), -2.0, 1.0);
+    return 1 + (doubled < -1  ? std::lerp(at_half, at_quarter, -doubled - 1)
+                : doubled < 0 ? -doubled * at_half
+                              : doubled * at_twice);
+  }
+
   [[nodiscard]] double position_factor(std::size_t i) const {
     double first_sine = kinematics_.stroke_sine[i];
     double first_cosine = kinematics_.stroke_cosine[i];
@@ -263,6 +287,8 @@ class Forward {
   const ForceValues& values_;
   const ForceScales& scales_;
   bool by_position_;
+  bool by_load_;
+  bool by_speed_;
 };
 
 ForceValues values_of(const ForceTerms& terms, const ForceScales& scales,

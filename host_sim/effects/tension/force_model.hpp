@@ -39,13 +39,15 @@ enum class ForceTerm : unsigned {
   gear_asymmetry,
   torque_gain,
   torque_ripple,
+  friction_by_load,
+  friction_by_speed,
   giving_sheath,
   one_way_friction,
   bent_sensor,
   drifting_gain,
   warm_sensor,
 };
-inline constexpr std::size_t kForceTermCount = 27;
+inline constexpr std::size_t kForceTermCount = 29;
 inline constexpr auto kForceTerms = [] {
   std::array<ForceTerm, kForceTermCount> all{};
   for (unsigned i = 0; i < kForceTermCount; ++i) {
@@ -110,6 +112,9 @@ struct ForceValues {
   double ripple_sine_A = 0;
   double ripple_cosine_A = 0;
   double ripple_harmonic = 0;
+  /// Of the friction, more of it at loads and speeds of knots than at that in between which is 1.
+  std::array<double, 3> by_load{};
+  std::array<double, 3> by_speed{};
   double giving_share = 0;   ///< of the bend angle, as the load doubles from ForceScales::force_N
   double one_way_share = 0;  ///< of all friction, more of it one way and less the other
   double bent_share = 0;   ///< of the output force at ForceScales::force_N, that grows as its cube
@@ -137,6 +142,9 @@ struct ForceLaw {
   /// by itself. What sessions differ in, their place in the tendon's life, pose and temperature,
   /// moves them as wholes.
   enum class Of { sensor, friction, time, session } of = Of::sensor;
+  /// What friction depends on by it, where it does on load or speed: friction that depends on the
+  /// same in another way is called the same.
+  enum class By { nothing, load, speed } by = By::nothing;
   bool outside = false;  ///< not of the catalogue
 
   [[nodiscard]] std::string_view id() const { return effect->id; }

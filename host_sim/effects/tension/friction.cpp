@@ -42,7 +42,8 @@ constexpr ForceLaw kLaw{
     .parameters = parameters,
     .set = [](Numbers numbers, ForceValues& values) { values.preload_N = numbers[0]; },
     .written = written<parameters>,
-    .of = ForceLaw::Of::friction};
+    .of = ForceLaw::Of::friction,
+    .by = ForceLaw::By::load};
 
 }  // namespace preload
 
@@ -79,7 +80,8 @@ constexpr ForceLaw kViscous{.effect = &kEffect,
                                   values.viscous_friction_s_m = numbers[1];
                                 },
                             .written = written<viscous_parameters>,
-                            .of = ForceLaw::Of::friction};
+                            .of = ForceLaw::Of::friction,
+                            .by = ForceLaw::By::speed};
 
 /// A model that is written has the velocity within these bounds. Slower than friction turns over it
 /// would be that.
@@ -108,7 +110,8 @@ constexpr ForceLaw kStribeck{.effect = &kEffect,
                                    values.stribeck_velocity_m_s = numbers[2];
                                  },
                              .written = written<stribeck_parameters>,
-                             .of = ForceLaw::Of::friction};
+                             .of = ForceLaw::Of::friction,
+                             .by = ForceLaw::By::speed};
 
 }  // namespace velocity
 
@@ -137,7 +140,8 @@ constexpr ForceLaw kLaw{
     .parameters = parameters,
     .set = [](Numbers numbers, ForceValues& values) { values.load_exponent = numbers[0]; },
     .written = written<parameters>,
-    .of = ForceLaw::Of::friction};
+    .of = ForceLaw::Of::friction,
+    .by = ForceLaw::By::load};
 
 }  // namespace load
 

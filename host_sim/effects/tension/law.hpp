@@ -97,6 +97,8 @@ extern const ForceLaw kCurrentOffset;
 extern const ForceLaw kGearAsymmetry;
 extern const ForceLaw kTorqueRipple;
 
+extern const ForceLaw kFrictionByLoad;
+extern const ForceLaw kFrictionBySpeed;
 extern const ForceLaw kGivingSheath;
 extern const ForceLaw kOneWayFriction;
 extern const ForceLaw kBentSensor;

@@ -1,8 +1,59 @@
+#include <algorithm>
+#include <array>
+
 #include "host_sim/effects/tension/law.hpp"
 
 /// What is outside of the catalogue: what could imitate an effect, and is never named.
 namespace host_sim::effects::laws {
 namespace {
+
+/// Friction by a covariate in any way, on lines between knots.
+template <std::array<double, 3> ForceValues::*kShares>
+void set_shares(Numbers numbers, ForceValues& values) {
+  std::ranges::copy(numbers, (values.*kShares).begin());
+}
+
+namespace friction_by_load {
+
+constexpr TensionEffect kEffect{
+    "friction_by_load", "friction that depends on the load in a way of its own", {}, {}, {}};
+
+Parameters parameters(const ForceScales& /*scales*/) {
+  return {{"share_at_a_quarter", "1", -0.9, 9, {0.05}},
+          {"share_at_a_half", "1", -0.9, 9, {0.05}},
+          {"share_at_twice", "1", -0.9, 9, {-0.05}}};
+}
+
+constexpr ForceLaw kLaw{.effect = &kEffect,
+                        .equation = "mu (1 + g(|T|))",
+                        .parameters = parameters,
+                        .set = set_shares<&ForceValues::by_load>,
+                        .of = ForceLaw::Of::friction,
+                        .by = ForceLaw::By::load,
+                        .outside = true};
+
+}  // namespace friction_by_load
+
+namespace friction_by_speed {
+
+constexpr TensionEffect kEffect{
+    "friction_by_speed", "friction that depends on the speed in a way of its own", {}, {}, {}};
+
+Parameters parameters(const ForceScales& /*scales*/) {
+  return {{"share_at_rest", "1", -0.9, 9, {0.05}},
+          {"share_at_a_quarter", "1", -0.9, 9, {0.05}},
+          {"share_at_full_speed", "1", -0.9, 9, {0.05}}};
+}
+
+constexpr ForceLaw kLaw{.effect = &kEffect,
+                        .equation = "mu (1 + g(|v|)), F (1 + g(|v|))",
+                        .parameters = parameters,
+                        .set = set_shares<&ForceValues::by_speed>,
+                        .of = ForceLaw::Of::friction,
+                        .by = ForceLaw::By::speed,
+                        .outside = true};
+
+}  // namespace friction_by_speed
 
 namespace giving_sheath {
 
@@ -109,6 +160,8 @@ constexpr ForceLaw kLaw{
 
 }  // namespace
 
+constinit const ForceLaw kFrictionByLoad = friction_by_load::kLaw;
+constinit const ForceLaw kFrictionBySpeed = friction_by_speed::kLaw;
 constinit const ForceLaw kGivingSheath = giving_sheath::kLaw;
 constinit const ForceLaw kOneWayFriction = one_way_friction::kLaw;
 constinit const ForceLaw kBentSensor = bent_sensor::kLaw;

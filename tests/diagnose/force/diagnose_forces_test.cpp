@@ -760,6 +760,16 @@ TEST(DiagnoseForces, WhatIsTakenOutOfTheCatalogueIsNotNamed) {
       Not(Contains("friction_preload")));
 }
 
+/// A stroke to and fro is as fast at a place as it always is there.
+TEST(DiagnoseForces, FrictionByTheSpeedIsNotThatOfPlaces) {
+  DiagnoseOptions options;
+  options.without = {"friction_velocity"};
+  const Findings findings =
+      diagnose_forces(measured({.viscous_N_s_m = 60}, 6), nominal(), kWire, options).findings;
+  EXPECT_EQ(findings.verdict, Verdict::unknown) << findings.prose;
+  EXPECT_THAT(findings.prose, HasSubstr("friction that depends on the speed in a way of its own"));
+}
+
 TEST(DiagnoseForces, TheNumberOfThreadsDoesNotMatter) {
   const std::vector<effects::ForceRecord> records = measured({.preload_N = 12}, 7);
   const auto by = [&](unsigned threads) {

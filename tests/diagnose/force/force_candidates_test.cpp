@@ -51,8 +51,8 @@ TEST(ForceCandidates, WithoutEffectsTheRestIsAll) {
 /// Of what is left out 35 % is there: 0.65 that it is not of one that is certain, times 0.825 of
 /// one that is even; the rest by their probabilities.
 TEST(ForceCandidates, WhatIsLeftOutMayBeThere) {
-  const LeftOut certain{effects::ForceTerm::slack, 1};
-  const LeftOut even{effects::ForceTerm::delay, 0.5};
+  const LeftOut certain{effects::ForceTerm::slack, 1, 0.04};
+  const LeftOut even{effects::ForceTerm::delay, 0.5, 0};
   auto all = found({}, "none", false, {certain, even});
   EXPECT_NEAR(all.at("none"), 0.53625, 1e-12);
   EXPECT_NEAR(all.at("slack"), 0.46375 * 2 / 3, 1e-12);
@@ -60,12 +60,30 @@ TEST(ForceCandidates, WhatIsLeftOutMayBeThere) {
   all = found({of_odds(effects::ForceTerm::preload, 1e12)}, "unknown", false, {certain});
   EXPECT_NEAR(all.at("friction_preload"), 0.65, 1e-9);
   EXPECT_NEAR(all.at("friction_preload+slack"), 0.35, 1e-9);
-  const LeftOut third{effects::ForceTerm::compliance, 1};
-  const LeftOut fourth{effects::ForceTerm::lag, 1};
+  const LeftOut third{effects::ForceTerm::compliance, 1, 0};
+  const LeftOut fourth{effects::ForceTerm::lag, 1, 0};
   all = found({}, "none", false, {certain, third, fourth});
   EXPECT_NEAR(all.at("none"), 0.5, 1e-12) << "nothing is as likely as the model as it is";
   EXPECT_NEAR(all.at("compliance"), 0.5 / 3, 1e-12);
   EXPECT_EQ(found({}, "unknown", true, {certain}).size(), 1U) << "that more is wrong is known";
+}
+
+/// 0.96 that it is not the one, times 0.99 that it is not the other.
+TEST(ForceCandidates, WhatIsNotSeenMayBeThere) {
+  const auto all =
+      found({}, "none", false,
+            {{effects::ForceTerm::slack, 0, 0.04}, {effects::ForceTerm::delay, 0.01, 0.01}});
+  EXPECT_NEAR(all.at("none"), 0.9504, 1e-12);
+  EXPECT_NEAR(all.at("slack"), 0.0496 * 4 / 5, 1e-12);
+  EXPECT_NEAR(all.at("channel_delay"), 0.0496 / 5, 1e-12);
+}
+
+/// Of odds of 1 to 19: all are left where a campaign shows nothing of an effect, and a half of them
+/// where one standard deviation of its size would be sqrt(3) standard errors.
+TEST(ForceCandidates, WhatACampaignCannotShowIsAsLikelyAsBefore) {
+  EXPECT_NEAR(unseen_probability(0), 0.05, 1e-12);
+  EXPECT_NEAR(unseen_probability(std::sqrt(3)), 1.0 / 39, 1e-12);
+  EXPECT_LT(unseen_probability(1e3), 1e-4);
 }
 
 /// Odds of 99 are 0.99 of both, each by itself.
