@@ -58,6 +58,7 @@ std::optional<Alone> alone(const effects::ForceRecord& record, std::ptrdiff_t in
   // Where friction takes off exp(x) the gain is by g cosh x, and this is g sinh x.
   const double gain2 = by(0) * by(0) - seen.friction * seen.friction;
   seen.gain = gain2 > 0 ? std::copysign(std::sqrt(gain2), by(0)) : by(0);
+  seen.most_gain = by(0);
   seen.square_N2 = std::max(input_N2 - product.dot(by), 0.0) / count;
   const double friction_alone_N2 =
       input_N2 -

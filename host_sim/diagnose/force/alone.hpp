@@ -21,7 +21,8 @@ inline constexpr std::size_t kEnoughToCompare = 10;
 /// What suits one session alone: T_in = gain T_out + s (of_size |T_out| + constant), where s is the
 /// direction of the motion.
 struct Alone {
-  double gain = 0;
+  double gain = 0;       ///< if all friction is that of a sheath, in proportion to the load
+  double most_gain = 0;  ///< if none is
   double friction = 0;   ///< force against the motion, mean, over the mean size of T_out
   double by_output = 0;  ///< of the squared error by friction alone, what the gain takes off
   double shown = 0;      ///< of the squared error without friction, what that takes off

@@ -182,7 +182,10 @@ class Report {
       if (!one.others.empty()) {
         std::vector<std::string> same{found.id};
         for (const Judged::Other& other : one.others) {
-          same.emplace_back(law_of(other.term).id());
+          if (const std::string_view id = law_of(other.term).id();
+              std::ranges::find(same, id) == same.end()) {
+            same.emplace_back(id);
+          }
         }
         findings.equivalent_sets.push_back(std::move(same));
       }

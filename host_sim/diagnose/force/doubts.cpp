@@ -151,7 +151,8 @@ class Sessions {
     }
   }
 
-  /// Of a drive that runs nearly free it is little known.
+  /// Of a drive that runs nearly free it is little known, and between two bounds where friction is
+  /// nearly as large as the load.
   void of_gain() {
     constexpr double kMostly = 0.5;
     constexpr double kOfUnits = 4;
@@ -167,21 +168,27 @@ class Sessions {
                  true);
       return;
     }
-    if (std::abs(std::log(gain)) > std::log(kBeyondPhysics)) {
+    const double most_gain = median(&Alone::most_gain);
+    if (std::abs(std::log(std::clamp(1.0, gain, most_gain))) > std::log(kBeyondPhysics)) {
       add_of_all(column_of_input,
                  fmt::format("the input force is {:.3g} times the output force{}: are the units of "
                              "both, the radius and the torque constant right?",
                              gain, unit_prose(gain)),
                  true);
     }
+    const auto times_others = [&](const Alone& one) {
+      return one.gain <= 0 ? one.gain / gain
+                           : std::clamp(1.0, std::min(one.gain / gain, one.most_gain / most_gain),
+                                        std::max(one.gain / gain, one.most_gain / most_gain));
+    };
     add_each_of_few(
         [&](const Alone& one) {
           return one.by_output > kMostly &&
-                 (one.gain <= 0 || std::abs(std::log(one.gain / gain)) > std::log(kOfUnits));
+                 (one.gain <= 0 || std::abs(std::log(times_others(one))) > std::log(kOfUnits));
         },
         "",
         [&](const Alone& one) {
-          const double times = one.gain / gain;
+          const double times = times_others(one);
           return fmt::format(
               "the input force is {:.3g} times as large beside the output force as "
               "in other sessions{}: are units and signs those of the others?",

@@ -55,8 +55,13 @@ void add_invisible(const Audit& audit, Findings& findings) {
     const auto is_found = [&](const std::string& id) {
       return std::ranges::find(findings.effects, id, &FoundEffect::id) != findings.effects.end();
     };
+    const auto holds_all = [&](const std::vector<std::string>& same) {
+      return std::ranges::all_of(
+          ids, [&](const std::string& id) { return std::ranges::find(same, id) != same.end(); });
+    };
     // Of what it is a fit says more than a design.
-    if (ids.size() > 1 && std::ranges::none_of(ids, is_found)) {
+    if (ids.size() > 1 && std::ranges::none_of(ids, is_found) &&
+        std::ranges::none_of(findings.equivalent_sets, holds_all)) {
       findings.equivalent_sets.push_back(std::move(ids));
     }
   }
