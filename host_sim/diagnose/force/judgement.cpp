@@ -55,10 +55,9 @@ constexpr double kMostLateOutputError = 0.3;
 constexpr double kNearer = 1.1;
 
 /// Of the squared error of sessions, plain as they are, which scatter: an effect may look worse by
-/// that much, 2 % of the error, and by so many standard errors, 10 % of the error at the most.
+/// that much, 2 % of the error, and by so many standard errors.
 constexpr double kNotWorse = 0.04;
 constexpr double kWorse = 2;
-constexpr double kMostWorse = 0.21;
 
 constexpr double kPrior = 0.05;  ///< of an effect of the catalogue
 constexpr double kMayBe = 0.5;   ///< probability of one that could be in the place of another
@@ -183,7 +182,6 @@ bool Judgement::stays(std::size_t place) const {
   };
   return told_apart && data_.is_physical(model_, place) &&
          within_scatter(one.gain, not_worse_N2()) &&
-         one.gain.plain_N2 > -kMostWorse * std::pow(data_.rmse_N(one.held_without.plain_N2), 2) &&
          (((moves_sessions(one) || apart) &&
            material(taken_N2(one), held_.weighted_N2, left_.repeats_N2)) ||
           material(one.gain.beside_scatter_N2, held_.beside_scatter_N2, left_.beside_scatter_N2)) &&
