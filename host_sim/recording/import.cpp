@@ -28,6 +28,12 @@ using hal::files::stop_if_interrupted;
 
 namespace {
 
+/// What no log of a drive knows and a model file has to.
+constexpr std::string_view kWire = R"(
+# The model that `host_sim diagnose --out` writes is of a wire, too: add [model.cable], [model.counting]
+# and [model.life] with the keys that a model file has in [cable], [counting] and [life].
+)";
+
 namespace fs = std::filesystem;
 
 std::string in_csv_quotes(std::string_view text) {
@@ -93,7 +99,7 @@ void write_campaign(const RecordedCampaign& campaign, const fs::path& folder) {
     write(recording.session + ".csv", recording_text(recording));
   }
   write("sessions.csv", sessions_text(campaign.recordings));
-  write("campaign.toml", campaign.campaign_toml);
+  write("campaign.toml", campaign.campaign_toml + std::string(kWire));
   for (OutputFile& file : files) {
     file.commit();
   }

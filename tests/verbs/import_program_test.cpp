@@ -36,4 +36,10 @@ TEST_F(ImportProgram, WritesThatADriveWorksInBothDirections) {
   EXPECT_EQ(contents(folder_ / "pulled/joint.csv"), contents(folder_ / "both/joint.csv"));
 }
 
+TEST_F(ImportProgram, SaysWhatAModelThatIsWrittenNeedsBesides) {
+  ASSERT_EQ(import_to("pulled", ""), 0) << err_;
+  EXPECT_NE(contents(folder_ / "pulled/campaign.toml").find("add [model.cable], [model.counting]"),
+            std::string::npos);
+}
+
 }  // namespace

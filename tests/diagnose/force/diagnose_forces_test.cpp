@@ -31,8 +31,20 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::UnorderedElementsAre;
 
+/// What cannot be told apart is said once, with each effect once.
+void expect_sets(std::vector<std::vector<std::string>> sets) {
+  for (std::vector<std::string>& set : sets) {
+    std::ranges::sort(set);
+    EXPECT_EQ(std::ranges::adjacent_find(set), set.end()) << testing::PrintToString(set);
+  }
+  std::ranges::sort(sets);
+  EXPECT_EQ(std::ranges::adjacent_find(sets), sets.end()) << testing::PrintToString(sets);
+}
+
 Findings found(const std::vector<effects::ForceRecord>& records) {
-  return diagnose_forces(records, nominal(), kWire, {}).findings;
+  Findings findings = diagnose_forces(records, nominal(), kWire, {}).findings;
+  expect_sets(findings.equivalent_sets);
+  return findings;
 }
 
 std::vector<std::string> ids_of(const Findings& findings) {
