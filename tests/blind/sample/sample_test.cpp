@@ -20,14 +20,15 @@
 namespace blind::test {
 namespace {
 
-/// Runs campaigns of these scenarios on all cores and prints a line of each.
+/// Runs campaigns of these scenarios, whose seeds no other run has at the time, on all cores and
+/// prints a line of each.
 /// @return records in the order of the scenarios
 std::vector<Record> run_sample(const std::vector<Scenario>& scenarios, const Analysis& analysis,
                                const std::vector<std::string>& without = {}) {
-  std::mutex mutex;
+  static std::mutex mutex;
   RunOptions options;
-  options.folder =
-      std::filesystem::temp_directory_path() / fmt::format("blind-sample-{}", getpid());
+  options.folder = std::filesystem::temp_directory_path() /
+                   fmt::format("blind-sample-{}-{}", getpid(), scenarios.front().seed);
   options.oracle = !without.empty();
   options.without = without;
   options.sealed = [&](std::uint64_t seed, const std::string& sha256) {
@@ -94,7 +95,8 @@ void expect_good(const std::vector<Record>& records, const OfMany& many) {
 void expect_unknown_without(Scenario (*draft)(std::uint64_t seed),
                             Scenario (*draw)(std::uint64_t seed), const Analysis& analysis,
                             const std::vector<std::string>& ids, double plain_sigmas) {
-  for (const std::string& id : ids) {
+  host_sim::statistics::parallel_for(ids.size(), [&](std::size_t i) {
+    const std::string& id = ids[i];
     std::uint64_t seed = kFirstScoringSeed;
     bool plain = false;
     while (!plain) {
@@ -107,7 +109,7 @@ void expect_unknown_without(Scenario (*draft)(std::uint64_t seed),
         EXPECT_TRUE(judgement.unknown()) << "without " << id << ": " << short_line_of(record);
       }
     }
-  }
+  });
 }
 
 constexpr std::size_t kLifeCampaigns = 30;
