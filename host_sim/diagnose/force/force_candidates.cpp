@@ -131,7 +131,16 @@ std::vector<Candidate> candidates_of(const ForceData& data, std::span<const Judg
   }
   candidates.push_back({rest, std::max(0.0, 1 - all)});
   if (!remainder_stands) {
-    share_with(left_out, candidates);
+    // What could be in the place of a cause was weighed there.
+    std::vector<LeftOut> beside(left_out.begin(), left_out.end());
+    std::erase_if(beside, [&](const LeftOut& out) {
+      return std::ranges::any_of(judged, [&](const Judged& one) {
+        return std::ranges::any_of(one.others, [&](const Judged::Other& other) {
+          return same_effect(other.term, out.term);
+        });
+      });
+    });
+    share_with(beside, candidates);
   }
   std::ranges::stable_sort(candidates, std::greater<>(), &Candidate::probability);
   return candidates;

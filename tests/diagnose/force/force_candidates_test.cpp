@@ -122,7 +122,10 @@ TEST(ForceCandidates, WhatCouldBeInItsPlaceHasItsOdds) {
 TEST(ForceCandidates, OfTwoThatAreEvenTheOneThatTheModelHasIsFirst) {
   Judged one = of_odds(effects::ForceTerm::delay, 1e9);
   one.others = {{effects::ForceTerm::lag, 0}};
-  const auto candidates = candidates_of(sixteen_sessions(), std::vector{one}, {}, "none", false);
+  const std::vector<LeftOut> left_out{{effects::ForceTerm::lag, 0, 0.04},
+                                      {effects::ForceTerm::slack, 0, 0.04}};
+  const auto candidates =
+      candidates_of(sixteen_sessions(), std::vector{one}, left_out, "none", false);
   EXPECT_EQ(candidates[0].id, "channel_delay");
   EXPECT_EQ(candidates[1].id, "filter_lag");
   EXPECT_EQ(candidates[0].probability, candidates[1].probability);
