@@ -129,10 +129,10 @@ class Report {
   [[nodiscard]] std::vector<Candidate> candidates(Verdict verdict) const {
     const bool none =
         verdict == Verdict::none || (verdict == Verdict::ambiguous && !remainder_.stands);
+    const std::string rest = none ? "none" : "unknown";
     return names_nothing()
-               ? candidates_of(data_, {}, {}, none ? "none" : "unknown", remainder_.stands)
-               : candidates_of(data_, search_.judged(), left_out(), none ? "none" : "unknown",
-                               remainder_.stands);
+               ? candidates_of(data_, {}, {}, rest, remainder_.stands)
+               : candidates_of(data_, search_.judged(), left_out(), rest, remainder_.stands);
   }
 
   [[nodiscard]] std::vector<LeftOut> left_out() const {

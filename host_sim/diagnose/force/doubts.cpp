@@ -177,9 +177,8 @@ class Sessions {
                  true);
     }
     const auto times_others = [&](const Alone& one) {
-      return one.gain <= 0 ? one.gain / gain
-                           : std::clamp(1.0, std::min(one.gain / gain, one.most_gain / most_gain),
-                                        std::max(one.gain / gain, one.most_gain / most_gain));
+      const auto [least, most] = std::minmax({one.gain / gain, one.most_gain / most_gain});
+      return one.gain <= 0 ? one.gain / gain : std::clamp(1.0, least, most);
     };
     add_each_of_few(
         [&](const Alone& one) {

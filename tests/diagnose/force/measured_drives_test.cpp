@@ -109,10 +109,12 @@ double input_rmse_N(const Findings& findings, bool after) {
   return 0;
 }
 
-std::vector<std::string> named_in(const Findings& findings) {
+/// Of effects or extensions.
+template <typename T>
+std::vector<std::string> ids_in(const std::vector<T>& all) {
   std::vector<std::string> ids;
-  for (const FoundEffect& effect : findings.effects) {
-    ids.push_back(effect.id);
+  for (const T& one : all) {
+    ids.push_back(one.id);
   }
   return ids;
 }
@@ -186,7 +188,8 @@ TEST_F(MeasuredDrive, AScrewDriveHasLoadIndependentAndViscousFriction) {
   ASSERT_EQ(findings.verdict, Verdict::named) << findings.prose;
   // The forces of its drive are off by the same both ways, as those who measured it found too: by
   // a zero or by friction that is larger one way.
-  EXPECT_THAT(named_in(findings), UnorderedElementsAre("friction_preload", "friction_velocity"));
+  EXPECT_THAT(ids_in(findings.effects),
+              UnorderedElementsAre("friction_preload", "friction_velocity"));
   EXPECT_THAT(findings.prose, HasSubstr("What looks like zero of the output sensor"));
   EXPECT_LE(input_rmse_N(findings, true), 4.8);
   check_gain_on_target(campaign, diagnosis);
@@ -209,8 +212,11 @@ TEST_F(MeasuredDrive, ACableDriveHasPreslidingAndLoadIndependentFriction) {
   const Diagnosis diagnosis = diagnosis_of(campaign);
   const Findings& findings = diagnosis.tension->findings;
   ASSERT_EQ(findings.verdict, Verdict::named) << findings.prose;
-  EXPECT_THAT(named_in(findings), UnorderedElementsAre("friction_preload", "load_cell_zero",
-                                                       "presliding", "friction_position"));
+  EXPECT_THAT(ids_in(findings.effects), UnorderedElementsAre("friction_preload", "load_cell_zero",
+                                                             "presliding", "friction_position"));
+  EXPECT_THAT(ids_in(findings.extensions),
+              UnorderedElementsAre("friction_preload", "load_cell_zero", "presliding",
+                                   "friction_position", "empirical"));
   ASSERT_TRUE(findings.correction);
   EXPECT_EQ(findings.correction->covariate, "position");
   EXPECT_LT(kPulley_mm * findings.correction->after_N, 11.9);
