@@ -105,7 +105,8 @@ std::vector<double> cycles_of(const Recording& recording) {
 void leave_out(const Recording& recording, const std::vector<Fault>& faults,
                effects::ForceRecord& record) {
   for (const Fault& fault : faults) {
-    if (fault.session != recording.session || fault.kind == Fault::Kind::constant) {
+    if (fault.session != recording.session || fault.kind == Fault::Kind::constant ||
+        fault.kind == Fault::Kind::dead_load) {
       continue;
     }
     const std::size_t end = std::min(fault.first + fault.count, record.used.size());

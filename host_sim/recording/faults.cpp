@@ -55,6 +55,15 @@ std::string constant_prose(const Recording& recording, ProfileColumnId channel) 
                      session_text(recording), name_of(channel), value);
 }
 
+std::string dead_load_prose(const Recording& recording) {
+  return fmt::format(
+      "{}: {} is {} in all samples, and no session changes it; it is taken for a dead load, which "
+      "a "
+      "load cell that does not work would look like",
+      session_text(recording), name_of(kOutputTensionColumn),
+      value_text(kOutputTensionColumn, recording[kOutputTensionColumn].front()));
+}
+
 std::string stuck_prose(const Recording& recording, const LiveChannel& channel,
                         const Stretch& stretch) {
   const bool noisy = channel.sensor.longest_by_chance != 0;
@@ -79,7 +88,8 @@ using Words = std::string (*)(const Recording&, const LiveChannel&, const Stretc
 /// Collects the faults of one session.
 class Session {
  public:
-  explicit Session(const Recording& recording) : recording_(recording) {
+  Session(const Recording& recording, bool dead_load)
+      : recording_(recording), dead_load_(dead_load) {
     for (unsigned id = kInputTensionColumn; id < kProfileColumnCount; ++id) {
       const auto channel = static_cast<ProfileColumnId>(id);
       if (recording.has(channel)) {
@@ -99,7 +109,10 @@ class Session {
       add(kTime, Fault::Kind::gap, gap, gap_prose(recording_, gap));
     }
     for (const LiveChannel& channel : channels_) {
-      if (has_to_change(channel.id) && channel.sensor.span() == 0) {
+      if (channel.id == kOutputTensionColumn && dead_load_) {
+        add(channel.id, Fault::Kind::dead_load, {0, recording_.samples()},
+            dead_load_prose(recording_));
+      } else if (has_to_change(channel.id) && channel.sensor.span() == 0) {
         add(channel.id, Fault::Kind::constant, {0, recording_.samples()},
             constant_prose(recording_, channel.id));
       } else if (has_to_change(channel.id)) {
@@ -143,17 +156,33 @@ class Session {
   }
 
   const Recording& recording_;
+  bool dead_load_;
   std::vector<LiveChannel> channels_;
   std::vector<Stretch> slips_;
   std::vector<Fault> faults_;
 };
 
+/// Whether the output tension is a number that was written beside what was measured.
+bool is_dead_load(const std::vector<Recording>& recordings) {
+  const auto changes_sign = [](const std::vector<double>& values) {
+    return !values.empty() && std::ranges::min(values) < 0 && std::ranges::max(values) > 0;
+  };
+  return std::ranges::all_of(recordings, [&](const Recording& recording) {
+    const std::vector<double>& output_N = recording[kOutputTensionColumn];
+    return !output_N.empty() &&
+           std::ranges::all_of(output_N, [&](double value_N) { return value_N == output_N[0]; }) &&
+           (output_N.front() != 0 || changes_sign(recording[kInputTensionColumn]) ||
+            changes_sign(recording[kMotorCurrentColumn]));
+  });
+}
+
 }  // namespace
 
 std::vector<Fault> faults_of(const std::vector<Recording>& recordings) {
+  const bool dead_load = is_dead_load(recordings);
   std::vector<Fault> faults;
   for (const Recording& recording : recordings) {
-    for (Fault& fault : Session(recording).faults()) {
+    for (Fault& fault : Session(recording, dead_load).faults()) {
       faults.push_back(std::move(fault));
     }
   }

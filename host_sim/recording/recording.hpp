@@ -51,6 +51,7 @@ std::vector<std::filesystem::path> files_of_campaign(const std::filesystem::path
 struct Fault {
   enum class Kind {
     constant,     ///< the channel never changes
+    dead_load,    ///< nor does the output tension in any session: a weight, or none
     stuck,        ///< it stands still for long while others of its kind move
     saturated,    ///< it stays at its largest or smallest value
     gap,          ///< five samples or more are missing; the sample behind the jump
@@ -66,8 +67,9 @@ struct Fault {
 
 /// What is wrong with each channel that the diagnosis reads, in order of session, channel, kind and
 /// sample. The rules with their thresholds are in fault_rules.hpp. A temperature or a bend angle
-/// may be constant or stand still. Without a fault a recording may still hold too little:
-/// covariates leave out what they cannot use.
+/// may be constant or stand still, and so may an output tension that no session changes, unless it
+/// is 0 N against an input that has one sign only. Without a fault a recording may still hold too
+/// little: covariates leave out what they cannot use.
 std::vector<Fault> faults_of(const std::vector<Recording>& recordings);
 
 /// All faults of one kind in one channel, over all sessions.

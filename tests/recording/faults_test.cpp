@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -70,8 +71,8 @@ std::vector<Fault> only(const Recording& recording, ProfileColumnId channel, Fau
 }
 
 TEST(Faults, NameAChannelThatNeverChanges) {
-  for (const ProfileColumnId channel : {kInputTensionColumn, kMotorCurrentColumn,
-                                        kOutputTensionColumn, kTendonVelocity, kMotorAngle}) {
+  for (const ProfileColumnId channel :
+       {kInputTensionColumn, kMotorCurrentColumn, kTendonVelocity, kMotorAngle}) {
     Recording recording = test::recording_of({});
     change(recording, channel, 0, 20, [](double) { return 7.5; });
     const auto faults = only(recording, channel, FaultKind::constant);
@@ -87,6 +88,33 @@ TEST(Faults, SayWhatIsConstant) {
   EXPECT_EQ(all_words(faults_of({recording})),
             "session 's1': tendon_velocity_m_s is 0.05 m/s in all samples; the channel is left out "
             "as if not recorded\n");
+}
+
+/// Of a weight that hangs, or of a drive that moves nothing, the load is written and not measured.
+TEST(Faults, AnOutputThatNoSessionChangesIsADeadLoad) {
+  std::vector<Recording> recordings{test::recording_of({}), test::recording_of({})};
+  recordings[1].session = "s2";
+  change(recordings[0], kOutputTensionColumn, 0, 20, [](double) { return 10.0; });
+  change(recordings[1], kOutputTensionColumn, 0, 20, [](double) { return 20.0; });
+  EXPECT_EQ(all_words(faults_of(recordings)),
+            "session 's1': output_tension_N is 10 N in all samples, and no session changes it; it "
+            "is taken for a dead load, which a load cell that does not work would look like\n"
+            "session 's2': output_tension_N is 20 N in all samples, and no session changes it; it "
+            "is taken for a dead load, which a load cell that does not work would look like\n");
+  recordings[1] = test::recording_of({});
+  EXPECT_EQ(faults_of(recordings).front().kind, FaultKind::constant);
+}
+
+/// A tendon under no load would not pull.
+TEST(Faults, NoLoadIsADeadLoadOfWhatWorksBothWaysAlone) {
+  Recording recording = test::recording_of({});
+  change(recording, kOutputTensionColumn, 0, 20, [](double) { return 0.0; });
+  EXPECT_EQ(faults_of({recording}).front().kind, FaultKind::constant);
+  for (const ProfileColumnId input : {kInputTensionColumn, kMotorCurrentColumn}) {
+    Recording signed_input = recording;
+    change(signed_input, input, 0, 20, [](double t) { return std::sin(t); });
+    EXPECT_EQ(faults_of({signed_input}).front().kind, FaultKind::dead_load);
+  }
 }
 
 TEST(Faults, NameASensorThatLosesItsNoise) {

@@ -314,29 +314,32 @@ double ForceData::freedom_of(const ForceFit& fit) const {
   return std::max(records - static_cast<double>(fit.parameters.size()), 1.0);
 }
 
-Eigen::MatrixXd ForceData::covariance_of(const ForceFit& fit) const {
+ForceData::Covariance ForceData::covariance_of(const ForceFit& fit) const {
   const Normal normal = normal_of(fit.terms, fit.parameters, -1);
   const Eigen::Index count = normal.gradient.size();
   Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(count, count);
   for (const Eigen::VectorXd& gradient : normal.of_records) {
     scatter += gradient * gradient.transpose();
   }
-  scatter(0, 0) += std::pow(gain_weight_N2_ * kLogGain / fit.parameters[0], 2);
   const Eigen::MatrixXd inverse =
       normal.matrix.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
   const double records = static_cast<double>(records_.size());
-  return inverse * scatter * inverse * (records / freedom_of(fit));
+  const Eigen::VectorXd by_gain = inverse.col(0) * (gain_weight_N2_ * kLogGain / fit.parameters[0]);
+  return {.of_records = inverse * scatter * inverse * (records / freedom_of(fit)),
+          .of_gain = by_gain * by_gain.transpose()};
 }
 
 std::vector<double> ForceData::half_widths(const ForceFit& fit) const {
-  const Eigen::MatrixXd covariance = covariance_of(fit);
+  const Covariance covariance = covariance_of(fit);
   const double wide = statistics::student95(freedom_of(fit));
   const auto all = parameters_of(fit.terms, scales_);
   std::vector<double> half;
-  for (Eigen::Index k = 0; k < covariance.rows(); ++k) {
-    const double step_m = all[static_cast<std::size_t>(k)].stepped ? resolution_m_ : 0;
-    half.push_back(std::hypot(wide * std::sqrt(std::max(covariance(k, k), 0.0)),
-                              statistics::kNormal95 * step_m));
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    const auto at = static_cast<Eigen::Index>(k);
+    const double step_m = all[k].stepped ? resolution_m_ : 0;
+    const double known = std::sqrt(covariance.of_gain(at, at) + step_m * step_m);
+    half.push_back(std::hypot(wide * std::sqrt(std::max(covariance.of_records(at, at), 0.0)),
+                              statistics::kNormal95 * known));
   }
   return half;
 }
@@ -360,7 +363,7 @@ double ForceData::log_occam(const ForceFit& fit, std::size_t term) const {
   }
   const Eigen::VectorXd scale = vector_of(usual).cwiseInverse();
   const Eigen::MatrixXd of_usual =
-      scale.asDiagonal() * covariance_of(fit)(places, places) * scale.asDiagonal();
+      scale.asDiagonal() * covariance_of(fit).all()(places, places) * scale.asDiagonal();
   return log_prior + std::log(std::max(of_usual.determinant(), kLeast)) / 2;
 }
 

@@ -146,8 +146,14 @@ class ForceData {
   }
 
  private:
-  /// Of the parameters, of records that scatter as wholes (sandwich).
-  [[nodiscard]] Eigen::MatrixXd covariance_of(const ForceFit& fit) const;
+  /// Of the parameters: of records that scatter as wholes (sandwich), and of the gain that the
+  /// nominal model has, which is known however few the records are.
+  struct Covariance {
+    Eigen::MatrixXd of_records;
+    Eigen::MatrixXd of_gain;
+    [[nodiscard]] Eigen::MatrixXd all() const { return of_records + of_gain; }
+  };
+  [[nodiscard]] Covariance covariance_of(const ForceFit& fit) const;
   [[nodiscard]] double freedom_of(const ForceFit& fit) const;
 
   /// In the place of a fold: one record in three, where those are enough to choose a start by.

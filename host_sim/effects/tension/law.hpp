@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <span>
 #include <string>
 #include <string_view>
@@ -54,6 +55,12 @@ inline std::string_view needs_current(const ForceRecord& record) {
   return record.input_N_per_A > 0
              ? ""
              : "input tension comes from a load cell, which the drive does not change";
+}
+
+inline std::string_view needs_load(const ForceRecord& record) {
+  return std::ranges::all_of(record.output_N, [](double output_N) { return output_N == 0; })
+             ? "output_tension_N is 0 N throughout: no sensor has read it"
+             : "";
 }
 
 inline std::string_view needs_sheath_temperature(const ForceRecord& record) {

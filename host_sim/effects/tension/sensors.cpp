@@ -93,6 +93,7 @@ Parameters parameters(const ForceScales& scales) {
 constexpr ForceLaw kLaw{
     .effect = &kEffect,
     .equation = "T_out - b",
+    .missing = needs_load,
     .parameters = parameters,
     .set = [](Numbers numbers, ForceValues& values) { values.zero_N = numbers[0]; },
     .written =

@@ -123,6 +123,25 @@ TEST(DiagnoseForces, AJointThatRunsFreeHasFrictionAndNoOtherGain) {
   }
 }
 
+/// Of 15 N of friction and 40 N s/m under no load the gain is that of the nominal model, by 0.3 in
+/// its logarithm (1 standard deviation); no sensor has read 0 N throughout that could have a zero.
+TEST(DiagnoseForces, ADriveWithoutLoadHasFrictionAndNoZero) {
+  std::vector<effects::ForceRecord> records =
+      measured({.friction = 0, .load_N = 0, .preload_N = 15, .viscous_N_s_m = 40}, 13);
+  for (effects::ForceRecord& record : records) {
+    std::ranges::fill(record.output_N, 0.0);
+    std::ranges::fill(record.output_rate_N_s, 0.0);
+  }
+  const Findings findings = found(records);
+  EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
+  EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload", "friction_velocity"));
+  const Estimate& preload = estimate(findings, "preload_N");
+  EXPECT_NEAR(preload.value, 15, 0.5);
+  EXPECT_NEAR(preload.high - preload.low, 2 * 1.96 * 0.3 * 15, 2);
+  EXPECT_THAT(findings.invisible, Contains(testing::Field(&Invisible::id, "load_cell_zero")));
+  EXPECT_LT(metric(findings, "input_rmse_N", true), 1.15 * 0.5);
+}
+
 /// The friction turns over at once, and shows three samples later: a lag would bring it on slowly.
 TEST(DiagnoseForces, AChannelThatIsLateIsNoLag) {
   std::vector<effects::ForceRecord> records = measured({.preload_N = 12, .noise_N = 0.2}, 5);
