@@ -59,6 +59,7 @@ CLI::Option* add_column(CLI::App& verb, std::vector<ColumnMap>& maps) {
           "Takes a column of the file as a channel: force=input_tension_N, or 't in "
           "ms=time_s', '-2*F+3=output_tension_N'; once for each channel")
       ->expected(1)
+      ->allow_extra_args(false)
       ->take_all()
       ->type_name("COLUMN=CHANNEL")
       ->check(CLI::Validator(problem_of_map, ""));
@@ -80,6 +81,7 @@ CLI::Option* add_map(CLI::App& verb, std::vector<ColumnMap>& maps) {
           },
           "The same the other way round: input_tension_N=force, 'output_tension_N=-2*F+3'")
       ->expected(1)
+      ->allow_extra_args(false)
       ->take_all()
       ->type_name("CHANNEL=COLUMN")
       ->check(CLI::Validator(

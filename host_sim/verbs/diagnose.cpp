@@ -192,8 +192,13 @@ void add_computation(CLI::App& verb, diagnose::DiagnoseOptions& options) {
   verb.add_option("--threads", options.threads,
                   "How many threads; all cores without it. The result does not depend on it")
       ->check(command_line::in_range(1U, kMostThreads));
-  verb.add_option("--without", options.without,
-                  "Take this effect out of the catalogue: what it alone explains becomes unknown")
+  verb.add_option(
+          "--without", options.without,
+          "Take effects out of the catalogue, a comma between them: what they alone explain "
+          "becomes unknown")
+      ->delimiter(',')
+      ->expected(1)
+      ->take_all()
       ->allow_extra_args(false)
       ->check(CLI::IsMember(catalogue()));
 }

@@ -51,6 +51,8 @@ CLI::Option* add_fail_on(CLI::App& verb, std::vector<std::string>& fail_on,
   // Without extra arguments: the next one may be a profile.
   return verb.add_option("--fail-on", fail_on, description)
       ->delimiter(',')
+      ->expected(1)
+      ->take_all()
       ->allow_extra_args(false)
       ->check(CLI::IsMember(names));
 }

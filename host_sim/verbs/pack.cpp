@@ -134,6 +134,9 @@ void add_pack(CLI::App& app, int&) {
   verb->add_option("--without", arguments->without,
                    "Extensions to leave out because the controller does not measure what they need")
       ->delimiter(',')
+      ->expected(1)
+      ->take_all()
+      ->allow_extra_args(false)
       ->check(CLI::IsMember(extension_ids()));
   verb->footer("Example: host_sim pack host_sim/examples/upper_arm.toml --out upper_arm.bin");
   verb->callback([arguments] { run(*arguments); });

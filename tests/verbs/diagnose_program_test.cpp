@@ -150,8 +150,7 @@ TEST_F(DiagnoseProgram, WrongUsageIsStatusTwo) {
 
 TEST_F(DiagnoseProgram, TakesEffectsOutOfTheCatalogue) {
   ASSERT_EQ(run("diagnose c --json all.json"), 0) << err_;
-  ASSERT_EQ(run("diagnose c --json few.json --without second_mode --without lot_frailty"), 0)
-      << err_;
+  ASSERT_EQ(run("diagnose --json few.json --without second_mode,lot_frailty c"), 0) << err_;
   const auto second_modes = [this](const char* name) {
     const json result = json::parse(contents(folder_ / name));
     const json& candidates = result["candidates"];

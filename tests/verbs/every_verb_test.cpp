@@ -530,9 +530,13 @@ TEST_F(EveryVerb, AnOptionWithoutEffectIsAnError) {
   }
   expect_refused("replay good.csv --model model.toml --start-cycle 7", 1,
                  "model.toml: no [extension.friction_wear], and --start-cycle is for a sheath");
-  EXPECT_EQ(run("pack model.toml --out b.bin --without current_offset"), 0);
-  EXPECT_NE(err_.find("current_offset: not in the model, nothing to leave out"), std::string::npos)
-      << err_;
+  for (const std::string without : {"current_offset,slack", "current_offset --without slack"}) {
+    EXPECT_EQ(run("pack --out b.bin --without " + without + " model.toml"), 0);
+    for (const std::string id : {"current_offset", "slack"}) {
+      EXPECT_NE(err_.find(id + ": not in the model, nothing to leave out"), std::string::npos)
+          << err_;
+    }
+  }
 }
 
 TEST_F(EveryVerb, AFlagFailsInWhicheverWayItIsReplayed) {

@@ -20,9 +20,9 @@ class ImportProgram : public host_sim_test::Program {
   }
 
   int import_to(const std::string& folder, const std::string& more) {
-    return run("import columns joint.csv --out " + folder +
+    return run("import columns --out " + folder +
                " --column t=time_s --column motor=input_tension_N --column joint=output_tension_N "
-               "--column \"rate(position)=tendon_velocity_m_s\"" +
+               "--column \"rate(position)=tendon_velocity_m_s\" joint.csv" +
                more);
   }
 };
