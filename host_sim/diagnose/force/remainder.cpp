@@ -26,15 +26,11 @@ constexpr double kRareRepeat = 0.01;
 /// That of what goes with sessions.
 constexpr double kRareTrend = SessionScatter::kRare;
 
-/// After a second noise of sensors is forgotten, and after a quarter its size: of first order, with
-/// a coefficient of 0.95 at 100 Hz, a correlation of 0.006 is left, and of its squares 0.08.
-constexpr double kForgotten_s = 1;
 constexpr double kLeastMemory = 0.05;
-constexpr double kBurst_s = 0.25;
 constexpr double kLeastOfBursts = 0.12;
 
-/// What goes on in each session, other than in the others: of two ways, the one that chance shows
-/// less, and the chance of either.
+/// What goes on in each session, other than in the others: of three ways, the one that chance shows
+/// least, and the chance of any.
 struct Course {
   double correlation = 0;
   double p = 1;
@@ -42,14 +38,22 @@ struct Course {
 };
 
 Course course_of(const ForceData& data, const std::vector<std::vector<double>>& residuals_N) {
-  const Memory slow = memory_of(data, residuals_N, kForgotten_s, false);
+  struct Way {
+    Memory memory;
+    double least;
+  };
+  std::vector<Way> ways{{memory_of(data, residuals_N, MemoryOf::force), kLeastMemory},
+                        {memory_of(data, residuals_N, MemoryOf::friction), kLeastMemory}};
   // Of forces that come near zero, noise goes down with them by itself.
-  const Memory bursts =
-      data.records().front().pulls_alone ? memory_of(data, residuals_N, kBurst_s, true) : Memory{};
-  const Memory& rarer = slow.p < bursts.p ? slow : bursts;
-  return {rarer.correlation, std::min(1.0, 2 * rarer.p),
-          (slow.correlation >= kLeastMemory && slow.p < kRareTrend) ||
-              (bursts.correlation >= kLeastOfBursts && bursts.p < kRareTrend)};
+  if (data.records().front().pulls_alone) {
+    ways.push_back({memory_of(data, residuals_N, MemoryOf::size), kLeastOfBursts});
+  }
+  const Way& rarest =
+      *std::ranges::min_element(ways, {}, [](const Way& way) { return way.memory.p; });
+  return {rarest.memory.correlation, std::min(1.0, 3 * rarest.memory.p),
+          std::ranges::any_of(ways, [](const Way& way) {
+            return way.memory.correlation >= way.least && way.memory.p < kRareTrend;
+          })};
 }
 
 /// Gain and friction that suit each session beside a model, against a covariate of sessions.

@@ -54,21 +54,21 @@ std::vector<double> weighted_N(const ForceData& data, std::size_t session,
   return values_N;
 }
 
-/// Sums over pairs of samples that count and lie some samples apart.
+/// Sums over pairs of samples.
 struct Pairs {
   double products = 0;
-  double squares = 0;  ///< of the first of each
+  double squares = 0;        ///< of the first of each
+  double later_squares = 0;  ///< of the other
   std::size_t count = 0;
 
-  void add(const std::vector<bool>& used, const std::vector<double>& values, std::size_t later) {
-    for (std::size_t i = 0; i + later < values.size(); ++i) {
-      if (used[i] && used[i + later]) {
-        products += values[i] * values[i + later];
-        squares += values[i] * values[i];
-        ++count;
-      }
-    }
+  void add(double value, double later_value) {
+    products += value * later_value;
+    squares += value * value;
+    later_squares += later_value * later_value;
+    ++count;
   }
+
+  [[nodiscard]] double correlation() const { return products / std::sqrt(squares * later_squares); }
 };
 
 /// Below which speed the direction of friction is not settled.
@@ -131,6 +131,37 @@ std::vector<double> sizes_of(const effects::ForceRecord& record,
   return sizes;
 }
 
+/// After a second noise of sensors is forgotten, and after a quarter its size: of first order, with
+/// a coefficient of 0.95 at 100 Hz, a correlation of 0.006 is left, and of its squares 0.08.
+constexpr double kForgotten_s = 1;
+constexpr double kBurst_s = 0.25;
+
+/// Of a session those that MemoryOf asks for.
+Pairs pairs_apart(const ForceData& data, std::size_t session,
+                  const std::vector<double>& residuals_N, MemoryOf what) {
+  constexpr double kLater = 1.4;  // so that what oscillates is as often alike as not
+  const effects::ForceRecord& record = data.records()[session];
+  const std::vector<bool> between = between_reversals(record, settled_m_s(data));
+  const std::vector<double> values = what == MemoryOf::size
+                                         ? sizes_of(record, residuals_N, between)
+                                         : weighted_N(data, session, residuals_N);
+  const double first_s = what == MemoryOf::force ? kForgotten_s : kBurst_s;
+  const double last_s = (what == MemoryOf::friction ? 3 : kLater) * first_s;
+  const auto samples_in = [&](double time_s) {
+    return static_cast<std::size_t>(std::lround(time_s / record.step_s()));
+  };
+  Pairs pairs;
+  for (std::size_t later = samples_in(first_s); later <= samples_in(last_s); ++later) {
+    for (std::size_t i = 0; i + later < values.size(); ++i) {
+      const bool opposite = record.velocity_m_s[i] * record.velocity_m_s[i + later] < 0;
+      if (between[i] && between[i + later] && (opposite || what != MemoryOf::friction)) {
+        pairs.add(values[i], values[i + later]);
+      }
+    }
+  }
+  return pairs;
+}
+
 /// Residuals of one session by weight, and how far apart they are asked to be alike.
 struct GoingOn {
   const effects::ForceRecord* record;
@@ -142,7 +173,11 @@ struct GoingOn {
   /// Mean product of those that lie some samples apart; none where there are none.
   [[nodiscard]] std::optional<double> product_N2(std::size_t apart) const {
     Pairs pairs;
-    pairs.add(record->used, values_N, apart);
+    for (std::size_t i = 0; i + apart < values_N.size(); ++i) {
+      if (record->used[i] && record->used[i + apart]) {
+        pairs.add(values_N[i], values_N[i + apart]);
+      }
+    }
     return pairs.count > 0 ? std::optional(pairs.products / static_cast<double>(pairs.count))
                            : std::nullopt;
   }
@@ -368,31 +403,17 @@ SessionScatter session_scatter_of(const ForceData& data,
 }
 
 Memory memory_of(const ForceData& data, const std::vector<std::vector<double>>& residuals_N,
-                 double later_s, bool of_size) {
+                 MemoryOf what) {
   constexpr std::size_t kFewSamples = 20;
-  constexpr double kLater = 1.4;  // so that what oscillates is as often alike as not
   std::vector<double> correlations;
   for (std::size_t j = 0; j < residuals_N.size(); ++j) {
-    const effects::ForceRecord& record = data.records()[j];
-    const double square_N2 =
-        data.covariance().weighted_square(j, vector_of(residuals_N[j])) / data.counts()[j];
-    if (square_N2 <= 0) {
+    if (data.covariance().weighted_square(j, vector_of(residuals_N[j])) <= 0) {
       continue;
     }
-    const std::vector<bool> between = between_reversals(record, settled_m_s(data));
-    const std::vector<double> values =
-        of_size ? sizes_of(record, residuals_N[j], between) : weighted_N(data, j, residuals_N[j]);
-    const auto samples_in = [&](double time_s) {
-      return static_cast<std::size_t>(
-          std::lround(time_s / (record.time_s.back() - record.time_s.front()) *
-                      static_cast<double>(record.samples() - 1)));
-    };
-    Pairs pairs;
-    for (std::size_t later = samples_in(later_s); later <= samples_in(kLater * later_s); ++later) {
-      pairs.add(between, values, later);
-    }
-    if (pairs.count >= kFewSamples && pairs.squares > 0) {
-      correlations.push_back(pairs.products / pairs.squares);
+    const Pairs pairs = pairs_apart(data, j, residuals_N[j], what);
+    if (pairs.count >= kFewSamples && pairs.squares > 0 && pairs.later_squares > 0) {
+      correlations.push_back(what == MemoryOf::friction ? -pairs.correlation()
+                                                        : pairs.correlation());
     }
   }
   const auto sessions = static_cast<double>(correlations.size());

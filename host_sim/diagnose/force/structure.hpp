@@ -72,11 +72,15 @@ struct Memory {
   double correlation = 0;  ///< mean over sessions
   double p = 1;            ///< that chance alone leaves as much
 };
+enum class MemoryOf {
+  force,     ///< after 1 s, which noise of sensors does not remember
+  friction,  ///< within 1 s, of opposite ways: noise and forces that stay are alike there, not
+             ///< unlike
+  size,      ///< after 0.25 s, in size alone, as what comes in bursts is
+};
 /// @param residuals_N beside the scatter of gain and friction
-/// @param later_s that they lie apart, and somewhat more
-/// @param of_size whether in size alone, as what comes in bursts is
 Memory memory_of(const ForceData& data, const std::vector<std::vector<double>>& residuals_N,
-                 double later_s, bool of_size);
+                 MemoryOf what);
 
 /// Mean squares of what a model leaves and is no noise, by the weight of samples. What sessions
 /// scatter by more than they may is a part of both.

@@ -741,6 +741,29 @@ TEST(DiagnoseForces, WhatComesInBurstsIsUnknown) {
 }
 
 /// Eight that all agree: of 2^8 ways to turn them over two are as large, whatever the seed.
+/// A quarter more friction for 1.2 s at times of each session's own: as often against the
+/// force as with it, and as large in one session as in another.
+TEST(DiagnoseForces, FrictionThatStaysForAWhileIsUnknown) {
+  const auto sticking = [](double share) {
+    std::vector<effects::ForceRecord> records =
+        measured({.friction = 0.02, .preload_N = 8, .noise_N = 0.3, .gain_scatter = 0.002}, 10);
+    double begun_s = 0;
+    for (effects::ForceRecord& record : records) {
+      begun_s += 0.7;
+      for (std::size_t i = 0; i < record.samples(); ++i) {
+        const bool on = std::fmod(record.time_s[i] + begun_s, 2.5) < 1.2;
+        record.input_N[i] += on ? share * 8 * std::tanh(record.velocity_m_s[i] / 1e-3) : 0;
+      }
+    }
+    return found(records);
+  };
+  const double chance = sticking(0).discrepancies.back().p_after;
+  EXPECT_GT(chance, 0.01);
+  const Findings findings = sticking(0.25);
+  EXPECT_EQ(findings.remainder.value().covariate, "time");
+  EXPECT_THAT(ids_of(findings), ElementsAre("friction_preload"));
+}
+
 TEST(DiagnoseForces, FewSessionsAreTurnedOverInAllWays) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     DiagnoseOptions options;
