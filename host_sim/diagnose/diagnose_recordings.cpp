@@ -105,7 +105,7 @@ const effects::TensionEffect* other_than(std::string_view one, std::string_view 
 std::string next_experiment(const Findings& findings) {
   if (findings.verdict == Verdict::unknown && findings.remainder) {
     const std::string& covariate = findings.remainder->covariate;
-    return covariate == kOfTime || covariate == kSession
+    return covariate == kOfTime || covariate == kSession || covariate == kOfSessions
                ? "repeat one session several times with nothing changed"
                : fmt::format("repeat a few sessions with nothing changed but the {}", covariate);
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host_sim/diagnose/diagnosis.hpp"
+#include "host_sim/diagnose/force/session_drift.hpp"
 
 namespace host_sim::diagnose {
 namespace {
@@ -180,7 +181,9 @@ bool Judgement::stays(std::size_t place) const {
     return less_N2 >=
            std::max({least * std::pow(data_.rmse_N(all_N2), 2), of_noise_N2, share * left_N2});
   };
-  return told_apart && data_.is_physical(model_, place) &&
+  const bool drifts = of_session && may_be_drift(refits_of(data_, data_.residuals_N(model_)),
+                                                 refits_of(data_, data_.residuals_N(one.without)));
+  return told_apart && !drifts && data_.is_physical(model_, place) &&
          within_scatter(one.gain, not_worse_N2()) &&
          (((moves_sessions(one) || apart) &&
            material(taken_N2(one), held_.weighted_N2, left_.repeats_N2)) ||

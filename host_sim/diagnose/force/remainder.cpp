@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "host_sim/diagnose/force/session_drift.hpp"
 #include "host_sim/diagnose/force/structure.hpp"
 #include "host_sim/statistics/random.hpp"
 
@@ -302,6 +303,13 @@ ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, cons
   }
   remainder.discrepancies.push_back(
       {std::string(kSession), scatter.statistic, session_scatter_of(data, nominal_N).p, scatter.p});
+  const SessionDrift drift = drift_of(refits_of(data, model_N));
+  if (drift.p < std::min(remainder.p, kRareTrend)) {
+    remainder.covariate = kOfSessions;
+    remainder.p = drift.p;
+  }
+  remainder.discrepancies.push_back(
+      {std::string(kOfSessions), drift.ratio, drift_of(refits_of(data, nominal_N)).p, drift.p});
   const Course course = course_of(data, after.residuals_N());
   if (course.stands && course.p < remainder.p) {
     remainder.covariate = kOfTime;
@@ -311,7 +319,8 @@ ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, cons
                                      course_of(data, before.residuals_N()).p, course.p});
   const double least = data.records().front().pulls_alone ? kLeastRemainderAlone : kLeastRemainder;
   remainder.stands = (repeats_p < kRareRepeat && remainder.share >= least) ||
-                     moves_p < kRareTrend || scatter.p < SessionScatter::kRare || course.stands;
+                     moves_p < kRareTrend || scatter.p < SessionScatter::kRare ||
+                     drift.p < kRareTrend || course.stands;
   for (const std::size_t i : pictured(before.p(), after.p(), most)) {
     std::ranges::move(pictures_of(covariates[i], bins[i], before.means(i), after.means(i)),
                       std::back_inserter(remainder.pictures));

@@ -13,6 +13,9 @@ namespace host_sim::diagnose {
 /// The name of what sessions differ in that no covariate holds.
 inline constexpr std::string_view kSession = "session";
 
+/// The same of what goes on from each session to the next.
+inline constexpr std::string_view kOfSessions = "order of sessions";
+
 /// The same of what goes on in each session, other than in the others.
 inline constexpr std::string_view kOfTime = "time";
 

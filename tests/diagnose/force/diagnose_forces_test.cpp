@@ -277,6 +277,29 @@ std::vector<effects::ForceRecord> warm_sessions(double of_temperature_1_K, unsig
   return records;
 }
 
+/// Friction of a sheath that follows the air of the room, which turns once in the campaign.
+TEST(DiagnoseForces, TheAirOfARoomIsNoWear) {
+  const auto sessions = [](double by_air, double by_cycle) {
+    std::mt19937 engine(4);
+    std::normal_distribution<double> scatter(0, 0.005);
+    std::vector<effects::ForceRecord> records;
+    for (unsigned j = 0; j < 16; ++j) {
+      const double place = (j - 7.5) / 7.5;
+      const double friction =
+          0.2 * (1 + by_air * (std::sin(2.5 * place) + 0.6 * std::cos(5 * place)) +
+                 by_cycle * j / 15 + scatter(engine));
+      records.push_back(measured({.friction = friction, .noise_N = 0.2}, 20 + j, 1).front());
+      records.back().session = "s" + std::to_string(10 + j);
+      records.back().cycle.assign(records.back().samples(), 400.0 * j);
+    }
+    return found(records);
+  };
+  const Findings of_air = sessions(0.2, 0);
+  EXPECT_THAT(ids_of(of_air), Not(Contains("friction_wear"))) << of_air.prose;
+  EXPECT_EQ(of_air.remainder.value().covariate, "order of sessions");
+  EXPECT_THAT(ids_of(sessions(0, 0.4)), Contains("friction_wear"));
+}
+
 TEST(DiagnoseForces, WhatMovesSessionsIsNamedBesideTheirScatter) {
   for (const unsigned seed : {5U, 6U, 7U}) {
     const Findings findings = found(warm_sessions(0.005, seed));
