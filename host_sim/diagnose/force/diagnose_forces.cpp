@@ -103,7 +103,7 @@ class Report {
     if (std::ranges::any_of(judged, [&](const Judged& one) { return stands(one); })) {
       return Verdict::named;
     }
-    return std::ranges::any_of(judged,
+    return std::ranges::all_of(judged,
                                [](const Judged& one) { return one.imitated_by.has_value(); })
                ? Verdict::unknown
                : Verdict::ambiguous;
@@ -189,7 +189,7 @@ class Report {
         }
         findings.equivalent_sets.push_back(std::move(same));
       }
-      if (findings.verdict != Verdict::named || stands(one)) {
+      if (findings.verdict == Verdict::named ? stands(one) : !one.imitated_by) {
         findings.effects.push_back(std::move(found));
       }
     }

@@ -188,10 +188,8 @@ TEST(DiagnoseForces, ALagOfTheInputIsToldFromADelayBetweenTheSamplesThatAreKept)
   EXPECT_NEAR(estimate(late, "delay_s").value, -0.006, 0.0005);
 }
 
-/// The input is read with a lag of 40 ms. Of the smooth load, 40 N at 0.7 Hz, a delay takes off all
-/// of that but (0.04 * 2 pi * 0.7/2)^2 = 0.8 %: too little to say that it is none.
-TEST(DiagnoseForces, OfASmoothForceALagIsAsLikelyAsADelay) {
-  std::vector<effects::ForceRecord> records = measured({.friction = 0, .noise_N = 0.2}, 8);
+/// The input is read with a lag of 40 ms.
+std::vector<effects::ForceRecord> lagging(std::vector<effects::ForceRecord> records) {
   const double share = 1 - std::exp(-0.01 / 0.04);
   for (effects::ForceRecord& record : records) {
     double reads_N = record.input_N.front();
@@ -200,7 +198,23 @@ TEST(DiagnoseForces, OfASmoothForceALagIsAsLikelyAsADelay) {
       input_N = reads_N;
     }
   }
-  const Findings findings = found(records);
+  return records;
+}
+
+/// Friction that is larger one way, which a zero would be as well, takes nothing from a lag that
+/// may be a delay: one of the two is there.
+TEST(DiagnoseForces, WhatMayBeOutsideTheCatalogueIsNoDoubtOfTheOthers) {
+  const Findings findings = found(lagging(
+      measured({.friction = 0.1, .turn_over_m_s = 0.05, .one_way = 0.4, .noise_N = 0.2}, 1)));
+  EXPECT_EQ(findings.verdict, Verdict::ambiguous) << findings.prose;
+  EXPECT_THAT(ids_of(findings), ElementsAre(AnyOf("filter_lag", "channel_delay")));
+  EXPECT_THAT(findings.prose, HasSubstr("looks like zero of the output sensor"));
+}
+
+/// Of the smooth load, 40 N at 0.7 Hz, a delay takes off all but (0.04 * 2 pi * 0.7/2)^2 = 0.8 %:
+/// too little to say that it is none.
+TEST(DiagnoseForces, OfASmoothForceALagIsAsLikelyAsADelay) {
+  const Findings findings = found(lagging(measured({.friction = 0, .noise_N = 0.2}, 8)));
   EXPECT_EQ(findings.verdict, Verdict::ambiguous) << findings.prose;
   EXPECT_THAT(findings.equivalent_sets,
               ElementsAre(UnorderedElementsAre("filter_lag", "channel_delay")));

@@ -119,6 +119,16 @@ TEST(ForceCandidates, WhatCouldBeInItsPlaceHasItsOdds) {
   EXPECT_NEAR(all.at("compliance"), 0.2, 1e-6);
 }
 
+TEST(ForceCandidates, WhatCouldBeInThePlaceOfTwoIsOne) {
+  Judged preload = of_odds(effects::ForceTerm::preload, 1e9);
+  preload.others = {{effects::ForceTerm::velocity, 0}};
+  Judged lag = of_odds(effects::ForceTerm::lag, 1e9);
+  lag.others = {{effects::ForceTerm::velocity, 0}};
+  const auto all = found({preload, lag}, "unknown", false);
+  EXPECT_NEAR(all.at("friction_velocity"), 0.25, 1e-6);
+  EXPECT_NEAR(all.at("filter_lag+friction_velocity"), 0.25, 1e-6);
+}
+
 TEST(ForceCandidates, OfTwoThatAreEvenTheOneThatTheModelHasIsFirst) {
   Judged one = of_odds(effects::ForceTerm::delay, 1e9);
   one.others = {{effects::ForceTerm::lag, 0}};
