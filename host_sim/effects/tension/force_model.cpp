@@ -127,9 +127,14 @@ class Forward {
         by_load_(values.by_load != decltype(values.by_load){}),
         by_speed_(values.by_speed != decltype(values.by_speed){}) {}
 
-  /// Input force before the gain, for a friction that is turned over by `slip`.
-  /// @param loose whether the drive holds only a part of the force
-  [[nodiscard]] double input_N(std::size_t i, double slip, bool loose) const {
+  /// A sample, whatever its friction is turned over by.
+  struct Sample {
+    double output_N;
+    double log_ratio;  ///< of the friction of the sheath that is turned over in full
+    double other_N;    ///< of what rubs beside it
+  };
+
+  [[nodiscard]] Sample sample(std::size_t i) const {
     const double output_N = output_of_tendon_N(i);
     const double size_N = std::abs(output_N);
     const double speed_m_s = std::abs(record_.velocity_m_s[i]);
@@ -145,9 +150,7 @@ class Forward {
     if (values_.temperature_1_K != 0) {
       warm += values_.temperature_1_K * (record_.sheath_temperature_C[i] - kReference_C);
     }
-    double log_ratio = coefficient * warm * angle_rad(i) * slip;
-    const double by_way = 1 + values_.one_way_share * slip;
-    log_ratio *= by_way;
+    double log_ratio = coefficient * warm * angle_rad(i);
     if (by_load_) {
       log_ratio *= load_factor(size_N);
     }
@@ -157,24 +160,32 @@ class Forward {
     if (values_.load_exponent != 0) {
       log_ratio *= std::pow(std::max(size_N / scales_.force_N, kLeastLoad), -values_.load_exponent);
     }
+    return {output_N, log_ratio,
+            values_.preload_N * place * warm + values_.viscous_N_s_m * speed_m_s};
+  }
+
+  /// Input force before the gain, for a friction that is turned over by `slip`.
+  /// @param loose whether the drive holds only a part of the force
+  [[nodiscard]] double input_N(const Sample& of, double slip, bool loose) const {
+    const double way = slip * (1 + values_.one_way_share * slip);
+    double log_ratio = of.log_ratio * way;
     if (loose) {
       log_ratio = values_.loose_friction * log_ratio - values_.loose_log_drop;
     }
     // A force the other way round is that of the other tendon, whose motion is the other way too.
-    const double side = output_N < 0 ? -1 : 1;
+    const double side = of.output_N < 0 ? -1 : 1;
     const double ratio = std::exp(std::clamp(along_sheath(side * log_ratio, values_.load_exponent),
                                              -kMostLogRatio, kMostLogRatio));
-    const double other_N = values_.preload_N * place * warm + values_.viscous_N_s_m * speed_m_s;
-    return output_N * ratio + other_N * by_way * slip;
+    return of.output_N * ratio + of.other_N * way;
   }
 
   /// The length that friction turns over by; 0: at once.
-  [[nodiscard]] double presliding_m(std::size_t i) const {
+  [[nodiscard]] double presliding_m(const Sample& of) const {
     if (values_.presliding_N_m == 0) {
       return values_.presliding_m;
     }
     constexpr double kLeast_m = 1e-9;
-    const double friction_N = input_N(i, 1, false) - output_of_tendon_N(i);
+    const double friction_N = input_N(of, 1, false) - of.output_N;
     return std::max(friction_N / values_.presliding_N_m, kLeast_m);
   }
 
@@ -366,17 +377,18 @@ void predict_in_time(const ForceRecord& record, const Kinematics& kinematics,
       values.stiffness_N_m == 0 && values.presliding_m == 0 && values.presliding_N_m == 0;
   double held_N = 0;
   for (std::size_t i = 0; i < record.samples(); ++i) {
-    slip.go_to(i, forward.presliding_m(i));
+    const Forward::Sample of = forward.sample(i);
+    slip.go_to(i, forward.presliding_m(of));
     if (values.stiffness_N_m > 0 && i > 0) {
       // Between slips the input follows the spring; it never leaves what friction holds.
-      const auto [low_N, high_N] =
-          std::minmax({forward.input_N(i, -1, slip.loose()), forward.input_N(i, 1, slip.loose())});
+      const auto [low_N, high_N] = std::minmax(
+          {forward.input_N(of, -1, slip.loose()), forward.input_N(of, 1, slip.loose())});
       for (const double moved_m : {record.reversal_m[i] - record.position_m[i - 1],
                                    record.position_m[i] - record.reversal_m[i]}) {
         held_N = std::clamp(held_N + values.stiffness_N_m * moved_m, low_N, high_N);
       }
     } else {
-      held_N = forward.input_N(i, slip.slip(), slip.loose());
+      held_N = forward.input_N(of, slip.slip(), slip.loose());
     }
     input_N[i] = forward.shown_N(i, held_N);
     if (values.lag_s < 0) {
