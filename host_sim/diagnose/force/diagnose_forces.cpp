@@ -172,10 +172,7 @@ class Report {
     if (findings.verdict != Verdict::named && findings.verdict != Verdict::ambiguous) {
       return;
     }
-    std::vector<double> half = search_.half_widths();
-    for (double& width : half) {
-      width *= remainder_.stands ? kBesideRemainder : 1;
-    }
+    const std::vector<double> half = search_.half_widths(remainder_.stands ? kBesideRemainder : 1);
     for (const Judged& one : search_.judged()) {
       FoundEffect found = effect_of(one.term, search_.model().fit, half);
       found.probability = probability_of(one.term, one.gain, data_);

@@ -329,17 +329,17 @@ ForceData::Covariance ForceData::covariance_of(const ForceFit& fit) const {
           .of_gain = by_gain * by_gain.transpose()};
 }
 
-std::vector<double> ForceData::half_widths(const ForceFit& fit) const {
+std::vector<double> ForceData::half_widths(const ForceFit& fit, double times) const {
   const Covariance covariance = covariance_of(fit);
-  const double wide = statistics::student95(freedom_of(fit));
+  const double wide = times * statistics::student95(freedom_of(fit));
   const auto all = parameters_of(fit.terms, scales_);
   std::vector<double> half;
   for (std::size_t k = 0; k < all.size(); ++k) {
     const auto at = static_cast<Eigen::Index>(k);
     const double step_m = all[k].stepped ? resolution_m_ : 0;
-    const double known = std::sqrt(covariance.of_gain(at, at) + step_m * step_m);
     half.push_back(std::hypot(wide * std::sqrt(std::max(covariance.of_records(at, at), 0.0)),
-                              statistics::kNormal95 * known));
+                              times * statistics::kNormal95 * step_m,
+                              statistics::kNormal95 * std::sqrt(covariance.of_gain(at, at))));
   }
   return half;
 }

@@ -129,7 +129,8 @@ class ForceData {
 
   /// 95 % half-widths of the parameters, of records that scatter as wholes (sandwich), and where a
   /// parameter lies between samples of how far they are apart at all reversals.
-  [[nodiscard]] std::vector<double> half_widths(const ForceFit& fit) const;
+  /// @param times as far as they scatter
+  [[nodiscard]] std::vector<double> half_widths(const ForceFit& fit, double times = 1) const;
 
   /// ln of the density of a term's parameters before they are measured, normal of their usual size,
   /// times the volume that data leave of them (Laplace). Of one that is chosen each is as likely.

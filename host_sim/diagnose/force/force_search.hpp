@@ -37,8 +37,8 @@ class ForceSearch {
   [[nodiscard]] const std::vector<LeftOut>& left_out() const { return left_out_; }
 
   /// Of the parameters of the model.
-  [[nodiscard]] std::vector<double> half_widths() const {
-    return inliers_->half_widths(model_.fit);
+  [[nodiscard]] std::vector<double> half_widths(double times) const {
+    return inliers_->half_widths(model_.fit, times);
   }
 
   [[nodiscard]] const std::vector<ForceCovariate>& covariates() const { return covariates_; }
