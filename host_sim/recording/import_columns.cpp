@@ -174,7 +174,8 @@ std::vector<ColumnMap> maps_of(const ColumnsOptions& options, const ForeignTable
   };
   for (unsigned id = options.rate_Hz ? kTime + 1 : kTime; id < kProfileColumnCount; ++id) {
     const auto channel = static_cast<ProfileColumnId>(id);
-    if (!has(channel) && table.has(profile_columns()[id].name)) {
+    const bool written = channel == kOutputTensionColumn && options.dead_load_N;
+    if (!has(channel) && !written && table.has(profile_columns()[id].name)) {
       maps.push_back({.channel = channel, .column = std::string(profile_columns()[id].name)});
     }
   }
@@ -188,10 +189,11 @@ std::vector<ColumnMap> maps_of(const ColumnsOptions& options, const ForeignTable
   if (!has(kInputTensionColumn) && !has(kMotorCurrentColumn)) {
     fail("input_tension_N", ", or motor_current_A");
   }
-  for (const ProfileColumnId channel : {kOutputTensionColumn, kTendonVelocity}) {
-    if (!has(channel)) {
-      fail(profile_columns()[channel].name, "");
-    }
+  if (!options.dead_load_N && !has(kOutputTensionColumn)) {
+    fail("output_tension_N", ", or --dead-load-N");
+  }
+  if (!has(kTendonVelocity)) {
+    fail("tendon_velocity_m_s", "");
   }
   return maps;
 }
@@ -207,6 +209,9 @@ std::string conflict_of(const ColumnsOptions& options) {
     }
     if (map->channel == kTime && options.rate_Hz) {
       return "time_s or a sample rate, one of them";
+    }
+    if (map->channel == kOutputTensionColumn && options.dead_load_N) {
+      return "output_tension_N or a dead load, one of them";
     }
   }
   return {};
@@ -256,6 +261,9 @@ void import_columns(std::unique_ptr<ByteSource> source, std::string_view name,
       throw InputError(name, 0, 0,
                        fmt::format("{} samples of session {}", channels[kTime].size(), key),
                        fmt::format("at least {}", kFewestSamples));
+    }
+    if (options.dead_load_N) {
+      channels[kOutputTensionColumn].assign(channels[kTime].size(), *options.dead_load_N);
     }
     for (const ColumnMap& map : maps) {
       if (map.rate) {

@@ -17,6 +17,8 @@ struct ColumnsOptions {
   std::vector<hal::files::ColumnMap> maps;
   std::optional<double> rate_Hz;              ///< instead of a time
   std::optional<std::string> session_column;  ///< each of its values is a session
+  /// What the output carries throughout, where nothing measured it.
+  std::optional<double> dead_load_N;
 };
 
 /// What does not go together, empty where all does.

@@ -127,6 +127,12 @@ void add_import(CLI::App& app, int&) {
       ->add_option("--session-column", arguments->columns.session_column,
                    "Rows with the same value in it are a session")
       ->type_name("COLUMN");
+  columns
+      ->add_option(
+          "--dead-load-N", arguments->columns.dead_load_N,
+          "What the output carries throughout, where nothing measured it: a weight, or 0 of "
+          "a drive that moves nothing")
+      ->check(command_line::in_range(-1e6, 1e6));
   columns->add_flag("--two-sided", arguments->two_sided,
                     "The drive works in both directions (antagonistic pair, gear, joint)");
   columns->callback([arguments] { import_columns(*arguments); });

@@ -89,6 +89,17 @@ TEST(ImportColumns, ASampleRateStandsForTheTime) {
   EXPECT_DOUBLE_EQ(campaign.recordings.front()[kTime][3], 0.015);
 }
 
+TEST(ImportColumns, ADeadLoadStandsForTheOutput) {
+  ColumnsOptions without = options();
+  without.maps.erase(without.maps.begin() + 2);
+  without.dead_load_N = 25;
+  EXPECT_EQ(conflict_of(without), "");
+  EXPECT_THAT(imported(log_text(), without).recordings.front()[kOutputTensionColumn], Each(25));
+  ColumnsOptions both = options();
+  both.dead_load_N = 25;
+  EXPECT_EQ(conflict_of(both), "output_tension_N or a dead load, one of them");
+}
+
 TEST(ImportColumns, AColumnDividesATableIntoSessions) {
   ColumnsOptions by = options();
   by.session_column = "note";
@@ -129,7 +140,7 @@ TEST(ImportColumns, WhatIsMissingIsNamed) {
             "COLUMN=input_tension_N, or motor_current_A");
   EXPECT_EQ(missing("time_s,motor_current_A"),
             "log.csv:1:1: no column for output_tension_N; accepted: --column "
-            "COLUMN=output_tension_N");
+            "COLUMN=output_tension_N, or --dead-load-N");
   EXPECT_EQ(missing("time_s,motor_current_A,output_tension_N"),
             "log.csv:1:1: no column for tendon_velocity_m_s; accepted: --column "
             "COLUMN=tendon_velocity_m_s");
