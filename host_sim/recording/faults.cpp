@@ -58,8 +58,7 @@ std::string constant_prose(const Recording& recording, ProfileColumnId channel) 
 std::string dead_load_prose(const Recording& recording) {
   return fmt::format(
       "{}: {} is {} in all samples, and no session changes it; it is taken for a dead load, which "
-      "a "
-      "load cell that does not work would look like",
+      "a load cell that does not work would look like",
       session_text(recording), name_of(kOutputTensionColumn),
       value_text(kOutputTensionColumn, recording[kOutputTensionColumn].front()));
 }
@@ -164,15 +163,18 @@ class Session {
 
 /// Whether the output tension is a number that was written beside what was measured.
 bool is_dead_load(const std::vector<Recording>& recordings) {
-  const auto changes_sign = [](const std::vector<double>& values) {
-    return !values.empty() && std::ranges::min(values) < 0 && std::ranges::max(values) > 0;
+  const auto input_goes = [&](double way) {
+    return std::ranges::any_of(recordings, [&](const Recording& recording) {
+      const auto goes = [&](double value) { return way * value > 0; };
+      return std::ranges::any_of(recording[kInputTensionColumn], goes) ||
+             std::ranges::any_of(recording[kMotorCurrentColumn], goes);
+    });
   };
+  const bool both_ways = input_goes(1) && input_goes(-1);
   return std::ranges::all_of(recordings, [&](const Recording& recording) {
     const std::vector<double>& output_N = recording[kOutputTensionColumn];
-    return !output_N.empty() &&
-           std::ranges::all_of(output_N, [&](double value_N) { return value_N == output_N[0]; }) &&
-           (output_N.front() != 0 || changes_sign(recording[kInputTensionColumn]) ||
-            changes_sign(recording[kMotorCurrentColumn]));
+    return !output_N.empty() && (output_N.front() != 0 || both_ways) &&
+           std::ranges::all_of(output_N, [&](double value_N) { return value_N == output_N[0]; });
   });
 }
 

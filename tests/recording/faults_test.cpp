@@ -111,9 +111,13 @@ TEST(Faults, NoLoadIsADeadLoadOfWhatWorksBothWaysAlone) {
   change(recording, kOutputTensionColumn, 0, 20, [](double) { return 0.0; });
   EXPECT_EQ(faults_of({recording}).front().kind, FaultKind::constant);
   for (const ProfileColumnId input : {kInputTensionColumn, kMotorCurrentColumn}) {
-    Recording signed_input = recording;
-    change(signed_input, input, 0, 20, [](double t) { return std::sin(t); });
-    EXPECT_EQ(faults_of({signed_input}).front().kind, FaultKind::dead_load);
+    std::vector<Recording> each_way{recording, recording};
+    for (Recording& one : each_way) {
+      change(one, kInputTensionColumn, 0, 20, [](double t) { return 3 + std::sin(t); });
+      change(one, kMotorCurrentColumn, 0, 20, [](double t) { return 3 + std::sin(t); });
+    }
+    change(each_way[1], input, 0, 20, [](double t) { return -3 + std::sin(t); });
+    EXPECT_EQ(faults_of(each_way).front().kind, FaultKind::dead_load);
   }
 }
 
