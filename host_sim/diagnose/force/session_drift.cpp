@@ -50,12 +50,12 @@ SessionDrift drift_of(std::span<const ForceCovariance::Refit> refits) {
 bool may_be_drift(std::span<const ForceCovariance::Refit> with,
                   std::span<const ForceCovariance::Refit> without) {
   constexpr double kDrifts = 0.05;
-  constexpr double kAll = 10;
+  constexpr double kTenfold = 10;
   return std::ranges::any_of(std::to_array<Eigen::Index>({0, 1}), [&](Eigen::Index which) {
     const Eigen::VectorXd left = of_sessions(with, which);
     const Eigen::VectorXd moved = of_sessions(without, which) - left;
     return drift_of(left).p < SessionScatter::kRare / 2 && drift_of(moved).p < kDrifts &&
-           moved.squaredNorm() < kAll * left.squaredNorm();
+           moved.squaredNorm() < kTenfold * left.squaredNorm();
   });
 }
 
