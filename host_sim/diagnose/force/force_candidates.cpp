@@ -60,8 +60,7 @@ std::vector<Set> with_each_of(const ForceData& data, const Judged& one,
 void add(std::vector<std::string> ids, double probability, std::vector<Candidate>& candidates) {
   std::ranges::sort(ids);
   // What could be in the place of two is one.
-  const auto twice = std::ranges::unique(ids);
-  ids.erase(twice.begin(), twice.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   const std::string id = fmt::format("{}", fmt::join(ids, "+"));
   const auto same = std::ranges::find(candidates, id, &Candidate::id);
   if (same == candidates.end()) {
