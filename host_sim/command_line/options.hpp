@@ -13,6 +13,12 @@ inline constexpr const char* kFile = "FILE";
 inline constexpr const char* kFolder = "FOLDER";
 inline constexpr const char* kInterface = "INTERFACE";
 
+/// Of an option that may be given several times: one value each, so that what follows may be a
+/// file.
+inline CLI::Option* one_at_a_time(CLI::Option* option) {
+  return option->expected(1)->take_all()->allow_extra_args(false);
+}
+
 /// Checks of the numbers of all verbs. CLI::Range lets NaN pass, which is neither below nor above
 /// anything.
 

@@ -8,6 +8,7 @@
 
 #include "hal/files/profile_columns.hpp"
 #include "hal/files/text.hpp"
+#include "host_sim/command_line/options.hpp"
 
 namespace host_sim {
 
@@ -48,19 +49,16 @@ void check_line_by_line(const std::vector<ColumnMap>& maps) {
 }  // namespace
 
 CLI::Option* add_column(CLI::App& verb, std::vector<ColumnMap>& maps) {
-  return verb
-      .add_option_function<std::vector<std::string>>(
-          "--column",
-          [&maps](const std::vector<std::string>& texts) {
-            maps.clear();
-            std::transform(texts.begin(), texts.end(), std::back_inserter(maps),
-                           hal::files::column_map);
-          },
-          "Takes a column of the file as a channel: force=input_tension_N, or 't in "
-          "ms=time_s', '-2*F+3=output_tension_N'; once for each channel")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->take_all()
+  return command_line::one_at_a_time(
+             verb.add_option_function<std::vector<std::string>>(
+                 "--column",
+                 [&maps](const std::vector<std::string>& texts) {
+                   maps.clear();
+                   std::transform(texts.begin(), texts.end(), std::back_inserter(maps),
+                                  hal::files::column_map);
+                 },
+                 "Takes a column of the file as a channel: force=input_tension_N, or 't in "
+                 "ms=time_s', '-2*F+3=output_tension_N'; once for each channel"))
       ->type_name("COLUMN=CHANNEL")
       ->check(CLI::Validator(problem_of_map, ""));
 }
@@ -71,18 +69,15 @@ CLI::Option* add_map(CLI::App& verb, std::vector<ColumnMap>& maps) {
     return equals == std::string::npos ? text
                                        : text.substr(equals + 1) + "=" + text.substr(0, equals);
   };
-  return verb
-      .add_option_function<std::vector<std::string>>(
-          "--map",
-          [&maps, as_column](const std::vector<std::string>& texts) {
-            for (const std::string& text : texts) {
-              maps.push_back(hal::files::column_map(as_column(text)));
-            }
-          },
-          "The same the other way round: input_tension_N=force, 'output_tension_N=-2*F+3'")
-      ->expected(1)
-      ->allow_extra_args(false)
-      ->take_all()
+  return command_line::one_at_a_time(
+             verb.add_option_function<std::vector<std::string>>(
+                 "--map",
+                 [&maps, as_column](const std::vector<std::string>& texts) {
+                   for (const std::string& text : texts) {
+                     maps.push_back(hal::files::column_map(as_column(text)));
+                   }
+                 },
+                 "The same the other way round: input_tension_N=force, 'output_tension_N=-2*F+3'"))
       ->type_name("CHANNEL=COLUMN")
       ->check(CLI::Validator(
           [as_column](const std::string& text) {

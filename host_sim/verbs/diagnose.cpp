@@ -192,14 +192,12 @@ void add_computation(CLI::App& verb, diagnose::DiagnoseOptions& options) {
   verb.add_option("--threads", options.threads,
                   "How many threads; all cores without it. The result does not depend on it")
       ->check(command_line::in_range(1U, kMostThreads));
-  verb.add_option(
+  command_line::one_at_a_time(
+      verb.add_option(
           "--without", options.without,
           "Take effects out of the catalogue, a comma between them: what they alone explain "
-          "becomes unknown")
+          "becomes unknown"))
       ->delimiter(',')
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false)
       ->check(CLI::IsMember(catalogue()));
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hal/files/input_file.hpp"
+#include "hal/files/profile_columns.hpp"
 #include "host_sim/command_line/options.hpp"
 #include "host_sim/io/compressed.hpp"
 #include "host_sim/recording/import_columns.hpp"
@@ -127,12 +128,13 @@ void add_import(CLI::App& app, int&) {
       ->add_option("--session-column", arguments->columns.session_column,
                    "Rows with the same value in it are a session")
       ->type_name("COLUMN");
+  const auto& output = hal::files::profile_columns()[hal::files::kOutputTensionColumn];
   columns
       ->add_option(
           "--dead-load-N", arguments->columns.dead_load_N,
           "What the output carries throughout, where nothing measured it: a weight, or 0 of "
           "a drive that moves nothing")
-      ->check(command_line::in_range(-1e6, 1e6));
+      ->check(command_line::in_range(output.minimum, output.maximum));
   columns->add_flag("--two-sided", arguments->two_sided,
                     "The drive works in both directions (antagonistic pair, gear, joint)");
   columns->callback([arguments] { import_columns(*arguments); });

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <set>
 
+#include "host_sim/command_line/options.hpp"
 #include "host_sim/verbs/outputs.hpp"
 #include "host_sim/verbs/verbs.hpp"
 
@@ -48,12 +49,8 @@ bool is_error(const batch::Answer& answer) {
 CLI::Option* add_fail_on(CLI::App& verb, std::vector<std::string>& fail_on,
                          std::vector<std::string> names, const std::string& description) {
   names.emplace_back(kAny);
-  // Without extra arguments: the next one may be a profile.
-  return verb.add_option("--fail-on", fail_on, description)
+  return command_line::one_at_a_time(verb.add_option("--fail-on", fail_on, description))
       ->delimiter(',')
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false)
       ->check(CLI::IsMember(names));
 }
 

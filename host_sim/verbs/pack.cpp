@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hal/files/output_file.hpp"
+#include "host_sim/command_line/options.hpp"
 #include "host_sim/extension/acting.hpp"
 #include "host_sim/extension/model_file.hpp"
 #include "host_sim/model/model.hpp"
@@ -131,12 +132,11 @@ void add_pack(CLI::App& app, int&) {
   verb->add_option("--format", arguments->format, "bin, or c for an array to compile in")
       ->check(CLI::IsMember({"bin", "c"}))
       ->capture_default_str();
-  verb->add_option("--without", arguments->without,
-                   "Extensions to leave out because the controller does not measure what they need")
+  command_line::one_at_a_time(
+      verb->add_option(
+          "--without", arguments->without,
+          "Extensions to leave out because the controller does not measure what they need"))
       ->delimiter(',')
-      ->expected(1)
-      ->take_all()
-      ->allow_extra_args(false)
       ->check(CLI::IsMember(extension_ids()));
   verb->footer("Example: host_sim pack host_sim/examples/upper_arm.toml --out upper_arm.bin");
   verb->callback([arguments] { run(*arguments); });

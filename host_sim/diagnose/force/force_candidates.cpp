@@ -59,7 +59,7 @@ std::vector<Set> with_each_of(const ForceData& data, const Judged& one,
 
 void add(std::vector<std::string> ids, double probability, std::vector<Candidate>& candidates) {
   std::ranges::sort(ids);
-  // What could be in the place of two is one.
+  // What could be in the place of two is one, and so is what was left out by another law.
   ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
   const std::string id = fmt::format("{}", fmt::join(ids, "+"));
   const auto same = std::ranges::find(candidates, id, &Candidate::id);
@@ -95,11 +95,8 @@ void share_with(std::span<const LeftOut> left_out, std::vector<Candidate>& candi
       }
     }
     for (const LeftOut& one : left_out) {
-      const std::string id(law_of(one.term).id());
       std::vector<std::string> more = ids;
-      if (std::ranges::find(ids, id) == ids.end()) {
-        more.push_back(id);
-      }
+      more.emplace_back(law_of(one.term).id());
       add(std::move(more), candidate.probability * (1 - as_it_is) * probability_of(one) / sum,
           candidates);
     }

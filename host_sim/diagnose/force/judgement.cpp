@@ -181,14 +181,14 @@ bool Judgement::stays(std::size_t place) const {
     return less_N2 >=
            std::max({least * std::pow(data_.rmse_N(all_N2), 2), of_noise_N2, share * left_N2});
   };
-  const bool drifts = of_session && may_be_drift(refits_of(data_, data_.residuals_N(model_)),
-                                                 refits_of(data_, data_.residuals_N(one.without)));
-  return told_apart && !drifts && data_.is_physical(model_, place) &&
+  return told_apart && data_.is_physical(model_, place) &&
          within_scatter(one.gain, not_worse_N2()) &&
          (((moves_sessions(one) || apart) &&
            material(taken_N2(one), held_.weighted_N2, left_.repeats_N2)) ||
           material(one.gain.beside_scatter_N2, held_.beside_scatter_N2, left_.beside_scatter_N2)) &&
-         probability_of(one.term, one.gain, data_) >= kLikely;
+         probability_of(one.term, one.gain, data_) >= kLikely &&
+         !(of_session && may_be_drift(refits_of(data_, data_.residuals_N(model_)),
+                                      refits_of(data_, data_.residuals_N(one.without))));
 }
 
 bool Judgement::leaves_bounds(const ForceFit& fit) const {

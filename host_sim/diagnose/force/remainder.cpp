@@ -111,6 +111,7 @@ class CovariateTest {
                 const std::vector<CovariateBins>& bins)
       : residuals_N_(beside_scatter_N(data, all_N)), covariates_(covariates) {
     const std::vector<ForceCovariance::Refit> all = refits_of(data, all_N);
+    drift_ = drift_of(all);
     Eigen::MatrixX2d refits(static_cast<Eigen::Index>(all.size()), 2);
     for (std::size_t j = 0; j < all.size(); ++j) {
       refits.row(static_cast<Eigen::Index>(j)) = all[j].value;
@@ -167,6 +168,8 @@ class CovariateTest {
   [[nodiscard]] const BinMeans& means(std::size_t covariate) const { return means_[covariate]; }
   [[nodiscard]] const std::vector<std::vector<double>>& residuals_N() const { return residuals_N_; }
 
+  [[nodiscard]] const SessionDrift& drift() const { return drift_; }
+
   /// The place of the one that chance shows least.
   [[nodiscard]] std::size_t most() const {
     std::size_t most = 0;
@@ -201,6 +204,7 @@ class CovariateTest {
   }
 
   std::vector<std::vector<double>> residuals_N_;
+  SessionDrift drift_;
   const std::vector<ForceCovariate>& covariates_;
   std::vector<BinMeans> means_;
   std::vector<SessionTrend> trends_;
@@ -303,13 +307,13 @@ ForceRemainder remainder_of(const ForceData& data, const ForceFit& nominal, cons
   }
   remainder.discrepancies.push_back(
       {std::string(kSession), scatter.statistic, session_scatter_of(data, nominal_N).p, scatter.p});
-  const SessionDrift drift = drift_of(refits_of(data, model_N));
+  const SessionDrift& drift = after.drift();
   if (drift.p < std::min(remainder.p, kRareTrend)) {
     remainder.covariate = kOfSessions;
     remainder.p = drift.p;
   }
   remainder.discrepancies.push_back(
-      {std::string(kOfSessions), drift.ratio, drift_of(refits_of(data, nominal_N)).p, drift.p});
+      {std::string(kOfSessions), drift.ratio, before.drift().p, drift.p});
   const Course course = course_of(data, after.residuals_N());
   if (course.stands && course.p < remainder.p) {
     remainder.covariate = kOfTime;

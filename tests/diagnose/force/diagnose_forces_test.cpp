@@ -754,22 +754,32 @@ TEST(DiagnoseForces, WhatStandsBesideCausesLeavesThemAPartOfTheProbabilityToBeAl
   EXPECT_GT(findings.effects.front().probability, 0.99);
 }
 
+/// With a force of samples more, on for 1.2 s in 2.5 s, in each session later by some.
+template <typename Force>
+std::vector<effects::ForceRecord> in_bursts(std::vector<effects::ForceRecord> records,
+                                            double later_s, const Force& force_N) {
+  double begun_s = 0;
+  for (effects::ForceRecord& record : records) {
+    begun_s += later_s;
+    for (std::size_t i = 0; i < record.samples(); ++i) {
+      const bool on = std::fmod(record.time_s[i] + begun_s, 2.5) < 1.2;
+      record.input_N[i] += on ? force_N(record, i) : 0;
+    }
+  }
+  return records;
+}
+
 /// Chatter of 2 N at 9 Hz, on for 1.2 s in 2.5 s, at times of its own in each session.
 TEST(DiagnoseForces, WhatComesInBurstsIsUnknown) {
   const auto chattering = [](double size_N) {
     std::vector<effects::ForceRecord> records =
         measured({.friction = 0.2, .still_N = 60, .noise_N = 0.3, .gain_scatter = 0.002}, 10);
-    double begun_s = 0;
     for (effects::ForceRecord& record : records) {
       record.pulls_alone = true;
-      begun_s += 0.6;
-      for (std::size_t i = 0; i < record.samples(); ++i) {
-        const bool on = std::fmod(record.time_s[i] + begun_s, 2.5) < 1.2;
-        record.input_N[i] +=
-            on ? size_N * std::sin(2 * std::numbers::pi * 9 * record.time_s[i]) : 0;
-      }
     }
-    return found(records);
+    return found(in_bursts(std::move(records), 0.6, [&](const auto& record, std::size_t i) {
+      return size_N * std::sin(2 * std::numbers::pi * 9 * record.time_s[i]);
+    }));
   };
   EXPECT_EQ(chattering(0).verdict, Verdict::none);
   const Findings findings = chattering(2);
@@ -778,22 +788,14 @@ TEST(DiagnoseForces, WhatComesInBurstsIsUnknown) {
   EXPECT_EQ(findings.remainder.value().covariate, "time");
 }
 
-/// Eight that all agree: of 2^8 ways to turn them over two are as large, whatever the seed.
 /// A quarter more friction for 1.2 s at times of each session's own: as often against the
 /// force as with it, and as large in one session as in another.
 TEST(DiagnoseForces, FrictionThatStaysForAWhileIsUnknown) {
   const auto sticking = [](double share) {
-    std::vector<effects::ForceRecord> records =
-        measured({.friction = 0.02, .preload_N = 8, .noise_N = 0.3, .gain_scatter = 0.002}, 10);
-    double begun_s = 0;
-    for (effects::ForceRecord& record : records) {
-      begun_s += 0.7;
-      for (std::size_t i = 0; i < record.samples(); ++i) {
-        const bool on = std::fmod(record.time_s[i] + begun_s, 2.5) < 1.2;
-        record.input_N[i] += on ? share * 8 * std::tanh(record.velocity_m_s[i] / 1e-3) : 0;
-      }
-    }
-    return found(records);
+    const Joint joint{.friction = 0.02, .preload_N = 8, .noise_N = 0.3, .gain_scatter = 0.002};
+    return found(in_bursts(measured(joint, 10), 0.7, [&](const auto& record, std::size_t i) {
+      return share * 8 * std::tanh(record.velocity_m_s[i] / 1e-3);
+    }));
   };
   const double chance = sticking(0).discrepancies.back().p_after;
   EXPECT_GT(chance, 0.01);
@@ -802,6 +804,7 @@ TEST(DiagnoseForces, FrictionThatStaysForAWhileIsUnknown) {
   EXPECT_THAT(ids_of(findings), ElementsAre("friction_preload"));
 }
 
+/// Eight that all agree: of 2^8 ways to turn them over two are as large, whatever the seed.
 TEST(DiagnoseForces, FewSessionsAreTurnedOverInAllWays) {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     DiagnoseOptions options;
