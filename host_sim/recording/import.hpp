@@ -17,6 +17,7 @@ struct RecordedCampaign {
   /// Written to a file each of the name of the session with `.csv`; `file` and `line` do not count.
   /// Names of sessions are letters, digits and underscores.
   std::vector<Recording> recordings;
+  std::size_t passed_over = 0;  ///< rows without a value
 };
 
 /// Writes campaign.toml, sessions.csv and the recordings; none appears before all are written.

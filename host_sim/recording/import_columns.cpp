@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
+#include <iterator>
 #include <map>
 #include <utility>
 
@@ -48,6 +50,12 @@ class ForeignTable {
     read_fields();
     names_ = fields_;
     header_ = {lines_.line_number(), std::string(header)};
+    const auto is_number = [](const std::string& field) {
+      return hal::files::finite_number(field).has_value();
+    };
+    if (std::ranges::all_of(names_, is_number)) {
+      fail_header("numbers in the first line", "a line with the names of the columns before it");
+    }
   }
 
   /// @throws InputError where there is none, or two
@@ -82,11 +90,21 @@ class ForeignTable {
 
   const std::string& text(std::size_t column) const { return fields_[column]; }
 
+  /// As logs have it where a sensor gave nothing.
+  bool is_missing(std::size_t column) const {
+    constexpr std::string_view kNothing[] = {"", "nan", "na", "n/a", "null", "none"};
+    std::string text = fields_[column];
+    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
+    return std::ranges::find(kNothing, text) != std::end(kNothing);
+  }
+
   double number(std::size_t column) const {
     const auto value = hal::files::finite_number(fields_[column]);
     if (!value) {
       const auto none = hal::files::no_number(fields_[column], dialect_);
-      fail(column, fmt::format("{} is {}", names_[column], none.found), none.accepted);
+      fail(column, fmt::format("{} is {}", names_[column], none.found),
+           none.accepted +
+               (is_missing(column) ? ", or --ignore-missing to pass such rows over" : ""));
     }
     return *value;
   }
@@ -193,7 +211,8 @@ std::vector<ColumnMap> maps_of(const ColumnsOptions& options, const ForeignTable
     fail("output_tension_N", ", or --dead-load-N");
   }
   if (!has(kTendonVelocity)) {
-    fail("tendon_velocity_m_s", "");
+    fail("tendon_velocity_m_s",
+         ", or of a position in m --column 'rate(COLUMN)=tendon_velocity_m_s'");
   }
   return maps;
 }
@@ -232,10 +251,19 @@ void import_columns(std::unique_ptr<ByteSource> source, std::string_view name,
     by = table.column(*options.session_column);
   }
   std::map<std::string, Channels> sessions;
+  std::map<std::string, std::size_t> rows;
   while (table.next_row()) {
-    Channels& channels = sessions[session_name(by ? table.text(*by) : session)];
+    const std::string of = session_name(by ? table.text(*by) : session);
+    const std::size_t row = rows[of]++;
+    if (options.ignore_missing && std::ranges::any_of(columns, [&](std::size_t column) {
+          return table.is_missing(column);
+        })) {
+      ++campaign.passed_over;
+      continue;
+    }
+    Channels& channels = sessions[of];
     if (options.rate_Hz) {
-      channels[kTime].push_back(static_cast<double>(channels[kTime].size()) / *options.rate_Hz);
+      channels[kTime].push_back(static_cast<double>(row) / *options.rate_Hz);
     }
     for (std::size_t i = 0; i < columns.size(); ++i) {
       const ColumnMap& map = maps[i];

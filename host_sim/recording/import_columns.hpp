@@ -19,6 +19,7 @@ struct ColumnsOptions {
   std::optional<std::string> session_column;  ///< each of its values is a session
   /// What the output carries throughout, where nothing measured it.
   std::optional<double> dead_load_N;
+  bool ignore_missing = false;  ///< rows are passed over that lack a value which is taken
 };
 
 /// What does not go together, empty where all does.

@@ -1,5 +1,7 @@
 #include "host_sim/recording/import.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <iostream>
@@ -56,7 +58,14 @@ std::string session_of(const std::filesystem::path& file) {
 
 void write(const recording::RecordedCampaign& campaign, const std::string& folder) {
   recording::write_campaign(campaign, folder);
-  std::cerr << folder << ": " << campaign.recordings.size() << " sessions\n";
+  const auto count = [](std::size_t number, const char* what) {
+    return fmt::format("{} {}{}", number, what, number == 1 ? "" : "s");
+  };
+  std::cerr << folder << ": " << count(campaign.recordings.size(), "session")
+            << (campaign.passed_over > 0
+                    ? ", " + count(campaign.passed_over, "row") + " without a value passed over"
+                    : "")
+            << "\n";
   write_next(std::cerr, "host_sim diagnose " + shell_word(folder));
 }
 
@@ -135,6 +144,8 @@ void add_import(CLI::App& app, int&) {
           "What the output carries throughout, where nothing measured it: a weight, or 0 of "
           "a drive that moves nothing")
       ->check(command_line::in_range(output.minimum, output.maximum));
+  columns->add_flag("--ignore-missing", arguments->columns.ignore_missing,
+                    "Rows in which a column that is taken is empty or nan are passed over");
   columns->add_flag("--two-sided", arguments->two_sided,
                     "The drive works in both directions (antagonistic pair, gear, joint)");
   columns->callback([arguments] { import_columns(*arguments); });

@@ -143,9 +143,26 @@ TEST(ImportColumns, WhatIsMissingIsNamed) {
             "COLUMN=output_tension_N, or --dead-load-N");
   EXPECT_EQ(missing("time_s,motor_current_A,output_tension_N"),
             "log.csv:1:1: no column for tendon_velocity_m_s; accepted: --column "
-            "COLUMN=tendon_velocity_m_s");
+            "COLUMN=tendon_velocity_m_s, or of a position in m --column "
+            "'rate(COLUMN)=tendon_velocity_m_s'");
   EXPECT_EQ(conflict_of(options({"i=motor_current_A", "j=motor_current_A"})),
             "motor_current_A once");
+}
+
+TEST(ImportColumns, RowsWithoutAValueArePassedOverWhereThatIsAskedFor) {
+  const std::string text =
+      log_text() + "1600,NaN,19,1440,x\n1700,-0.04,,1530,x\n" + "1800,-0.04,19,1620,\n";
+  ColumnsOptions passing = options();
+  passing.ignore_missing = true;
+  const RecordedCampaign campaign = imported(text, passing);
+  EXPECT_EQ(campaign.passed_over, 2U);
+  const Recording& recording = campaign.recordings.front();
+  ASSERT_EQ(recording.samples(), 17U);
+  EXPECT_DOUBLE_EQ(recording[kTime].back(), 1.8);
+  // By a rate of samples their time goes on.
+  passing.maps.erase(passing.maps.begin());
+  passing.rate_Hz = 10;
+  EXPECT_DOUBLE_EQ(imported(text, passing).recordings.front()[kTime].back(), 1.8);
 }
 
 TEST(ImportColumns, SaysWhereATableIsWrong) {
@@ -164,7 +181,10 @@ TEST(ImportColumns, SaysWhereATableIsWrong) {
             "log.csv:19:1: 2 fields; accepted: 5, as in the line of names");
   EXPECT_EQ(complaint(log_text() + "9999,nan,1,1,x\n", options()),
             "log.csv:19:6: F is 'nan', not a finite number; accepted: a finite decimal number "
-            "without spaces");
+            "without spaces, or --ignore-missing to pass such rows over");
+  EXPECT_EQ(complaint("0.1,2,3\n0.2,2,3\n", options()),
+            "log.csv:1:1: numbers in the first line; accepted: a line with the names of the "
+            "columns before it");
   EXPECT_EQ(complaint(log_text() + "9999,2000,1,1,x\n", options()),
             "log.csv:19:6: input_tension_N becomes -2000000; accepted: -1000000..1000000");
   EXPECT_EQ(
