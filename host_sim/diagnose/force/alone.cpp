@@ -6,10 +6,47 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <string_view>
 #include <utility>
 
 namespace host_sim::diagnose {
+namespace {
+
+struct UnitFactor {
+  double times;
+  std::string_view words;
+};
+
+constexpr UnitFactor kOfForces[] = {{1000, "mA and A, or N and kN"},
+                                    {9.81, "N and kilograms-force"},
+                                    {4.448, "N and pounds-force"}};
+
+constexpr UnitFactor kOfMotions[] = {{1000, "mm and m"},
+                                     {180 / std::numbers::pi, "degrees and radians"},
+                                     {60, "turns a minute and turns a second"},
+                                     {30 / std::numbers::pi, "turns a minute and rad/s"},
+                                     {2 * std::numbers::pi, "radians and turns"},
+                                     {6, "turns a minute and degrees a second"},
+                                     {25.4, "mm and inches"}};
+
+/// Of the factors the nearest one.
+std::string prose_of(double factor, std::span<const UnitFactor> units) {
+  constexpr double kAbout = 1.15;
+  double least = std::log(kAbout);
+  std::string_view nearest;
+  for (const UnitFactor& unit : units) {
+    for (const double ratio : {factor / unit.times, factor * unit.times}) {
+      if (const double off = std::abs(std::log(std::abs(ratio))); off < least) {
+        least = off;
+        nearest = unit.words;
+      }
+    }
+  }
+  return nearest.empty() ? "" : fmt::format(", as between {}", nearest);
+}
+
+}  // namespace
 
 std::optional<Alone> alone(const effects::ForceRecord& record, std::ptrdiff_t input_later,
                            std::ptrdiff_t velocity_later) {
@@ -85,22 +122,11 @@ double median_of(std::vector<double> values) {
 }
 
 std::string unit_prose(double factor) {
-  constexpr double kAbout = 1.15;
-  static constexpr std::pair<double, std::string_view> kFactors[] = {
-      {1000, "mA and A, mm and m, or N and kN"},
-      {180 / std::numbers::pi, "degrees and radians"},
-      {2 * std::numbers::pi, "radians and turns"},
-      {25.4, "mm and inches"},
-      {9.81, "N and kilograms-force"},
-      {4.448, "N and pounds-force"}};
-  for (const auto& [times, words] : kFactors) {
-    for (const double ratio : {factor / times, factor * times}) {
-      if (std::abs(std::log(ratio)) < std::log(kAbout)) {
-        return fmt::format(", as between {}", words);
-      }
-    }
-  }
-  return "";
+  return prose_of(factor, kOfForces);
+}
+
+std::string motion_unit_prose(double factor) {
+  return prose_of(factor, kOfMotions);
 }
 
 }  // namespace host_sim::diagnose

@@ -28,8 +28,9 @@ struct Alone {
   double shown = 0;      ///< of the squared error without friction, what that takes off
   double square_N2 = 0;
   double mean_angle_rad = 0;
-  double scale = 1;  ///< of the motion of the rotor over that by the velocity
-  double along = 0;  ///< correlation of the two
+  double scale = 1;      ///< of the motion of the rotor over that by the velocity
+  double along = 0;      ///< correlation of the two
+  int starts_again = 0;  ///< how often the angle of the rotor jumps by whole turns
 };
 
 /// None where too few samples count.
@@ -46,7 +47,9 @@ std::string input_column(const effects::ForceRecord& record);
 /// @pre one value or more
 double median_of(std::vector<double> values);
 
-/// Between what units a factor lies, as words behind it; empty where none are known.
+/// Between what units of a force, or of a motion, a factor lies, as words behind it; empty where
+/// none are known.
 std::string unit_prose(double factor);
+std::string motion_unit_prose(double factor);
 
 }  // namespace host_sim::diagnose

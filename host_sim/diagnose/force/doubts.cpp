@@ -24,18 +24,63 @@ constexpr double kMostOfAll = 0.8;
 /// A factor by which no effect and no wear changes a force or a length.
 constexpr double kBeyondPhysics = 3;
 
+/// What the rotor and the velocity say of the way from one sample to the next.
+struct Move {
+  double moved_m = 0;
+  double expected_m = 0;
+  double turned_rad = 0;
+};
+
+/// Without those over a gap of the log.
+std::vector<Move> moves_of(const effects::ForceRecord& record) {
+  constexpr double kGap = 3;  // of the usual step
+  std::vector<double> steps_s;
+  for (std::size_t i = 1; i < record.samples(); ++i) {
+    steps_s.push_back(record.time_s[i] - record.time_s[i - 1]);
+  }
+  const double usual_s = steps_s.empty() ? 0 : median_of(steps_s);
+  std::vector<Move> moves;
+  for (std::size_t i = 1; i < record.samples(); ++i) {
+    if (steps_s[i - 1] < kGap * usual_s) {
+      moves.push_back(
+          {record.position_m[i] - record.position_m[i - 1],
+           (record.velocity_m_s[i] + record.velocity_m_s[i - 1]) / 2 * steps_s[i - 1],
+           record.rotor_rad.empty() ? 0 : record.rotor_rad[i] - record.rotor_rad[i - 1]});
+    }
+  }
+  return moves;
+}
+
+/// Whether an angle jumps by whole turns, which no rotor does from one sample to the next that else
+/// turns far less.
+bool starts_again(const Move& move, double usual_rad) {
+  constexpr double kFar = 10;
+  constexpr double kOfTurn = 0.1;
+  const double turns = std::abs(move.turned_rad) / (2 * std::numbers::pi);
+  return turns > 1 - kOfTurn && std::abs(turns - std::round(turns)) < kOfTurn &&
+         std::abs(move.turned_rad) > kFar * usual_rad;
+}
+
 /// Adds how far the rotor moves beside what the velocity says.
 void add_motion(const effects::ForceRecord& record, Alone& seen) {
+  const std::vector<Move> moves = moves_of(record);
+  double square_rad2 = 0;
+  for (const Move& move : moves) {
+    square_rad2 += std::min(std::pow(move.turned_rad, 2), 1.0);
+  }
+  const double usual_rad =
+      std::sqrt(square_rad2 / static_cast<double>(std::max<std::size_t>(moves.size(), 1)));
   double products = 0;
   double moved_m2 = 0;
   double expected_m2 = 0;
-  for (std::size_t i = 1; i < record.samples(); ++i) {
-    const double moved_m = record.position_m[i] - record.position_m[i - 1];
-    const double expected_m = (record.velocity_m_s[i] + record.velocity_m_s[i - 1]) / 2 *
-                              (record.time_s[i] - record.time_s[i - 1]);
-    products += moved_m * expected_m;
-    moved_m2 += moved_m * moved_m;
-    expected_m2 += expected_m * expected_m;
+  for (const Move& move : moves) {
+    if (starts_again(move, usual_rad)) {
+      ++seen.starts_again;
+      continue;
+    }
+    products += move.moved_m * move.expected_m;
+    moved_m2 += move.moved_m * move.moved_m;
+    expected_m2 += move.expected_m * move.expected_m;
   }
   if (moved_m2 > 0 && expected_m2 > 0) {
     seen.scale = std::sqrt(moved_m2 / expected_m2);
@@ -281,6 +326,14 @@ class Sessions {
       return;
     }
     const std::string angle = column(hal::files::kMotorAngle);
+    if (const std::vector<std::string> wrapped =
+            sessions_that([](const Alone& one) { return one.starts_again > 0; });
+        !wrapped.empty()) {
+      doubts_.push_back({share(wrapped) > kMostOfAll ? std::vector<std::string>() : wrapped, angle,
+                         "the angle jumps by whole turns from one sample to the next: does it "
+                         "start again after a turn? It has to count on",
+                         true});
+    }
     const auto opposite = [](const Alone& one) { return one.along < kOpposite; };
     const std::vector<std::string> against = sessions_that(opposite);
     const bool told = std::ranges::any_of(doubts_, [](const Doubt& doubt) {
@@ -302,7 +355,7 @@ class Sessions {
         "the position moves {:.3g} times as far as the velocity says{}{}: are "
         "the units of both, the radius and the ratio of the gear right?";
     if (std::abs(std::log(scale)) > std::log(kScale)) {
-      add_of_all(angle, fmt::format(fmt::runtime(words), scale, "", unit_prose(scale)),
+      add_of_all(angle, fmt::format(fmt::runtime(words), scale, "", motion_unit_prose(scale)),
                  std::abs(std::log(scale)) > std::log(kBeyondPhysics));
     }
     for (const bool beyond : {false, true}) {
@@ -315,7 +368,7 @@ class Sessions {
           [&](const Alone& one) {
             const double times = one.scale / scale;
             return fmt::format(fmt::runtime(words), times, " beside other sessions",
-                               unit_prose(times));
+                               motion_unit_prose(times));
           },
           beyond);
     }

@@ -114,6 +114,8 @@ const Wrong kWrong[] = {
     {"millimetres", &ForceRecord::velocity_m_s, 1000, "motor_angle_rad", "mm and m", true},
     {"radius", &ForceRecord::position_m, 2, "motor_angle_rad", "2 times as far", false},
     {"degrees", &ForceRecord::position_m, 1 / kPerDegree, "motor_angle_rad", "degrees", true},
+    {"rpm", &ForceRecord::position_m, 6, "motor_angle_rad", "turns a minute and degrees", true},
+    {"4.4 mm", &ForceRecord::position_m, 4.4, "motor_angle_rad", "velocity says: are", true},
 };
 
 TEST(Doubts, NameTheColumnAndTheUnit) {
@@ -173,6 +175,41 @@ TEST(Doubts, AskWhetherForcesOfBothSignsAreOfOneTendon) {
     record.pulls_alone = false;
   }
   EXPECT_THAT(doubts(records), IsEmpty());
+}
+
+/// In each of them the log stops for 40 s, in which the drive runs on.
+TEST(Doubts, APauseOfTheLogIsNoMotion) {
+  std::vector<ForceRecord> records = pulled(1);
+  for (ForceRecord& record : records) {
+    for (std::size_t i = record.samples() / 3; i < record.samples(); ++i) {
+      record.time_s[i] += 40;
+      record.position_m[i] += 1;
+    }
+  }
+  EXPECT_THAT(doubts(records), IsEmpty());
+}
+
+TEST(Doubts, AskForAnAngleThatCountsOn) {
+  constexpr double kTurn_rad = 2 * std::numbers::pi;
+  std::vector<ForceRecord> records = pulled(1);
+  for (ForceRecord& record : records) {
+    for (double position_m : record.position_m) {
+      const double angle_rad = position_m / 0.002;  // ten radians either way
+      record.rotor_rad.push_back(angle_rad);
+    }
+  }
+  EXPECT_THAT(doubts(records), IsEmpty());
+  ForceRecord& wrapped = records[4];
+  for (std::size_t i = 0; i < wrapped.samples(); ++i) {
+    wrapped.rotor_rad[i] -= kTurn_rad * std::floor(wrapped.rotor_rad[i] / kTurn_rad);
+    wrapped.position_m[i] = 0.002 * wrapped.rotor_rad[i];
+  }
+  const std::vector<Doubt> all = doubts(records);
+  ASSERT_THAT(all, SizeIs(1));
+  EXPECT_THAT(all[0].sessions, ElementsAre("s4"));
+  EXPECT_EQ(all[0].column, "motor_angle_rad");
+  EXPECT_THAT(all[0].words, HasSubstr("jumps by whole turns"));
+  EXPECT_TRUE(all[0].spoils);
 }
 
 TEST(Doubts, SpoiltSessionsStayWhereTooFewWereLeft) {
