@@ -340,6 +340,18 @@ const ExtensionKeys* extension_keys(std::string_view id) {
   return nullptr;
 }
 
+bool is_within_bounds(const Extension& extension) {
+  const std::vector<effects::TableKey>& keys = extension_keys(extension.id)->keys;
+  return std::ranges::all_of(extension.values, [&](const Extension::Value& value) {
+    const auto key = std::ranges::find(
+        keys, value.name, [](const effects::TableKey& one) { return one.number.name; });
+    const NumberKey& number = key == keys.end() ? kBendAngles : key->number;
+    return value.values.size() <= kMostBendAngles &&
+           std::ranges::all_of(value.values,
+                               [&](double one) { return number.range.contains(one); });
+  });
+}
+
 std::string toml_text(std::span<const Extension> extensions) {
   std::string text;
   for (const Extension& extension : extensions) {

@@ -38,16 +38,20 @@ inline constexpr std::size_t kMostBendAngles = 8;
 /// its knots, beside the forces at them.
 inline constexpr std::string_view kEmpirical = "empirical";
 inline constexpr std::array<hal::files::NumberKey, 4> kEmpiricalCovariates{{
-    {"output_tension_N", "N", {0, 1e4}},  ///< its size
+    {"output_tension_N", "N", {0, 1e6}},  ///< its size
     {"position_m", "m", {-1e3, 1e3}},
     {"speed_m_s", "m_s", {0, 100}},
     {"travel_m", "m", {0, 1e3}},  ///< since the motion turned
 }};
 inline constexpr std::array<hal::files::NumberKey, 2> kEmpiricalForces{{
-    {"pulling_N", "N", {-1e4, 1e4}},
-    {"letting_go_N", "N", {-1e4, 1e4}},
+    {"pulling_N", "N", {-1e6, 1e6}},
+    {"letting_go_N", "N", {-1e6, 1e6}},
 }};
 inline constexpr std::size_t kMostKnots = 16;
+
+/// Whether a table may hold the numbers: each within its bounds, and no more bend angles than that.
+/// @pre the extension is of the catalogue on tension
+bool is_within_bounds(const Extension& extension);
 
 /// The tables [extension.<id>] in `extension`, in order of their ids; values in the order of
 /// extension_keys(), and of bend_angle `bend_angles_deg` last.

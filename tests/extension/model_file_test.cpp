@@ -80,14 +80,29 @@ TEST(ExtensionRead, SaysWhatIsWrongAndWhere) {
               HasSubstr("unknown key 'other' in [extension.friction_load]"));
 }
 
+TEST(ExtensionRead, AFileHoldsWhatIsWithinBounds) {
+  EXPECT_TRUE(is_within_bounds({"load_cell_zero", {{"zero_N", {-1e6}}}}));
+  EXPECT_FALSE(is_within_bounds({"load_cell_zero", {{"zero_N", {-1.1e6}}}}));
+  const auto poses = [](std::size_t count) {
+    Extension extension{"bend_angle", {{"bend_angle_error_rad", {}}, {"bend_angles_deg", {}}}};
+    for (std::size_t i = 0; i < count; ++i) {
+      extension.values[0].values.push_back(0.1);
+      extension.values[1].values.push_back(30.0 * static_cast<double>(i));
+    }
+    return extension;
+  };
+  EXPECT_TRUE(is_within_bounds(poses(8)));
+  EXPECT_FALSE(is_within_bounds(poses(9)));
+}
+
 TEST(ExtensionRead, SaysWhatIsWrongWithPoses) {
   const std::string head = "[extension.bend_angle]\n";
   EXPECT_THAT(complaint(head + "bend_angle_error_rad = [0.1]\nbend_angles_deg = [90, 180]\n"),
               HasSubstr("as many as bend_angles_deg: 2"));
   EXPECT_THAT(complaint(head + "bend_angle_error_rad = [0.1, 0.1]\nbend_angles_deg = [90, 90]\n"),
               HasSubstr("do not rise"));
-  EXPECT_THAT(complaint(head + "bend_angle_error_rad = [0.1, 0.9]\nbend_angles_deg = [90, 95]\n"),
-              HasSubstr("m.toml:23:30: bend_angle_error_rad holds 0.9"));
+  EXPECT_THAT(complaint(head + "bend_angle_error_rad = [0.1, 1.3]\nbend_angles_deg = [90, 95]\n"),
+              HasSubstr("m.toml:23:30: bend_angle_error_rad holds 1.3"));
   EXPECT_THAT(complaint(head + "bend_angle_error_rad = [0.1]\n"),
               HasSubstr("bend_angle_error_rad is an array"));
   EXPECT_THAT(complaint(head + "bend_angle_error_rad = []\nbend_angles_deg = []\n"),

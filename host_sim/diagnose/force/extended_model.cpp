@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "host_sim/extension/model_file.hpp"
@@ -20,7 +21,7 @@ ExtendedModel ModelExtension::corrected(ExtendedModel model) const {
 ExtendedModel ModelExtension::written(const ExtendedModel& model) const {
   ForceFit fit = model.fit;
   for (std::size_t i = 0; i < fit.terms.size();) {
-    if (is_writable(fit.terms[i])) {
+    if (is_writable(fit, i)) {
       ++i;
     } else {
       fit = in_a_written_model(fit, i);
@@ -45,8 +46,12 @@ ForceFit ModelExtension::in_a_written_model(const ForceFit& model, std::size_t p
   }
   std::erase(others, model.terms[place]);
   for (const effects::ForceTerm other : others) {
-    if (is_writable(other)) {
-      return data_.with(without, other, 1);
+    if (law_of(other).written == nullptr) {
+      continue;
+    }
+    ForceFit with_other = data_.with(without, other, 1);
+    if (is_writable(with_other, with_other.terms.size() - 1)) {
+      return with_other;
     }
   }
   return without;
@@ -57,8 +62,12 @@ bool ModelExtension::rotor_known() const {
   return std::ranges::all_of(data_.records(), &effects::ForceRecord::rotor_known);
 }
 
-bool ModelExtension::is_writable(effects::ForceTerm term) const {
-  return law_of(term).written != nullptr && (term != effects::ForceTerm::position || rotor_known());
+bool ModelExtension::is_writable(const ForceFit& model, std::size_t place) const {
+  const effects::ForceTerm term = model.terms[place];
+  const std::optional<Extension> extension = written_term(
+      term, parameters_at(place, model.terms, model.parameters, data_.scales()), data_.scales());
+  return extension && is_within_bounds(*extension) &&
+         (term != effects::ForceTerm::position || rotor_known());
 }
 
 /// What the correction adds at a sample.

@@ -58,8 +58,8 @@ std::string verdict_prose(const Findings& findings, std::size_t sessions, double
   if (findings.verdict == Verdict::none) {
     return fmt::format(
                "Nothing in {} recordings disagrees with the model beyond noise and the scatter of "
-               "sessions.",
-               sessions) +
+               "sessions.{}",
+               sessions, findings.doubts.empty() ? "" : " Beside that stand the doubts below.") +
            few;
   }
   if (findings.effects.empty()) {
@@ -116,8 +116,8 @@ std::string either_way_prose(const effects::ForceTerms& written) {
 std::string not_written_prose(const std::vector<std::string>& terms, bool corrected,
                               double rmse_N) {
   return fmt::format(
-      " A model that is written cannot hold {}, which no controller evaluates; {} its error of the "
-      "input tension is {:.3g} N.",
+      " A model that is written cannot hold {}, which no controller evaluates or no table has room "
+      "for; {} its error of the input tension is {:.3g} N.",
       listed(terms, "and"), corrected ? "with a correction in its place" : "without it", rmse_N);
 }
 

@@ -146,6 +146,8 @@ struct ForceLaw {
   /// same in another way is called the same.
   enum class By { nothing, load, speed } by = By::nothing;
   bool outside = false;  ///< not of the catalogue
+  /// Whether it is one force at any load and speed, but for its direction.
+  bool constant = false;
 
   [[nodiscard]] std::string_view id() const { return effect->id; }
   [[nodiscard]] std::string_view term() const { return own_term.empty() ? effect->term : own_term; }

@@ -18,7 +18,7 @@ ForceParameter viscous_friction(const ForceScales& scales) {
 
 namespace preload {
 
-constexpr TableKey kTable[] = {{{"preload_N", "N", {0, 1e4}}}};
+constexpr TableKey kTable[] = {{{"preload_N", "N", {0, 1e6}}}};
 
 constexpr Separation kSeparations[] = {{"current_offset",
                                         "move in both directions at low and at high tension: an "
@@ -43,7 +43,8 @@ constexpr ForceLaw kLaw{
     .set = [](Numbers numbers, ForceValues& values) { values.preload_N = numbers[0]; },
     .written = written<parameters>,
     .of = ForceLaw::Of::friction,
-    .by = ForceLaw::By::load};
+    .by = ForceLaw::By::load,
+    .constant = true};
 
 }  // namespace preload
 
@@ -52,7 +53,7 @@ namespace velocity {
 constexpr TableKey kTable[] = {{{"stribeck_friction", "", {-0.5, 0.5}}, TableKey::kUnknown},
                                {{"viscous_friction_s_m", "s_m", {-80, 80}}, TableKey::kUnknown},
                                {{"stribeck_velocity_m_s", "m_s", {0.002, 0.1}}, TableKey::kUnknown},
-                               {{"viscous_N_s_m", "N_s_m", {0, 1e6}}, TableKey::kUnknown}};
+                               {{"viscous_N_s_m", "N_s_m", {0, 1e8}}, TableKey::kUnknown}};
 
 constexpr Separation kSeparations[] = {
     {"filter_lag", "run at constant speed, several speeds at the same tension"},

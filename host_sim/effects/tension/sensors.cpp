@@ -75,7 +75,7 @@ constexpr ForceLaw kLaw{
 
 namespace zero {
 
-constexpr TableKey kTable[] = {{{"zero_N", "N", {-1e4, 1e4}}}};
+constexpr TableKey kTable[] = {{{"zero_N", "N", {-1e6, 1e6}}}};
 
 constexpr Separation kSeparations[] = {
     {"current_offset", "read both sensors with the tendon slack"},
@@ -99,7 +99,8 @@ constexpr ForceLaw kLaw{
     .written =
         [](std::string_view id, Numbers numbers, const ForceScales& /*scales*/) {
           return Extension{std::string(id), {{"zero_N", {numbers[0]}}}};
-        }};
+        },
+    .constant = true};
 
 }  // namespace zero
 
@@ -130,7 +131,8 @@ constexpr ForceLaw kLaw{
     .missing = needs_current,
     .parameters = parameters,
     .set = [](Numbers numbers, ForceValues& values) { values.current_offset_A = numbers[0]; },
-    .written = written<parameters>};
+    .written = written<parameters>,
+    .constant = true};
 
 }  // namespace current_offset
 

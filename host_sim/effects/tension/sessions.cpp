@@ -121,7 +121,10 @@ constexpr ForceLaw kRunIn{
 
 namespace bend_angle {
 
-constexpr TableKey kTable[] = {{{"bend_angle_error_rad", "rad", {-0.6, 0.6}}, std::nullopt, true}};
+constexpr double kMost_rad = 0.6;
+
+constexpr TableKey kTable[] = {
+    {{"bend_angle_error_rad", "rad", {-2 * kMost_rad, 2 * kMost_rad}}, std::nullopt, true}};
 
 constexpr Separation kSeparations[] = {
     {"gear_asymmetry", "measure at four or more bend angles: an asymmetry is the same at each"}};
@@ -131,18 +134,21 @@ constexpr TensionEffect kEffect{
     "a pose that bends more than it was said to has input tensions larger by exp(mu delta)", kTable,
     kSeparations};
 
-/// A scale of all angles is one of mu: the largest is taken to be right.
+/// A scale of all angles is one of mu: the largest is taken to be right, and its own error is that
+/// of the others in proportion.
 Parameters parameters(const ForceScales& scales) {
   Parameters all;
   for (std::size_t pose = 0; pose + 1 < scales.poses_rad.size(); ++pose) {
+    const double most_rad =
+        kMost_rad * (1 + scales.poses_rad[pose] / std::max(scales.poses_rad.back(), 1e-9));
     const int angle_deg =
         static_cast<int>(std::lround(scales.poses_rad[pose] * 180 / std::numbers::pi));
     // What all poses have in common is hardly more than another friction.
     all.push_back(usual(pose % 2 == 0 ? 0.26 : -0.26,
                         {"bend_angle_error_rad_at_" + std::to_string(angle_deg) + "_deg",
                          "rad",
-                         -0.6,
-                         0.6,
+                         -most_rad,
+                         most_rad,
                          {0.02}}));
   }
   return all;
