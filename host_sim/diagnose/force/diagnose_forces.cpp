@@ -66,9 +66,9 @@ class Report {
                   .output_rmse_N = models_.output_rmse_N({search_.model().fit, {}}),
                   .covariate = std::string(remainder_.covariate),
                   .p = remainder_.p};
+    findings.doubts = doubts_;
     findings.prose =
         verdict_prose(findings, data_.records().size(), search_.nominal_rmse_N(), spoilt());
-    findings.doubts = doubts_;
     for (const Judged& one : search_.judged()) {
       if (one.imitated_by) {
         findings.prose += imitation_prose(law_of(one.term), law_of(*one.imitated_by));

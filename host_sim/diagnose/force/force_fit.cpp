@@ -301,6 +301,16 @@ void ForceData::learn_covariance(const ForceFit& nominal, const ForceFit& model,
   gain_weight_N2_ = gain_weight_N2(square_of(model.terms, model.parameters, -1));
 }
 
+double ForceData::scatter_of_mean_N2() const {
+  const Eigen::Array2d variance =
+      Eigen::Array2d(covariance_.log_gain_sd(), covariance_.friction_sd()).square();
+  double square_N2 = 0;
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    square_N2 += (variance * covariance_.squares(j)).sum();
+  }
+  return square_N2 / samples_ / static_cast<double>(records_.size());
+}
+
 double ForceData::rmse_N(std::span<const double> means_N2) const {
   double square_N2 = 0;
   for (std::size_t j = 0; j < means_N2.size(); ++j) {

@@ -65,6 +65,8 @@ class ForceData {
   /// From here on they do not scatter.
   void forget_scatter() { covariance_.forget_scatter(); }
   [[nodiscard]] const ForceCovariance& covariance() const { return covariance_; }
+  /// Mean square of what that scatter does to samples, in the mean of all sessions.
+  [[nodiscard]] double scatter_of_mean_N2() const;
 
   /// The same without samples that a model leaves far outside of the others' scatter once gain and
   /// friction of their session are refitted: at the edges of what sets in at once, samples lie on

@@ -8,6 +8,7 @@
 #include <tuple>
 #include <utility>
 
+#include "host_sim/diagnose/force/alone.hpp"
 #include "host_sim/statistics/parallel.hpp"
 
 namespace host_sim::diagnose {
@@ -21,10 +22,31 @@ constexpr double kHopeless = 0.9;
 constexpr int kAnew = 4;    ///< iterations on all samples from where the kept ones have led
 constexpr int kRounds = 3;  ///< of terms that take the place of others
 
+/// A fit beside the scatter of sessions leaves more of the samples as they are than one without, by
+/// no more than this share and three standard errors of what scatters: where it does, and sessions
+/// are too few to know that, what the model has no law for passes for scatter, and leads it away
+/// from all sessions alike.
+constexpr double kLedAway = 0.25;
+constexpr double kOfScatter = 9;
+
 ForceSearch::Candidate candidate_of(const ForceData& data, const ForceFit& fit) {
   ForceSearch::Candidate one{data.fit(fit.terms, fit.parameters, ForceData::kIterations), {}};
   one.held = data.held_out(one.fit);
   return one;
+}
+
+bool is_led_away(const ForceData& data, const ForceFit& beside_scatter) {
+  if (data.records().size() >= kEnoughToCompare) {
+    return false;
+  }
+  ForceData even = data;
+  even.forget_scatter();
+  const auto left_N2 = [&](const ForceFit& fit) {
+    return std::pow(data.rmse_N(data.mean_squares_N2(data.residuals_N(fit))), 2);
+  };
+  const double least_N2 = left_N2(even.finished(beside_scatter));
+  const double more_N2 = left_N2(beside_scatter) - least_N2;
+  return more_N2 > std::max(kLedAway * least_N2, kOfScatter * data.scatter_of_mean_N2());
 }
 
 ForceFit fitted_anew(const ForceData& data, const ForceFit& fit) {
@@ -60,6 +82,18 @@ ForceSearch::ForceSearch(ForceData& data, std::span<const effects::ForceRecord> 
 }
 
 void ForceSearch::run() {
+  search();
+  if (judged_.empty() && is_led_away(data_, nominal_.fit)) {
+    data_.forget_scatter();
+    nominal_ = candidate_of(data_, nominal_.fit);
+    model_ = nominal_;
+    added_.clear();
+  }
+  find_left_out();
+  leave_out_outliers();
+}
+
+void ForceSearch::search() {
   constexpr double kOfGrowing = 0.3;
   constexpr double kOfPruning = 0.1;
   report(0);
@@ -92,8 +126,6 @@ void ForceSearch::run() {
       break;
     }
   }
-  find_left_out();
-  leave_out_outliers();
 }
 
 /// Effects that the model does without, and what gains most of them beside it.
@@ -352,7 +384,7 @@ std::vector<ForceSearch::Candidate>::iterator ForceSearch::first_law_as_good(
   for (auto one = all.begin(); one != all.end(); ++one) {
     const effects::ForceTerm term = one->fit.terms.back();
     if (term < first->fit.terms.back() && same_effect(term, best->fit.terms.back()) &&
-        paired_gain(data_, one->held, best->held, false).z < kSeen) {
+        seen_as_better(term, paired_gain(data_, one->held, best->held, false)) < kSeen) {
       first = one;
     }
   }

@@ -27,6 +27,8 @@ class ForceSearch {
   ForceSearch(ForceData& data, std::span<const effects::ForceRecord> records, double friction,
               const DiagnoseOptions& options);
 
+  /// Where nothing stands beside what few sessions seem to scatter by, and that leads the nominal
+  /// model away, they are taken to be alike.
   void run();
 
   [[nodiscard]] const Candidate& nominal() const { return nominal_; }
@@ -54,6 +56,7 @@ class ForceSearch {
     std::optional<Candidate> grown;  ///< from the one added before; none: it took a place
   };
 
+  void search();
   void report(double share) const;
   bool settle();
   void find_left_out();

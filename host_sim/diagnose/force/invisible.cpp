@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -42,8 +43,11 @@ Audit audit_of(const ForceData& data, const ForceFit& model, unsigned threads) {
 }
 
 void add_invisible(const Audit& audit, Findings& findings) {
+  const auto is_found = [&](std::string_view id) {
+    return std::ranges::find(findings.effects, id, &FoundEffect::id) != findings.effects.end();
+  };
   for (const EffectAudit& effect : audit.effects) {
-    if (!effect.visible()) {
+    if (!effect.visible() && !is_found(effect.effect->id)) {
       findings.invisible.push_back({std::string(effect.effect->id), effect.prose});
     }
   }
@@ -52,9 +56,6 @@ void add_invisible(const Audit& audit, Findings& findings) {
     for (const std::size_t member : group.members) {
       ids.emplace_back(audit.effects[member].effect->id);
     }
-    const auto is_found = [&](const std::string& id) {
-      return std::ranges::find(findings.effects, id, &FoundEffect::id) != findings.effects.end();
-    };
     const auto holds_all = [&](const std::vector<std::string>& same) {
       return std::ranges::all_of(
           ids, [&](const std::string& id) { return std::ranges::find(same, id) != same.end(); });

@@ -27,7 +27,8 @@ constexpr double kLargeGain = 0.18;  ///< of ln rmse
 /// Of what is left at all: without an effect that takes off that the error is 2.5 % larger.
 constexpr double kLeastShare = 0.05;
 
-/// The same of what sessions differ in and of when a channel is read: nothing else looks like that.
+/// The same of what sessions differ in, of when a channel is read, and of a sensor that shifts
+/// whole sessions by no small part of what others do: nothing else looks like that.
 constexpr double kLeastShareApart = 0.003;
 
 /// Of the noise that it takes off, as reading a channel between its samples does: so much is known
@@ -123,10 +124,17 @@ bool depends_on_the_same(effects::ForceTerm one, effects::ForceTerm other) {
 
 double evidence_of(effects::ForceTerm term, const PairedGain& gain) {
   const auto half_square = [](double z) { return z > 0 ? z * z / 2 : 0; };
-  if (!is_of(effects::ForceLaw::Of::session, term)) {
-    return half_square(gain.z);
+  const bool shift = is_shift(gain);
+  if (is_of(effects::ForceLaw::Of::session, term)) {
+    return gain.of_sessions + (shift ? 0 : half_square(gain.z_within));
   }
-  return gain.of_sessions + (is_shift(gain) ? 0 : half_square(gain.z_within));
+  return std::max(half_square(gain.z), shift && gain.z >= kSeen ? gain.of_sessions : 0);
+}
+
+double seen_as_better(effects::ForceTerm term, const PairedGain& gain) {
+  return is_of(effects::ForceLaw::Of::session, term)
+             ? std::copysign(std::sqrt(2 * std::abs(gain.of_sessions)), gain.of_sessions)
+             : gain.z;
 }
 
 double cost_of(effects::ForceTerm term, const ForceData& data) {
@@ -174,7 +182,11 @@ bool Judgement::stays(std::size_t place) const {
   const bool apart = of_session || is_of(effects::ForceLaw::Of::sensor, one.term);
   const double share =
       (large ? kMaterialShare : kMaterialShareAlone) * (apart ? kOfMaterialShareApart : 1);
-  const double least = of_session || of_time ? kLeastShareApart : kLeastShare;
+  const bool shifts =
+      apart && is_shift(one.gain) && std::ranges::all_of(judged_, [&](const Judged& other) {
+        return taken_N2(one) >= kLawError * other.gain.taken_N2;
+      });
+  const double least = of_session || of_time || shifts ? kLeastShareApart : kLeastShare;
   const double of_noise_N2 =
       of_time ? kOfNoiseTaken * data_.noise_taken_N2(one.without, model_) : 0;
   const auto material = [&](double less_N2, std::span<const double> all_N2, double left_N2) {
@@ -187,6 +199,7 @@ bool Judgement::stays(std::size_t place) const {
            material(taken_N2(one), held_.weighted_N2, left_.repeats_N2)) ||
           material(one.gain.beside_scatter_N2, held_.beside_scatter_N2, left_.beside_scatter_N2)) &&
          probability_of(one.term, one.gain, data_) >= kLikely &&
+         !(of_session && taken_N2(one) < left_.of_sessions_N2) &&
          !(of_session && may_be_drift(refits_of(data_, data_.residuals_N(model_)),
                                       refits_of(data_, data_.residuals_N(one.without))));
 }
@@ -211,6 +224,25 @@ bool Judgement::alike(const Judged& one, const PairedGain& lost) const {
                                                  kSameForce * one.gain.beside_scatter_N2);
 }
 
+/// Whether two are the same force as the drive runs, which is one way: they differ where it starts
+/// and stops alone, and there friction is anything up to what it is.
+bool Judgement::is_one_way_force(effects::ForceTerm one, effects::ForceTerm other) const {
+  constexpr double kOneWay = 0.02;  // of the travel, the other way
+  if (!law_of(one).constant || !law_of(other).constant) {
+    return false;
+  }
+  double travel_m = 0;
+  double forwards_m = 0;
+  for (const effects::ForceRecord& record : data_.records()) {
+    for (std::size_t i = 1; i < record.samples(); ++i) {
+      const double moved_m = record.velocity_m_s[i] * (record.time_s[i] - record.time_s[i - 1]);
+      travel_m += std::abs(moved_m);
+      forwards_m += std::max(moved_m, 0.0);
+    }
+  }
+  return std::min(forwards_m, travel_m - forwards_m) < kOneWay * travel_m;
+}
+
 bool Judgement::is_worse_than_none(const Judged& one, const PairedGain& lost) const {
   return one.gain.plain_N2 - lost.plain_N2 < -not_worse_N2();
 }
@@ -231,7 +263,8 @@ bool Judgement::takes_place(const Judged& one, const Rival& rival) {
   if (rival.shifts) {
     return rival.log_odds < 0;
   }
-  return rival.log_odds < -kOdds && (!same_effect(one.term, rival.term) || rival.lost.z < -kSeen);
+  return rival.log_odds < -kOdds &&
+         (!same_effect(one.term, rival.term) || seen_as_better(rival.term, rival.lost) < -kSeen);
 }
 
 double Judgement::cheaper(const Judged& one, effects::ForceTerm other) const {
@@ -261,7 +294,7 @@ std::optional<double> Judgement::log_odds_of(const Judged& one, const Rival& riv
     return rival.log_odds < kOdds ? std::optional(std::max(rival.log_odds, -kOdds)) : std::nullopt;
   }
   const PairedGain& lost = rival.lost;
-  const bool even = alike(one, lost);
+  const bool even = alike(one, lost) || is_one_way_force(one.term, rival.term);
   const bool between = !moves_sessions(one) && nearer_by(lost) < kNearer;
   if (!even && !between && rival.log_odds >= kOdds) {
     return std::nullopt;

@@ -47,9 +47,15 @@ bool same_effect(effects::ForceTerm one, effects::ForceTerm other);
 /// Whether both are laws of friction by one covariate.
 bool depends_on_the_same(effects::ForceTerm one, effects::ForceTerm other);
 
-/// For a term, as a logarithm of odds: the standard errors of the gain, of what sessions differ in
-/// those within sessions and the likelihood of what they differ by.
+/// For a term, as a logarithm of odds: the standard errors of the gain, and where that is seen and
+/// shifts whole sessions the likelihood of what they differ by; of what those differ in that and
+/// the standard errors within sessions.
 double evidence_of(effects::ForceTerm term, const PairedGain& gain);
+
+/// Standard errors by which another law of one effect is better, of what sessions differ in by how
+/// those scatter.
+/// @param gain of the other one over this one
+double seen_as_better(effects::ForceTerm term, const PairedGain& gain);
 
 /// What a term's parameters count against it, as a logarithm of odds (Laplace).
 double cost_of(effects::ForceTerm term, const ForceData& data);
@@ -119,6 +125,7 @@ class Judgement {
  private:
   [[nodiscard]] double not_worse_N2() const;
   [[nodiscard]] bool alike(const Judged& one, const PairedGain& lost) const;
+  [[nodiscard]] bool is_one_way_force(effects::ForceTerm one, effects::ForceTerm other) const;
   [[nodiscard]] double log_odds_between_sessions(const Judged& one, effects::ForceTerm other,
                                                  const PairedGain& lost) const;
   [[nodiscard]] double log_odds_of_shifts(const Judged& one, const ForceFit& with_other,

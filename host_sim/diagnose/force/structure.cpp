@@ -443,6 +443,7 @@ Structure structure_of(const ForceData& data, const std::vector<CovariateBins>& 
   }
   const double beyond_N2 = session_scatter_of(data, all_N).beyond_N2;
   return {
+      .of_sessions_N2 = beyond_N2,
       .repeats_N2 = most_repeated(all) + beyond_N2,
       .beside_scatter_N2 = std::max(most_repeated(beside), going_on(data, beside_N)) + beyond_N2};
 }

@@ -85,6 +85,7 @@ Memory memory_of(const ForceData& data, const std::vector<std::vector<double>>& 
 /// Mean squares of what a model leaves and is no noise, by the weight of samples. What sessions
 /// scatter by more than they may is a part of both.
 struct Structure {
+  double of_sessions_N2 = 0;  ///< what those do alone
   double repeats_N2 = 0;  ///< the same in all sessions, over the covariate that shows most of it
   /// Of what gain and friction of sessions leave, that or what goes on for an eighth of the time
   /// between reversals, whatever it depends on.

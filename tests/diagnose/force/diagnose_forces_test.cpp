@@ -18,6 +18,7 @@
 
 #include "host_sim/diagnose/force/smoothing.hpp"
 #include "host_sim/extension/model_file.hpp"
+#include "tests/diagnose/force/findings.hpp"
 #include "tests/diagnose/force/joint.hpp"
 
 namespace host_sim::diagnose {
@@ -31,52 +32,9 @@ using testing::IsEmpty;
 using testing::Not;
 using testing::UnorderedElementsAre;
 
-/// What cannot be told apart is said once, with each effect once.
-void expect_sets(std::vector<std::vector<std::string>> sets) {
-  for (std::vector<std::string>& set : sets) {
-    std::ranges::sort(set);
-    EXPECT_EQ(std::ranges::adjacent_find(set), set.end()) << testing::PrintToString(set);
-  }
-  std::ranges::sort(sets);
-  EXPECT_EQ(std::ranges::adjacent_find(sets), sets.end()) << testing::PrintToString(sets);
-}
-
-Findings found(const std::vector<effects::ForceRecord>& records) {
-  Findings findings = diagnose_forces(records, nominal(), kWire, {}).findings;
-  expect_sets(findings.equivalent_sets);
-  return findings;
-}
-
-std::vector<std::string> ids_of(const Findings& findings) {
-  std::vector<std::string> ids;
-  for (const FoundEffect& effect : findings.effects) {
-    ids.push_back(effect.id);
-  }
-  return ids;
-}
-
-const Estimate& estimate(const Findings& findings, const std::string& name) {
-  for (const FoundEffect& effect : findings.effects) {
-    for (const Estimate& parameter : effect.parameters) {
-      if (parameter.name == name) {
-        return parameter;
-      }
-    }
-  }
-  throw std::out_of_range(name);
-}
-
-double metric(const Findings& findings, const std::string& name, bool after) {
-  const auto metric = std::ranges::find(findings.gain.metrics, name, &Metric::name);
-  if (metric == findings.gain.metrics.end()) {
-    throw std::out_of_range(name);
-  }
-  return after ? metric->after : metric->before;
-}
-
 TEST(DiagnoseForces, NamesNothingWhereNothingIsHidden) {
   for (unsigned seed = 1; seed <= 20; ++seed) {
-    const Findings findings = found(measured({}, seed));
+    const Findings findings = findings_of(measured({}, seed));
     EXPECT_THAT(ids_of(findings), IsEmpty()) << seed << ' ' << findings.prose;
   }
 }
@@ -111,7 +69,7 @@ std::vector<effects::ForceRecord> running_free(unsigned seed) {
 /// where all motion goes one way, and the gain is near 1 unless something shows that it is not.
 TEST(DiagnoseForces, AJointThatRunsFreeHasFrictionAndNoOtherGain) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
-    const Findings findings = found(running_free(seed));
+    const Findings findings = findings_of(running_free(seed));
     EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
     EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload", "friction_velocity"));
     const Estimate& preload = estimate(findings, "preload_N");
@@ -132,7 +90,7 @@ TEST(DiagnoseForces, ADriveWithoutLoadHasFrictionAndNoZero) {
     std::ranges::fill(record.output_N, 0.0);
     std::ranges::fill(record.output_rate_N_s, 0.0);
   }
-  const Findings findings = found(records);
+  const Findings findings = findings_of(records);
   EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
   EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload", "friction_velocity"));
   const Estimate& preload = estimate(findings, "preload_N");
@@ -150,7 +108,7 @@ TEST(DiagnoseForces, AChannelThatIsLateIsNoLag) {
     std::rotate(record.input_N.begin(), record.input_N.end() - 3, record.input_N.end());
     std::fill_n(record.used.begin(), 3, false);
   }
-  const Findings findings = found(records);
+  const Findings findings = findings_of(records);
   EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
   EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload", "channel_delay"));
   EXPECT_NEAR(estimate(findings, "delay_s").value, -0.03, 0.005);  // half a sample
@@ -171,7 +129,7 @@ std::vector<effects::ForceRecord> read_late(
 
 /// 6 ms, of records of which every second sample is kept: 10 ms apart.
 TEST(DiagnoseForces, ALagOfTheInputIsToldFromADelayBetweenTheSamplesThatAreKept) {
-  const Findings behind = found(read_late([](std::vector<double>& input_N, double step_s) {
+  const Findings behind = findings_of(read_late([](std::vector<double>& input_N, double step_s) {
     double reads_N = input_N.front();
     for (double& value_N : input_N) {
       reads_N += (1 - std::exp(-step_s / 0.006)) * (value_N - reads_N);
@@ -181,7 +139,7 @@ TEST(DiagnoseForces, ALagOfTheInputIsToldFromADelayBetweenTheSamplesThatAreKept)
   EXPECT_THAT(ids_of(behind), UnorderedElementsAre("friction_preload", "filter_lag"))
       << behind.prose;
   EXPECT_NEAR(estimate(behind, "lag_s").value, -0.006, 0.0005);
-  const Findings late = found(read_late([](std::vector<double>& input_N, double step_s) {
+  const Findings late = findings_of(read_late([](std::vector<double>& input_N, double step_s) {
     std::shift_right(input_N.begin(), input_N.end(), std::lround(0.006 / step_s));
   }));
   EXPECT_THAT(ids_of(late), UnorderedElementsAre("friction_preload", "channel_delay"))
@@ -205,7 +163,7 @@ std::vector<effects::ForceRecord> lagging(std::vector<effects::ForceRecord> reco
 /// Friction that is larger one way, which a zero would be as well, takes nothing from a lag that
 /// may be a delay: one of the two is there.
 TEST(DiagnoseForces, WhatMayBeOutsideTheCatalogueIsNoDoubtOfTheOthers) {
-  const Findings findings = found(lagging(
+  const Findings findings = findings_of(lagging(
       measured({.friction = 0.1, .turn_over_m_s = 0.05, .one_way = 0.4, .noise_N = 0.2}, 1)));
   EXPECT_EQ(findings.verdict, Verdict::ambiguous) << findings.prose;
   EXPECT_THAT(ids_of(findings), ElementsAre(AnyOf("filter_lag", "channel_delay")));
@@ -215,7 +173,7 @@ TEST(DiagnoseForces, WhatMayBeOutsideTheCatalogueIsNoDoubtOfTheOthers) {
 /// Of the smooth load, 40 N at 0.7 Hz, a delay takes off all but (0.04 * 2 pi * 0.7/2)^2 = 0.8 %:
 /// too little to say that it is none.
 TEST(DiagnoseForces, OfASmoothForceALagIsAsLikelyAsADelay) {
-  const Findings findings = found(lagging(measured({.friction = 0, .noise_N = 0.2}, 8)));
+  const Findings findings = findings_of(lagging(measured({.friction = 0, .noise_N = 0.2}, 8)));
   EXPECT_EQ(findings.verdict, Verdict::ambiguous) << findings.prose;
   EXPECT_THAT(findings.equivalent_sets,
               ElementsAre(UnorderedElementsAre("filter_lag", "channel_delay")));
@@ -240,7 +198,7 @@ TEST(DiagnoseForces, WithoutFrictionAnOutputThatIsLateIsSeen) {
       record.output_N[i] -= 0.005 * record.output_rate_N_s[i];
     }
   }
-  const Findings findings = found(records);
+  const Findings findings = findings_of(records);
   EXPECT_EQ(findings.verdict, Verdict::ambiguous) << findings.prose;
   EXPECT_THAT(findings.equivalent_sets,
               ElementsAre(UnorderedElementsAre("filter_lag", "channel_delay")));
@@ -251,123 +209,11 @@ TEST(DiagnoseForces, WithoutFrictionAnOutputThatIsLateIsSeen) {
 TEST(DiagnoseForces, ASmallLawBesideALargeOneIsNamedWhereNothingElseIsLeft) {
   Joint joint{
       .friction = 0.8, .load_exponent = 0.5, .still_N = 50, .preload_N = 60, .noise_N = 0.1};
-  const Findings whole = found(measured(joint, 3));
+  const Findings whole = findings_of(measured(joint, 3));
   EXPECT_THAT(ids_of(whole), Contains("friction_load")) << whole.prose;
   joint.cogging_N = 3;
-  const Findings more = found(measured(joint, 3));
+  const Findings more = findings_of(measured(joint, 3));
   EXPECT_THAT(ids_of(more), Not(Contains("friction_load"))) << more.prose;
-}
-
-/// 12 N of friction at 20 C, 0.6 % more with each kelvin, of sessions at 20 to 42 C that scatter by
-/// 1 %.
-TEST(DiagnoseForces, WhatSessionsDifferInIsNoScatter) {
-  std::mt19937 engine(4);
-  std::normal_distribution<double> scatter(1, 0.01);
-  std::vector<effects::ForceRecord> records;
-  for (unsigned j = 0; j < 12; ++j) {
-    const double temperature_C = 20 + 2 * (5 * j % 12);
-    const double preload_N = 12 * (1 + 0.006 * (temperature_C - 20)) * scatter(engine);
-    records.push_back(measured_at(temperature_C, {.preload_N = preload_N, .noise_N = 0.2}, 20 + j));
-  }
-  const Findings findings = found(records);
-  EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload", "friction_temperature"))
-      << findings.prose;
-  EXPECT_NEAR(estimate(findings, "temperature_coefficient_1_K").value, 0.006, 0.001);
-}
-
-/// Friction of 18 sessions that scatters by 4 %, and their gain by 2 %, which is as much of the
-/// force: 15 of them at 20 and three at 60 C.
-std::vector<effects::ForceRecord> warm_sessions(double of_temperature_1_K, unsigned seed) {
-  std::mt19937 engine(seed);
-  std::normal_distribution<double> scatter(1, 0.04);
-  std::vector<effects::ForceRecord> records;
-  for (unsigned j = 0; j < 18; ++j) {
-    const double temperature_C = j % 6 == 3 ? 60 : 20;
-    const double friction = 0.1 * (1 + of_temperature_1_K * (temperature_C - 20)) * scatter(engine);
-    records.push_back(measured_at(
-        temperature_C,
-        {.friction = friction, .load_N = 20, .still_N = 50, .noise_N = 0.3, .gain_scatter = 0.02},
-        100 * seed + j));
-  }
-  return records;
-}
-
-/// Friction of a sheath that follows the air of the room, which turns once in the campaign.
-TEST(DiagnoseForces, TheAirOfARoomIsNoWear) {
-  const auto sessions = [](double by_air, double by_cycle) {
-    std::mt19937 engine(4);
-    std::normal_distribution<double> scatter(0, 0.005);
-    std::vector<effects::ForceRecord> records;
-    for (unsigned j = 0; j < 16; ++j) {
-      const double place = (j - 7.5) / 7.5;
-      const double friction =
-          0.2 * (1 + by_air * (std::sin(2.5 * place) + 0.4 * std::cos(5 * place)) +
-                 by_cycle * j / 15 + scatter(engine));
-      records.push_back(measured({.friction = friction, .noise_N = 0.2}, 20 + j, 1).front());
-      records.back().session = "s" + std::to_string(10 + j);
-      records.back().cycle.assign(records.back().samples(), 400.0 * j);
-    }
-    return found(records);
-  };
-  const Findings of_air = sessions(0.2, 0);
-  EXPECT_THAT(ids_of(of_air), Not(Contains("friction_wear"))) << of_air.prose;
-  EXPECT_EQ(of_air.remainder.value().covariate, "order of sessions");
-  EXPECT_THAT(ids_of(sessions(0, 0.4)), Contains("friction_wear"));
-}
-
-TEST(DiagnoseForces, WhatMovesSessionsIsNamedBesideTheirScatter) {
-  for (const unsigned seed : {5U, 6U, 7U}) {
-    const Findings findings = found(warm_sessions(0.005, seed));
-    EXPECT_THAT(ids_of(findings), ElementsAre("friction_temperature")) << findings.prose;
-    EXPECT_THAT(ids_of(found(warm_sessions(0, seed))), IsEmpty());
-  }
-}
-
-/// What shifts friction of whole sessions of a tendon by direction, whose friction scatters by 3 %.
-struct Shifted {
-  double gear_asymmetry = 0;
-  std::array<double, 3> pose_errors_deg{};
-};
-
-/// Sessions of a motor current at 80, 200 and 340 degrees in turn, friction coefficient 0.1.
-std::vector<effects::ForceRecord> shifted(const Shifted& shift, unsigned seed) {
-  constexpr std::array kPoses_deg{80.0, 200.0, 340.0};
-  constexpr double kRadPerDeg = std::numbers::pi / 180;
-  std::vector<effects::ForceRecord> records =
-      measured({.load_N = 15, .still_N = 40, .noise_N = 0.1}, seed, 18);
-  std::mt19937 engine(seed);
-  std::normal_distribution<double> noise(0, 0.2);
-  std::normal_distribution<double> scatter(1, 0.03);
-  for (std::size_t j = 0; j < records.size(); ++j) {
-    effects::ForceRecord& record = records[j];
-    record.pulls_alone = true;
-    record.input_N_per_A = 20;
-    const double pose_deg = kPoses_deg[j % 3];
-    record.bend_angle_rad.assign(record.samples(), pose_deg * kRadPerDeg);
-    const double log_ratio =
-        0.1 * scatter(engine) * (pose_deg + shift.pose_errors_deg[j % 3]) * kRadPerDeg;
-    for (std::size_t i = 0; i < record.samples(); ++i) {
-      const double slip = std::tanh(record.velocity_m_s[i] / 1e-3);
-      record.input_N[i] =
-          record.output_N[i] * std::exp(log_ratio * slip) / (1 + shift.gear_asymmetry * slip) +
-          noise(engine);
-    }
-  }
-  return records;
-}
-
-/// An asymmetry of 3 % is as much at each pose, and a gear has one number where poses have two.
-/// Errors of 12 degrees either way lie on no line.
-TEST(DiagnoseForces, AnAsymmetryOfTheGearIsToldFromErrorsOfThePose) {
-  for (const unsigned seed : {1U, 2U, 3U}) {
-    const Findings of_gear = found(shifted({.gear_asymmetry = 0.03}, seed));
-    ASSERT_FALSE(of_gear.candidates.empty());
-    EXPECT_EQ(of_gear.candidates.front().id, "gear_asymmetry") << of_gear.prose;
-    EXPECT_THAT(ids_of(of_gear), ElementsAre("gear_asymmetry")) << of_gear.prose;
-    EXPECT_NEAR(estimate(of_gear, "gear_asymmetry").value, 0.03, 0.008);
-    const Findings of_pose = found(shifted({.pose_errors_deg = {12, -12, 0}}, seed));
-    EXPECT_THAT(ids_of(of_pose), ElementsAre("bend_angle")) << of_pose.prose;
-  }
 }
 
 /// Friction of 6 N, four times as much in the middle of strokes of 30 and 60 mm, which both start
@@ -386,7 +232,7 @@ TEST(DiagnoseForces, ATightPlaceIsFoundWhereOnlyTheVelocityIsKnown) {
     }
     record.reversal_m = reversals_m(record);
   }
-  const Findings findings = found(records);
+  const Findings findings = findings_of(records);
   EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
   EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_position", "friction_preload"))
       << findings.prose;
@@ -408,7 +254,7 @@ TEST(DiagnoseForces, WhatIsAsGoodInThePlaceOfACauseIsACandidateToo) {
       record.input_N[i] += 8;
     }
   }
-  const Findings findings = found(records);
+  const Findings findings = findings_of(records);
   EXPECT_EQ(findings.verdict, Verdict::ambiguous) << findings.prose;
   std::vector<std::string> ids;
   double all = 0;
@@ -433,6 +279,24 @@ TEST(DiagnoseForces, WhatIsAsGoodInThePlaceOfACauseIsACandidateToo) {
   EXPECT_LT(metric(findings, "input_rmse_N", true), 0.8);
   EXPECT_GT(metric(findings, "input_rmse_N", false), 1.5);
   EXPECT_THAT(findings.prose, HasSubstr("by which it predicts as well"));
+}
+
+/// A zero of 8 N of a drive that starts and stops each second: friction that the load does not
+/// change would come on with the speed, as well it may.
+TEST(DiagnoseForces, OneWayAZeroMayBeFrictionThoughTheDriveStartsAndStops) {
+  std::vector<effects::ForceRecord> records =
+      measured({.friction = 0, .noise_N = 0.2, .gain_scatter = 0.002}, 6);
+  for (effects::ForceRecord& record : records) {
+    for (std::size_t i = 0; i < record.samples(); ++i) {
+      record.velocity_m_s[i] = 0.1 * std::pow(std::sin(std::numbers::pi * record.time_s[i]), 2);
+      record.position_m[i] = i == 0 ? 0 : record.position_m[i - 1] + 0.01 * record.velocity_m_s[i];
+      record.input_N[i] += 8;
+    }
+  }
+  const Findings findings = findings_of(records);
+  EXPECT_EQ(findings.verdict, Verdict::ambiguous) << findings.prose;
+  EXPECT_THAT(findings.equivalent_sets,
+              Contains(UnorderedElementsAre("friction_preload", "load_cell_zero")));
 }
 
 /// A tendon that pulls 25 .. 55 N over a drum or a pulley, by its own equations.
@@ -471,7 +335,7 @@ std::vector<effects::ForceRecord> pulled(const Tendon& tendon, unsigned seed) {
 
 /// Friction of 2 % turns over in 16 mm of 100 mm: k is an eighth of the force over the stroke.
 TEST(DiagnoseForces, NamesPreslidingOfATendonThatIsNearlyFree) {
-  const Findings findings = found(pulled(
+  const Findings findings = findings_of(pulled(
       {.log_ratio = 0.02, .stiffness_N_m = 50, .input_noise_N = 0.04, .output_noise_N = 0.02}, 7));
   EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
   EXPECT_THAT(ids_of(findings), UnorderedElementsAre("presliding"));
@@ -480,7 +344,7 @@ TEST(DiagnoseForces, NamesPreslidingOfATendonThatIsNearlyFree) {
 
 /// A model that is written has presliding over a length that is always the same: near that of 40 N.
 TEST(DiagnoseForces, WhereNoModelHoldsALawItHoldsAnotherOfTheSameEffect) {
-  const Findings findings = found(pulled({}, 7));
+  const Findings findings = findings_of(pulled({}, 7));
   EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
   EXPECT_THAT(ids_of(findings), UnorderedElementsAre("presliding"));
   EXPECT_NEAR(estimate(findings, "presliding_stiffness_N_m").value, 1000, 50);
@@ -490,7 +354,7 @@ TEST(DiagnoseForces, WhereNoModelHoldsALawItHoldsAnotherOfTheSameEffect) {
 }
 
 TEST(DiagnoseForces, NamesLoadIndependentAndViscousFrictionOfASignedForce) {
-  const Findings findings = found(measured({.preload_N = 12, .viscous_N_s_m = 150}, 3));
+  const Findings findings = findings_of(measured({.preload_N = 12, .viscous_N_s_m = 150}, 3));
   EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
   EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload", "friction_velocity"));
   EXPECT_NEAR(estimate(findings, "preload_N").value, 12, 0.6);
@@ -553,13 +417,13 @@ TEST(DiagnoseForces, ACauseIsDrawnWithoutAndWithIt) {
 
 TEST(DiagnoseForces, WhatIsOutsideTheCatalogueIsNoneOfItsCauses) {
   for (unsigned seed = 1; seed <= 5; ++seed) {
-    const Findings findings = found(measured({.cogging_N = 6}, seed));
+    const Findings findings = findings_of(measured({.cogging_N = 6}, seed));
     EXPECT_NE(findings.verdict, Verdict::named) << findings.prose;
   }
 }
 
 TEST(DiagnoseForces, ACauseIsNamedAlthoughMoreIsWrong) {
-  const Findings findings = found(measured({.preload_N = 12, .cogging_N = 3}, 4));
+  const Findings findings = findings_of(measured({.preload_N = 12, .cogging_N = 3}, 4));
   EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
   EXPECT_THAT(ids_of(findings), Contains("friction_preload"));
   ASSERT_TRUE(findings.remainder);
@@ -568,7 +432,7 @@ TEST(DiagnoseForces, ACauseIsNamedAlthoughMoreIsWrong) {
 }
 
 TEST(DiagnoseForces, WhatDriftsInEverySessionRemainsAgainstTime) {
-  const Findings findings = found(measured({.gain_scatter = 0.02, .drift_N = 0.5}, 6));
+  const Findings findings = findings_of(measured({.gain_scatter = 0.02, .drift_N = 0.5}, 6));
   EXPECT_EQ(findings.verdict, Verdict::unknown) << findings.prose;
   ASSERT_TRUE(findings.remainder);
   EXPECT_EQ(findings.remainder->covariate, "time");
@@ -578,7 +442,7 @@ TEST(DiagnoseForces, WhatDriftsInEverySessionRemainsAgainstTime) {
 /// 1.4 N at the fastest of twelve sessions, 0.06 N at the slowest, and in each in proportion to the
 /// position.
 TEST(DiagnoseForces, AMassThatIsMovedRemainsAgainstAccelerationOrPosition) {
-  const Findings findings = found(measured({.noise_N = 0.3, .moved_kg = 0.35}, 7));
+  const Findings findings = findings_of(measured({.noise_N = 0.3, .moved_kg = 0.35}, 7));
   EXPECT_EQ(findings.verdict, Verdict::unknown) << findings.prose;
   ASSERT_TRUE(findings.remainder);
   EXPECT_THAT(findings.remainder->covariate, AnyOf("acceleration", "position"));
@@ -589,14 +453,15 @@ TEST(DiagnoseForces, AMassThatIsMovedRemainsAgainstAccelerationOrPosition) {
 TEST(DiagnoseForces, GainsThatScatterLeaveNoRemainder) {
   int alarms = 0;
   for (unsigned seed = 1; seed <= 40; ++seed) {
-    alarms += found(measured({.gain_scatter = 0.02}, seed)).verdict == Verdict::unknown ? 1 : 0;
+    alarms +=
+        findings_of(measured({.gain_scatter = 0.02}, seed)).verdict == Verdict::unknown ? 1 : 0;
   }
   EXPECT_LE(alarms, 2);
 }
 
 /// The force beside the cause is 6 N x/0.05 m, whichever way the motion goes.
 TEST(DiagnoseForces, WhatRepeatsBesideACauseIsACorrectionAndNoCause) {
-  const Findings findings = found(measured({.preload_N = 12, .spring_N = 6}, 8));
+  const Findings findings = findings_of(measured({.preload_N = 12, .spring_N = 6}, 8));
   EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
   ASSERT_TRUE(findings.correction) << findings.prose;
   EXPECT_EQ(findings.correction->covariate, "position");
@@ -612,7 +477,7 @@ TEST(DiagnoseForces, WhatRepeatsBesideACauseIsACorrectionAndNoCause) {
 }
 
 TEST(DiagnoseForces, WhatHasNoCauseAndRepeatsIsCorrectedAndStaysUnknown) {
-  const Findings findings = found(measured({.spring_N = 6}, 8));
+  const Findings findings = findings_of(measured({.spring_N = 6}, 8));
   EXPECT_EQ(findings.verdict, Verdict::unknown) << findings.prose;
   EXPECT_THAT(ids_of(findings), IsEmpty());
   ASSERT_TRUE(findings.correction) << findings.prose;
@@ -626,7 +491,8 @@ TEST(DiagnoseForces, WhatHasNoCauseAndRepeatsIsCorrectedAndStaysUnknown) {
 
 /// 5 N of load, and a zero that is four times as much: all that drives the joint is off by it.
 TEST(DiagnoseForces, AZeroMayBeLargerThanTheLoad) {
-  const Findings findings = found(measured({.load_N = 7, .offset_N = 20, .preload_N = 15}, 11));
+  const Findings findings =
+      findings_of(measured({.load_N = 7, .offset_N = 20, .preload_N = 15}, 11));
   EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
   EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload", "load_cell_zero"));
   EXPECT_NEAR(estimate(findings, "load_cell_zero_N").value, -20, 1);
@@ -636,7 +502,7 @@ TEST(DiagnoseForces, AZeroMayBeLargerThanTheLoad) {
 /// it rises, by all that the bounds allow.
 TEST(DiagnoseForces, FrictionUnderAStillLoadIsNotLostBetweenTwoOfItsLaws) {
   for (unsigned seed = 1; seed <= 3; ++seed) {
-    const Findings findings = found(measured(
+    const Findings findings = findings_of(measured(
         {.friction = 0, .load_N = 30, .still_N = 150, .gain = 1.3, .preload_N = 60}, seed));
     EXPECT_THAT(findings.verdict, AnyOf(Verdict::named, Verdict::ambiguous)) << findings.prose;
   }
@@ -645,7 +511,7 @@ TEST(DiagnoseForces, FrictionUnderAStillLoadIsNotLostBetweenTwoOfItsLaws) {
 /// 30 N, and 1 N that a load of 250 N adds: a law of the load that hardly lets it rise is no other
 /// one.
 TEST(DiagnoseForces, FrictionThatTheLoadDoesNotChangeIsLoadIndependent) {
-  const Findings findings = found(measured(
+  const Findings findings = findings_of(measured(
       {.friction = 0.005, .load_N = 100, .still_N = 250, .preload_N = 30, .noise_N = 5}, 12));
   EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
   EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload"));
@@ -653,7 +519,7 @@ TEST(DiagnoseForces, FrictionThatTheLoadDoesNotChangeIsLoadIndependent) {
 
 TEST(DiagnoseForces, FrictionOfTheLoadIsNotASheathThatGives) {
   Joint joint{.friction = 0.2, .load_exponent = 0.3, .noise_N = 0.1, .gain_scatter = 0.002};
-  const Findings falling = found(measured(joint, 9));
+  const Findings falling = findings_of(measured(joint, 9));
   EXPECT_EQ(falling.verdict, Verdict::named) << falling.prose;
   EXPECT_THAT(ids_of(falling), UnorderedElementsAre("friction_load"));
   joint.load_exponent = 0;
@@ -709,13 +575,13 @@ TEST(DiagnoseForces, AZeroOfATendonThatPullsAloneIsNamedAlthoughMoreIsWrong) {
     }
     return records;
   };
-  EXPECT_THAT(ids_of(found(pulled_alone(1.2))), ElementsAre("load_cell_zero"));
-  EXPECT_THAT(ids_of(found(pulled_alone(0.7))), IsEmpty());
+  EXPECT_THAT(ids_of(findings_of(pulled_alone(1.2))), ElementsAre("load_cell_zero"));
+  EXPECT_THAT(ids_of(findings_of(pulled_alone(0.7))), IsEmpty());
 }
 
 TEST(DiagnoseForces, AZeroOfWhatWorksBothWaysIsNamedAlthoughMoreIsWrong) {
   const auto found_with = [](double offset_N) {
-    return found(
+    return findings_of(
         measured({.friction = 0.2, .offset_N = offset_N, .noise_N = 1, .spring_N = 2.5}, 21));
   };
   EXPECT_THAT(ids_of(found_with(0.9)), ElementsAre("load_cell_zero"));
@@ -745,7 +611,7 @@ TEST(DiagnoseForces, AnInputThatSettlesInEachSessionIsNoFrictionByTemperature) {
 
 /// The cogging that the catalogue does not have is a cause of its own by 30 %.
 TEST(DiagnoseForces, WhatStandsBesideCausesLeavesThemAPartOfTheProbabilityToBeAll) {
-  const Findings findings = found(measured({.preload_N = 12, .cogging_N = 3}, 4));
+  const Findings findings = findings_of(measured({.preload_N = 12, .cogging_N = 3}, 4));
   ASSERT_GE(findings.candidates.size(), 2U);
   EXPECT_THAT(findings.candidates[0].id, HasSubstr("friction_preload"));
   EXPECT_NEAR(findings.candidates[0].probability, 0.7, 0.01);
@@ -777,7 +643,7 @@ TEST(DiagnoseForces, WhatComesInBurstsIsUnknown) {
     for (effects::ForceRecord& record : records) {
       record.pulls_alone = true;
     }
-    return found(in_bursts(std::move(records), 0.6, [&](const auto& record, std::size_t i) {
+    return findings_of(in_bursts(std::move(records), 0.6, [&](const auto& record, std::size_t i) {
       return size_N * std::sin(2 * std::numbers::pi * 9 * record.time_s[i]);
     }));
   };
@@ -793,7 +659,7 @@ TEST(DiagnoseForces, WhatComesInBurstsIsUnknown) {
 TEST(DiagnoseForces, FrictionThatStaysForAWhileIsUnknown) {
   const auto sticking = [](double share) {
     const Joint joint{.friction = 0.02, .preload_N = 8, .noise_N = 0.3, .gain_scatter = 0.002};
-    return found(in_bursts(measured(joint, 10), 0.7, [&](const auto& record, std::size_t i) {
+    return findings_of(in_bursts(measured(joint, 10), 0.7, [&](const auto& record, std::size_t i) {
       return share * 8 * std::tanh(record.velocity_m_s[i] / 1e-3);
     }));
   };
@@ -819,16 +685,16 @@ TEST(DiagnoseForces, FewSessionsAreTurnedOverInAllWays) {
 }
 
 TEST(DiagnoseForces, AFewSessionsNameNothing) {
-  const Findings findings = found(measured({.preload_N = 12}, 5, 3));
+  const Findings findings = findings_of(measured({.preload_N = 12}, 5, 3));
   EXPECT_THAT(ids_of(findings), IsEmpty());
   EXPECT_THAT(findings.prose, HasSubstr("It takes 4 sessions to name anything (here: 3)"));
 }
 
 TEST(DiagnoseForces, NothingIsNamedBesideADoubtThatSpoilsIt) {
-  const Findings sound = found(measured({.preload_N = 12}, 6));
+  const Findings sound = findings_of(measured({.preload_N = 12}, 6));
   EXPECT_THAT(ids_of(sound), Contains("friction_preload"));
   EXPECT_THAT(sound.doubts, IsEmpty());
-  const Findings reversed = found(measured({.preload_N = 12, .velocity_reversed = true}, 6));
+  const Findings reversed = findings_of(measured({.preload_N = 12, .velocity_reversed = true}, 6));
   EXPECT_EQ(reversed.verdict, Verdict::unknown);
   EXPECT_THAT(reversed.effects, IsEmpty());
   EXPECT_THAT(reversed.extensions, IsEmpty());
@@ -841,8 +707,8 @@ TEST(DiagnoseForces, ASessionThatADoubtSpoilsIsLeftOut) {
   for (double& velocity_m_s : records[4].velocity_m_s) {
     velocity_m_s = -velocity_m_s;
   }
-  const Findings findings = found(records);
-  EXPECT_EQ(ids_of(findings), ids_of(found(measured({.preload_N = 12}, 6))));
+  const Findings findings = findings_of(records);
+  EXPECT_EQ(ids_of(findings), ids_of(findings_of(measured({.preload_N = 12}, 6))));
   ASSERT_EQ(findings.doubts.size(), 1U);
   EXPECT_THAT(findings.doubts[0].sessions, ElementsAre("s4"));
 }
@@ -873,7 +739,7 @@ TEST(DiagnoseForces, FrictionByTheSpeedIsNotThatOfPlaces) {
     }
     record.reversal_m = effects::reversals_m(record);
   }
-  const Findings findings = found(records);
+  const Findings findings = findings_of(records);
   EXPECT_THAT(ids_of(findings), Not(Contains("friction_position"))) << findings.prose;
   EXPECT_THAT(findings.prose, HasSubstr("friction that depends on the speed in a way of its own"));
 }

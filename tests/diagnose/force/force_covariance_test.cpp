@@ -48,6 +48,14 @@ TEST(ForceCovariance, LearnsHowGainsScatter) {
   EXPECT_LT(learned({.gain_scatter = 0.02}, 2).covariance().friction_sd(), 0.002);
 }
 
+/// Of 40 N that turn over the mean square is 800 N2.
+TEST(ForceCovariance, TheMeanOfSessionsScattersByAsMuchLessAsTheyAre) {
+  const ForceData data = learned({.gain_scatter = 0.02}, 2);
+  const double expected_N2 = std::pow(data.covariance().log_gain_sd(), 2) * 800 /
+                             static_cast<double>(data.records().size());
+  EXPECT_NEAR(data.scatter_of_mean_N2(), expected_N2, 0.1 * expected_N2);
+}
+
 TEST(ForceCovariance, WhatScattersMoreThanAnyGainIsNotAllScatter) {
   EXPECT_DOUBLE_EQ(learned({.gain_scatter = 0.3}, 3).covariance().log_gain_sd(), 0.03);
 }

@@ -221,6 +221,8 @@ TEST_F(DiagnoseRecordings, CallsUnknownWhatIsTakenOutOfTheCatalogue) {
   const TensionDiagnosis diagnosis = diagnose_tension(make({.hidden = kPreload}), options);
   EXPECT_EQ(diagnosis.findings.verdict, Verdict::unknown) << diagnosis.findings.prose;
   EXPECT_EQ(probability_of(diagnosis.findings, "friction_preload"), 0);
+  // Few sessions do not scatter by what no law takes up, which would lead the nominal model away.
+  EXPECT_LT(diagnosis.findings.steps.front().input_rmse_N, 3.8);
 }
 
 /// Whatever is in it: elasticity and presliding turn friction over alike along such short strokes.
