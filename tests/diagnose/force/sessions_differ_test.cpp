@@ -202,5 +202,24 @@ TEST(SessionsDiffer, FrictionThatRunsInIsToldFromWear) {
   EXPECT_NEAR(estimate(findings, "run_in_cycles").value, 500, 150);
 }
 
+/// Friction of sessions that differ by a third for no reason that was recorded, where by chance the
+/// temperature takes off much of that, and less than still scatters.
+TEST(SessionsDiffer, WhatLeavesThemScatteringByMoreIsNoCause) {
+  for (const unsigned seed : {6U, 21U}) {
+    std::mt19937 engine(seed);
+    std::uniform_real_distribution<double> scatter(0.65, 1.35);
+    std::vector<effects::ForceRecord> records;
+    for (unsigned j = 0; j < 12; ++j) {
+      records.push_back(
+          measured({.friction = 0.2 * scatter(engine), .noise_N = 0.3}, 60 * seed + j, 1).front());
+      records.back().session = "s" + std::to_string(10 + j);
+      records.back().cycle.assign(records.back().samples(), 700.0 * (j * 5 % 4));
+      records.back().sheath_temperature_C.assign(records.back().samples(), 20.0 + 15 * (j * 7 % 3));
+    }
+    const Findings findings = findings_of(records);
+    EXPECT_EQ(findings.verdict, Verdict::unknown) << findings.prose;
+  }
+}
+
 }  // namespace
 }  // namespace host_sim::diagnose
