@@ -215,9 +215,9 @@ std::vector<Doubt> doubts_beside(const ForceData& data,
         {{},
          "",
          of_nominal > 0
-             ? fmt::format("friction is {:.3g} times the nominal one: are bend angle and units "
-                           "right?",
-                           friction / of_nominal)
+             ? fmt::format("friction is {:.3g} times the nominal one, {:.3g}: are that, the bend "
+                           "angle and the units right?",
+                           friction / of_nominal, of_nominal)
              : fmt::format("friction is {:.3g}, and the nominal one is 0", friction),
          false});
   }
