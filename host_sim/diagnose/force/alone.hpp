@@ -28,9 +28,9 @@ struct Alone {
   double shown = 0;      ///< of the squared error without friction, what that takes off
   double square_N2 = 0;
   double mean_angle_rad = 0;
-  double scale = 1;      ///< of the motion of the rotor over that by the velocity
-  double along = 0;      ///< correlation of the two
-  int starts_again = 0;  ///< how often the angle of the rotor jumps by whole turns
+  double scale = 1;           ///< of the motion of the rotor over that by the velocity
+  double along = 0;           ///< correlation of the two
+  bool starts_again = false;  ///< whether the angle of the rotor jumps by whole turns
 };
 
 /// None where too few samples count.

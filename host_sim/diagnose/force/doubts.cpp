@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "host_sim/diagnose/force/alone.hpp"
+#include "host_sim/recording/fault_rules.hpp"
 
 namespace host_sim::diagnose {
 namespace {
@@ -33,18 +34,17 @@ struct Move {
 
 /// Without those over a gap of the log.
 std::vector<Move> moves_of(const effects::ForceRecord& record) {
-  constexpr double kGap = 3;  // of the usual step
-  std::vector<double> steps_s;
-  for (std::size_t i = 1; i < record.samples(); ++i) {
-    steps_s.push_back(record.time_s[i] - record.time_s[i - 1]);
+  std::vector<bool> behind_gap(record.samples());
+  for (const recording::Stretch& gap : recording::gaps_in(record.time_s)) {
+    behind_gap[gap.first] = true;
   }
-  const double usual_s = steps_s.empty() ? 0 : median_of(steps_s);
   std::vector<Move> moves;
   for (std::size_t i = 1; i < record.samples(); ++i) {
-    if (steps_s[i - 1] < kGap * usual_s) {
+    if (!behind_gap[i]) {
       moves.push_back(
           {record.position_m[i] - record.position_m[i - 1],
-           (record.velocity_m_s[i] + record.velocity_m_s[i - 1]) / 2 * steps_s[i - 1],
+           (record.velocity_m_s[i] + record.velocity_m_s[i - 1]) / 2 *
+               (record.time_s[i] - record.time_s[i - 1]),
            record.rotor_rad.empty() ? 0 : record.rotor_rad[i] - record.rotor_rad[i - 1]});
     }
   }
@@ -75,7 +75,7 @@ void add_motion(const effects::ForceRecord& record, Alone& seen) {
   double expected_m2 = 0;
   for (const Move& move : moves) {
     if (starts_again(move, usual_rad)) {
-      ++seen.starts_again;
+      seen.starts_again = true;
       continue;
     }
     products += move.moved_m * move.expected_m;
@@ -327,7 +327,7 @@ class Sessions {
     }
     const std::string angle = column(hal::files::kMotorAngle);
     if (const std::vector<std::string> wrapped =
-            sessions_that([](const Alone& one) { return one.starts_again > 0; });
+            sessions_that([](const Alone& one) { return one.starts_again; });
         !wrapped.empty()) {
       doubts_.push_back({share(wrapped) > kMostOfAll ? std::vector<std::string>() : wrapped, angle,
                          "the angle jumps by whole turns from one sample to the next: does it "

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <utility>
 
 #include "host_sim/extension/model_file.hpp"
@@ -46,7 +45,7 @@ ForceFit ModelExtension::in_a_written_model(const ForceFit& model, std::size_t p
   }
   std::erase(others, model.terms[place]);
   for (const effects::ForceTerm other : others) {
-    if (law_of(other).written == nullptr) {
+    if (!has_table(other)) {
       continue;
     }
     ForceFit with_other = data_.with(without, other, 1);
@@ -62,12 +61,16 @@ bool ModelExtension::rotor_known() const {
   return std::ranges::all_of(data_.records(), &effects::ForceRecord::rotor_known);
 }
 
+bool ModelExtension::has_table(effects::ForceTerm term) const {
+  return law_of(term).written != nullptr && (term != effects::ForceTerm::position || rotor_known());
+}
+
 bool ModelExtension::is_writable(const ForceFit& model, std::size_t place) const {
   const effects::ForceTerm term = model.terms[place];
-  const std::optional<Extension> extension = written_term(
-      term, parameters_at(place, model.terms, model.parameters, data_.scales()), data_.scales());
-  return extension && is_within_bounds(*extension) &&
-         (term != effects::ForceTerm::position || rotor_known());
+  return has_table(term) &&
+         is_within_bounds(*written_term(
+             term, parameters_at(place, model.terms, model.parameters, data_.scales()),
+             data_.scales()));
 }
 
 /// What the correction adds at a sample.

@@ -41,6 +41,7 @@ class ModelExtension {
 
  private:
   [[nodiscard]] bool rotor_known() const;
+  [[nodiscard]] bool has_table(effects::ForceTerm term) const;
   [[nodiscard]] bool is_writable(const ForceFit& model, std::size_t place) const;
   [[nodiscard]] ForceFit in_a_written_model(const ForceFit& model, std::size_t place) const;
   [[nodiscard]] double added_N(const ExtendedModel& model, std::size_t record, std::size_t i) const;
