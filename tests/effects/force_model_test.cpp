@@ -212,24 +212,24 @@ TEST(ForceModel, FrictionFallsRelativeToTheLoadAlongTheSheath) {
 }
 
 TEST(ForceModel, PositionMultipliesAllFrictionOfTheSheath) {
-  // A quarter of the stroke from its middle the sine is 1.
-  EXPECT_NEAR(predicted(record({0, 0.05}, 1, 10), {ForceTerm::preload, ForceTerm::position},
-                        {1, 0, 3, 0.2, 0, 0, 0, 0, 0, 0, 0}),
+  // Waves are 1.25 strokes of 0.2 m long: a quarter of that from the middle the sine is 1.
+  EXPECT_NEAR(predicted(record({0, 0.0625}, 1, 10), {ForceTerm::preload, ForceTerm::position},
+                        {1, 0, 3, 0.2, 0, 0, 0, 0, 0, 0, 0, 0, 0}),
               10 + 3 * 1.2, 1e-9);
   // The fourth harmonic is back at zero there, and its cosine at 1.
-  EXPECT_NEAR(predicted(record({0, 0.05}, 1, 10), {ForceTerm::preload, ForceTerm::position},
-                        {1, 0, 3, 0, 0, 0, 0, 0, 0, 0.5, 0.1}),
+  EXPECT_NEAR(predicted(record({0, 0.0625}, 1, 10), {ForceTerm::preload, ForceTerm::position},
+                        {1, 0, 3, 0, 0, 0, 0, 0, 0, 0.5, 0.1, 0, 0}),
               10 + 3 * 1.1, 1e-9);
 }
 
 /// Where only the velocity is known a place is found again by the middle of the stroke: 0.06 m
-/// in one of 0.02 .. 0.1 m is its middle, 0.11 m in one of 0.01 .. 0.11 m a quarter of the stroke
-/// of all beyond it.
+/// in one of 0.02 .. 0.1 m is its middle, 0.135 m in one of 0.01 .. 0.135 m a quarter of a wave
+/// beyond it.
 TEST(ForceModel, PositionMayCountFromTheMiddleOfTheRecord) {
   const ForceTerms terms{ForceTerm::preload, ForceTerm::position_from_middle};
-  const std::vector<double> parameters{1, 0, 3, 0.2, 0.3, 0, 0, 0, 0, 0, 0};
+  const std::vector<double> parameters{1, 0, 3, 0.2, 0.3, 0, 0, 0, 0, 0, 0, 0, 0};
   EXPECT_NEAR(predicted(record({0.02, 0.1, 0.06}, 1, 10), terms, parameters), 10 + 3 * 1.3, 1e-9);
-  EXPECT_NEAR(predicted(record({0.01, 0.11}, 1, 10), terms, parameters), 10 + 3 * 1.2, 1e-9);
+  EXPECT_NEAR(predicted(record({0.01, 0.135}, 1, 10), terms, parameters), 10 + 3 * 1.2, 1e-9);
   ForceRecord of_rotor = record({0, 0.1}, 1, 10);
   EXPECT_TRUE(is_shown(terms[1], std::span(&of_rotor, 1)));
   of_rotor.rotor_known = true;

@@ -236,13 +236,13 @@ class Forward {
   }
 
   [[nodiscard]] double position_factor(std::size_t i) const {
-    double first_sine = kinematics_.stroke_sine[i];
-    double first_cosine = kinematics_.stroke_cosine[i];
+    double first_sine = kinematics_.place_sine[i];
+    double first_cosine = kinematics_.place_cosine[i];
     if (values_.from_middle) {
-      first_sine = kinematics_.stroke_sine[i] * kinematics_.middle_cosine -
-                   kinematics_.stroke_cosine[i] * kinematics_.middle_sine;
-      first_cosine = kinematics_.stroke_cosine[i] * kinematics_.middle_cosine +
-                     kinematics_.stroke_sine[i] * kinematics_.middle_sine;
+      first_sine = kinematics_.place_sine[i] * kinematics_.middle_cosine -
+                   kinematics_.place_cosine[i] * kinematics_.middle_sine;
+      first_cosine = kinematics_.place_cosine[i] * kinematics_.middle_cosine +
+                     kinematics_.place_sine[i] * kinematics_.middle_sine;
     }
     // Each harmonic by the one before it: sin((k + 1) x) is sin(k x) cos x + cos(k x) sin x.
     double sine = 0;
@@ -425,7 +425,7 @@ void predict_input(const ForceRecord& record, const Kinematics& kinematics, cons
   }
   Kinematics behind = kinematics;
   for (auto* const channel : {&read.output_rate_N_s, &read.position_m, &read.velocity_m_s,
-                              &behind.stroke_sine, &behind.stroke_cosine}) {
+                              &behind.place_sine, &behind.place_cosine}) {
     *channel = read_at(places, *channel);
   }
   read.reversal_m = reversals_m(read);

@@ -78,7 +78,7 @@ double step_of(const ForceParameter& parameter, double value);
 /// Gain and friction coefficient, and what effects add to them: the model by its physics. What no
 /// term sets has no effect.
 struct ForceValues {
-  static constexpr std::size_t kHarmonics = 4;
+  static constexpr std::size_t kHarmonics = 5;
 
   double gain = 1;
   double friction = 0;
@@ -90,7 +90,7 @@ struct ForceValues {
   double presliding_m = 0;
   double presliding_N_m = 0;  ///< of a length that is in proportion to the friction
   double load_exponent = 0;
-  std::array<double, 2 * kHarmonics> harmonics{};  ///< sine and cosine of each, of the stroke
+  std::array<double, 2 * kHarmonics> harmonics{};  ///< sine, cosine, of ForceScales::wavelength_m()
   bool from_middle = false;                        ///< of each record, and not of all
   double slack_m = 0;
   double loose_m = 0;

@@ -105,7 +105,7 @@ Kinematics kinematics_of(const ForceRecord& record, const ForceScales& scales) {
   Kinematics kinematics;
   kinematics.turned_over = turned_over(record, scales);
   const auto turn_of = [&](double position_m) {
-    return 2 * std::numbers::pi * (position_m - scales.position_m) / scales.stroke_m;
+    return 2 * std::numbers::pi * (position_m - scales.position_m) / scales.wavelength_m();
   };
   if (record.samples() > 0) {
     const auto [low_m, high_m] = std::ranges::minmax(record.position_m);
@@ -114,8 +114,8 @@ Kinematics kinematics_of(const ForceRecord& record, const ForceScales& scales) {
   }
   for (std::size_t i = 0; i < record.samples(); ++i) {
     const double turn = turn_of(record.position_m[i]);
-    kinematics.stroke_sine.push_back(std::sin(turn));
-    kinematics.stroke_cosine.push_back(std::cos(turn));
+    kinematics.place_sine.push_back(std::sin(turn));
+    kinematics.place_cosine.push_back(std::cos(turn));
     kinematics.pose.push_back(nearest(scales.poses_rad, record.bend_angle_rad[i]));
   }
   return kinematics;

@@ -53,16 +53,19 @@ struct ForceScales {
   double cycles = 0;              ///< the last of the tendon's life
   std::vector<double> poses_rad;  ///< mean bend angles of sessions that differ by a degree, rising
 
+  /// Wavelength of friction by position: what rubs at one end of the stroke need not at the other,
+  /// and waves as long as the stroke would have it so.
+  [[nodiscard]] double wavelength_m() const { return 1.25 * stroke_m; }
   [[nodiscard]] double larger_N() const { return std::max(force_N, input_N); }
 };
 ForceScales scales_of(std::span<const ForceRecord> records);
 
 /// What each sample of a record has by its motion, whatever the parameters.
 struct Kinematics {
-  std::vector<double> turned_over;  ///< how far its speed turns friction over, -1 .. 1
-  std::vector<std::size_t> pose;    ///< the nearest of ForceScales::poses_rad
-  std::vector<double> stroke_sine, stroke_cosine;  ///< of its place in the stroke, a turn long
-  double middle_sine = 0, middle_cosine = 1;       ///< the same of the middle of the record
+  std::vector<double> turned_over;               ///< how far its speed turns friction over, -1 .. 1
+  std::vector<std::size_t> pose;                 ///< the nearest of ForceScales::poses_rad
+  std::vector<double> place_sine, place_cosine;  ///< of its place in ForceScales::wavelength_m()
+  double middle_sine = 0, middle_cosine = 1;     ///< the same of the middle of the record
 };
 
 /// Where the motion turns between samples, on the parabola of their speeds, as reversal_m.

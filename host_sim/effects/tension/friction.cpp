@@ -187,15 +187,15 @@ Extension about_zero(std::string_view id, Numbers numbers, const ForceScales& sc
     const std::size_t at = 2 * harmonic - 2;
     const double sine = at < numbers.size() ? numbers[at] : 0;
     const double cosine = at < numbers.size() ? numbers[at + 1] : 0;
-    const double phase =
-        2 * std::numbers::pi * static_cast<double>(harmonic) * scales.position_m / scales.stroke_m;
+    const double phase = 2 * std::numbers::pi * static_cast<double>(harmonic) * scales.position_m /
+                         scales.wavelength_m();
     const std::string number = std::to_string(harmonic);
     extension.values.push_back(
         {"position_sine_" + number, {sine * std::cos(phase) + cosine * std::sin(phase)}});
     extension.values.push_back(
         {"position_cosine_" + number, {cosine * std::cos(phase) - sine * std::sin(phase)}});
   }
-  extension.values.push_back({"wavelength_m", {scales.stroke_m}});
+  extension.values.push_back({"wavelength_m", {scales.wavelength_m()}});
   return extension;
 }
 

@@ -12,7 +12,7 @@
 namespace host_sim::diagnose {
 namespace {
 
-/// The values at x of the harmonics of a stroke of 0.2 m about 0.3 m are those of the table at x.
+/// The values at x of the harmonics of 1.25 strokes of 0.2 m about 0.33 m are those of the table.
 TEST(WrittenTerm, HarmonicsOfTheStrokeAreThoseAboutPositionZero) {
   const effects::ForceScales scales{.speed_m_s = 1,
                                     .stroke_m = 0.2,
@@ -25,17 +25,17 @@ TEST(WrittenTerm, HarmonicsOfTheStrokeAreThoseAboutPositionZero) {
   const auto written = written_term(effects::ForceTerm::position, harmonics, scales);
   ASSERT_TRUE(written);
   EXPECT_EQ(written->id, "friction_position");
-  EXPECT_EQ(value_of(*written, "wavelength_m"), 0.2);
+  EXPECT_DOUBLE_EQ(value_of(*written, "wavelength_m"), 0.25);
   EXPECT_EQ(value_of(*written, "position_sine_6"), 0);
   for (const double position_m : {0.0, 0.1, 0.27, 0.4}) {
     double table = 0;
     for (int harmonic = 1; harmonic <= 2; ++harmonic) {
-      const double phase = 2 * std::numbers::pi * harmonic * position_m / 0.2;
+      const double phase = 2 * std::numbers::pi * harmonic * position_m / 0.25;
       const std::string number = std::to_string(harmonic);
       table += value_of(*written, "position_sine_" + number) * std::sin(phase) +
                value_of(*written, "position_cosine_" + number) * std::cos(phase);
     }
-    const double turn = 2 * std::numbers::pi * (position_m - 0.33) / 0.2;
+    const double turn = 2 * std::numbers::pi * (position_m - 0.33) / 0.25;
     EXPECT_NEAR(table,
                 0.3 * std::sin(turn) - 0.2 * std::cos(turn) + 0.1 * std::sin(2 * turn) +
                     0.05 * std::cos(2 * turn),
