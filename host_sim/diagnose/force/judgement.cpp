@@ -95,6 +95,14 @@ bool is_shift(const PairedGain& gain) {
   return gain.within_N2 < kShift * gain.moved_N2;
 }
 
+/// What is left within sessions of what shifts them as wholes is little, and another law may leave
+/// as much: it counts where it is surely there, and as large as the shift says.
+constexpr double kClear = 4;
+
+bool shows_within(const PairedGain& gain) {
+  return gain.z_within >= kClear && std::abs(gain.slope_within - 1) < kSeen * gain.error_within;
+}
+
 /// Whether one is what a sensor shows and the other what sessions differ in, and they differ in
 /// what they do to whole sessions alone.
 bool both_shift(const Judged& one, effects::ForceTerm other, const PairedGain& lost) {
@@ -126,7 +134,7 @@ double evidence_of(effects::ForceTerm term, const PairedGain& gain) {
   const auto half_square = [](double z) { return z > 0 ? z * z / 2 : 0; };
   const bool shift = is_shift(gain);
   if (is_of(effects::ForceLaw::Of::session, term)) {
-    return gain.of_sessions + (shift ? 0 : half_square(gain.z_within));
+    return gain.of_sessions + (!shift || shows_within(gain) ? half_square(gain.z_within) : 0);
   }
   return std::max(half_square(gain.z), shift && gain.z >= kSeen ? gain.of_sessions : 0);
 }

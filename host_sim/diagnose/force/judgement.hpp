@@ -49,7 +49,7 @@ bool depends_on_the_same(effects::ForceTerm one, effects::ForceTerm other);
 
 /// For a term, as a logarithm of odds: the standard errors of the gain, and where that is seen and
 /// shifts whole sessions the likelihood of what they differ by; of what those differ in that and
-/// the standard errors within sessions.
+/// the standard errors within sessions, where that is no small part or clear.
 double evidence_of(effects::ForceTerm term, const PairedGain& gain);
 
 /// Standard errors by which another law of one effect is better, of what sessions differ in by how

@@ -113,6 +113,8 @@ PairedGain paired_gain(const ForceData& data, const HeldOut& before, const HeldO
   gain.error = slope.error;
   const Slope slope_within = slope_of(within);
   gain.z_within = slope_within.error > 0 ? normal_of(slope_within.value / slope_within.error) : 0;
+  gain.slope_within = slope_within.value;
+  gain.error_within = slope_within.error;
   return gain;
 }
 

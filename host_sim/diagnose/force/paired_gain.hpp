@@ -20,6 +20,8 @@ struct PairedGain {
   double moved_N2 = 0;           ///< mean square of what they differ by, by weight of samples
   double within_N2 = 0;          ///< the same of what gain and friction of each session leave
   double z_within = 0;           ///< z of that
+  double slope_within = 0;       ///< slope of that
+  double error_within = 0;       ///< standard error of it
   double taken_N2 = 0;           ///< that the mean square by the weight of samples is less
   double beside_scatter_N2 = 0;  ///< the same of what gain and friction of sessions leave
   double plain_N2 = 0;           ///< that the mean square is less, each sample alike

@@ -178,6 +178,52 @@ TEST(SessionsDiffer, ASensorThatShiftsThemIsSeenByHowTheyScatter) {
   EXPECT_DOUBLE_EQ(evidence(2, 0.001), 2);
 }
 
+/// Within sessions, five standard errors are 12.5 units: nothing of a shift that leaves three times
+/// as much there as it says, nor of one of three standard errors.
+TEST(SessionsDiffer, WhatAShiftLeavesWithinThemCountsWhereItIsClearAndAsLargeAsItSays) {
+  const auto evidence = [](double z, double slope) {
+    return evidence_of(effects::ForceTerm::bend_angle, {.of_sessions = 1,
+                                                        .moved_N2 = 1,
+                                                        .within_N2 = 0.001,
+                                                        .z_within = z,
+                                                        .slope_within = slope,
+                                                        .error_within = slope / z});
+  };
+  EXPECT_DOUBLE_EQ(evidence(5, 1.0), 13.5);
+  EXPECT_DOUBLE_EQ(evidence(5, 0.7), 13.5);
+  EXPECT_DOUBLE_EQ(evidence(5, 3.0), 1);
+  EXPECT_DOUBLE_EQ(evidence(3, 1.0), 1);
+}
+
+/// A sheath at 1 and 3 rad that sways by 0.25 rad and is bent by 0.15 rad more than is known at
+/// one of them, which is as much friction as sessions scatter by: 0.15 of it.
+TEST(SessionsDiffer, APoseThatSwaysShowsHowFarItIsOff) {
+  std::mt19937 engine(5);
+  std::normal_distribution<double> scatter(0.1, 0.01);
+  std::normal_distribution<double> noise(0, 0.1);
+  std::vector<effects::ForceRecord> records;
+  for (unsigned j = 0; j < 16; ++j) {
+    effects::ForceRecord record =
+        measured({.friction = 0, .load_N = 20, .still_N = 50, .noise_N = 0.1, .samples = 250},
+                 70 + j, 1)
+            .front();
+    record.session = "s" + std::to_string(10 + j);
+    const double friction = scatter(engine);
+    const double pose_rad = j % 2 == 0 ? 1 : 3;
+    const double off_rad = j % 2 == 0 ? 0.15 : 0;
+    for (std::size_t i = 0; i < record.samples(); ++i) {
+      const double bend_rad = pose_rad + 0.25 * std::sin(9 * record.time_s[i]);
+      const double slip = std::tanh(record.velocity_m_s[i] / 1e-3);
+      record.bend_angle_rad[i] = bend_rad;
+      record.input_N[i] =
+          record.output_N[i] * std::exp(slip * friction * (bend_rad + off_rad)) + noise(engine);
+    }
+    records.push_back(record);
+  }
+  const Findings findings = findings_of(records);
+  EXPECT_THAT(ids_of(findings), ElementsAre("bend_angle")) << findings.prose;
+}
+
 /// Friction that falls by a third in the first 500 cycles is no wear, whose power of the cycles
 /// takes most of that off, too.
 TEST(SessionsDiffer, FrictionThatRunsInIsToldFromWear) {
