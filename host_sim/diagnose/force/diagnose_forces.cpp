@@ -24,6 +24,9 @@ namespace {
 /// chance: as much as in simulated campaigns that hide more than is named.
 constexpr double kBesideRemainder = 2;
 
+/// Of an effect that is seen, and by the intervals of its parameters may be none.
+constexpr double kEven = 0.5;
+
 class Report {
  public:
   /// @param records with all samples
@@ -40,7 +43,14 @@ class Report {
         doubts_(std::move(doubts)),
         remainder_(remainder_of(data, search.nominal().fit, search.model().fit, search.covariates(),
                                 search.bins(), options.seed)),
+        half_(search.half_widths(remainder_.stands ? kBesideRemainder : 1)),
+        judged_(search.judged()),
         audit_(audit_of(data, search.model().fit, options.threads)) {
+    for (Judged& one : judged_) {
+      if (search.may_be_none(one.term, half_)) {
+        one.share = std::min(one.share, kEven);
+      }
+    }
     constexpr double kMuchLeft = 0.3;
     if (!spoilt()) {
       const bool much = (remainder_.stands && search.judged().empty()) || share_left() > kMuchLeft;
@@ -57,7 +67,7 @@ class Report {
     findings.credible_set = credible_set_of(findings.candidates);
     add_effects(findings);
     findings.steps = steps();
-    if (!search_.judged().empty() && !names_nothing()) {
+    if (!judged_.empty() && !names_nothing()) {
       findings.gain = gain_of({search_.model().fit, search_.model().held.residuals_N});
     }
     findings.remainder =
@@ -69,12 +79,11 @@ class Report {
     findings.doubts = doubts_;
     findings.prose =
         verdict_prose(findings, data_.records().size(), search_.nominal_rmse_N(), spoilt());
-    for (const Judged& one : search_.judged()) {
+    for (const Judged& one : judged_) {
       if (one.imitated_by) {
         findings.prose += imitation_prose(law_of(one.term), law_of(*one.imitated_by));
       } else if (findings.verdict == Verdict::named && is_doubtful(one)) {
-        findings.prose +=
-            doubtful_prose(law_of(one.term), probability_of(one.term, one.gain, data_));
+        findings.prose += doubtful_prose(law_of(one.term), probability_of(one));
       }
     }
     if (withdraw_unless_improved(findings)) {
@@ -96,14 +105,13 @@ class Report {
   }
 
   [[nodiscard]] Verdict verdict() const {
-    const auto& judged = search_.judged();
-    if (judged.empty() || names_nothing()) {
+    if (judged_.empty() || names_nothing()) {
       return remainder_.stands || spoilt() ? Verdict::unknown : Verdict::none;
     }
-    if (std::ranges::any_of(judged, [&](const Judged& one) { return stands(one); })) {
+    if (std::ranges::any_of(judged_, [&](const Judged& one) { return stands(one); })) {
       return Verdict::named;
     }
-    return std::ranges::all_of(judged,
+    return std::ranges::all_of(judged_,
                                [](const Judged& one) { return one.imitated_by.has_value(); })
                ? Verdict::unknown
                : Verdict::ambiguous;
@@ -120,8 +128,12 @@ class Report {
     return one.others.empty() && !one.imitated_by;
   }
 
+  [[nodiscard]] double probability_of(const Judged& one) const {
+    return diagnose::probability_of(one.term, one.gain, data_) * one.share;
+  }
+
   [[nodiscard]] bool stands(const Judged& one) const {
-    return is_alone(one) && probability_of(one.term, one.gain, data_) >= kNamed;
+    return is_alone(one) && probability_of(one) >= kNamed;
   }
 
   [[nodiscard]] bool is_doubtful(const Judged& one) const { return is_alone(one) && !stands(one); }
@@ -130,9 +142,8 @@ class Report {
     const bool none =
         verdict == Verdict::none || (verdict == Verdict::ambiguous && !remainder_.stands);
     const std::string rest = none ? "none" : "unknown";
-    return names_nothing()
-               ? candidates_of(data_, {}, {}, rest, remainder_.stands)
-               : candidates_of(data_, search_.judged(), left_out(), rest, remainder_.stands);
+    return names_nothing() ? candidates_of(data_, {}, {}, rest, remainder_.stands)
+                           : candidates_of(data_, judged_, left_out(), rest, remainder_.stands);
   }
 
   [[nodiscard]] std::vector<LeftOut> left_out() const {
@@ -172,10 +183,9 @@ class Report {
     if (findings.verdict != Verdict::named && findings.verdict != Verdict::ambiguous) {
       return;
     }
-    const std::vector<double> half = search_.half_widths(remainder_.stands ? kBesideRemainder : 1);
-    for (const Judged& one : search_.judged()) {
-      FoundEffect found = effect_of(one.term, search_.model().fit, half);
-      found.probability = probability_of(one.term, one.gain, data_);
+    for (const Judged& one : judged_) {
+      FoundEffect found = effect_of(one.term, search_.model().fit, half_);
+      found.probability = probability_of(one);
       if (!one.others.empty()) {
         std::vector<std::string> same{found.id};
         for (const Judged::Other& other : one.others) {
@@ -215,9 +225,9 @@ class Report {
         const std::vector<double>& before_N2 = stairs_[i - 1].held.beside_scatter_N2;
         step.effect = effect_of(stairs_[i].fit.terms.back(), stairs_[i].fit,
                                 data_.half_widths(stairs_[i].fit));
-        step.effect.probability =
-            probability_of(stairs_[i].fit.terms.back(),
-                           paired_gain(data_, stairs_[i - 1].held, stairs_[i].held, true), data_);
+        step.effect.probability = diagnose::probability_of(
+            stairs_[i].fit.terms.back(),
+            paired_gain(data_, stairs_[i - 1].held, stairs_[i].held, true), data_);
         for (std::size_t j = 0; j < before_N2.size(); ++j) {
           step.sessions_better += stairs_[i].held.beside_scatter_N2[j] < before_N2[j] ? 1 : 0;
         }
@@ -374,6 +384,8 @@ class Report {
   ModelExtension models_;
   std::vector<Doubt> doubts_;
   ForceRemainder remainder_;
+  std::vector<double> half_;  ///< 95 % half-widths of the parameters of the model
+  std::vector<Judged> judged_;
   Audit audit_;
   ExtendedModel extended_;
 };

@@ -397,4 +397,30 @@ bool ForceData::is_physical(const ForceFit& fit, std::size_t term) const {
   return true;
 }
 
+bool ForceData::may_be_none(const ForceFit& fit, std::size_t term,
+                            std::span<const double> half) const {
+  const auto values = parameters_at(term, fit.terms, fit.parameters, scales_);
+  const auto half_of =
+      half.subspan(static_cast<std::size_t>(values.data() - fit.parameters.data()));
+  const auto parameters = parameters_of(fit.terms[term], scales_);
+  // What cannot be zero says how, but for a law that has no other.
+  const bool has_size = std::ranges::any_of(parameters, [](const effects::ForceParameter& one) {
+    return !one.chosen && one.minimum <= 0;
+  });
+  bool any = false;
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    const effects::ForceParameter& parameter = parameters[k];
+    const bool needed = parameter.stepped || parameter.resolved > 0;
+    if (parameter.chosen || (has_size && parameter.minimum > 0) || (parameter.beside && !needed)) {
+      continue;
+    }
+    const bool more = std::abs(values[k]) - half_of[k] > parameter.resolved;
+    if (needed && !more) {
+      return true;
+    }
+    any = any || more;
+  }
+  return !any;
+}
+
 }  // namespace host_sim::diagnose

@@ -142,6 +142,12 @@ class ForceData {
   /// it is the least, and larger than what samples that are so far apart resolve.
   [[nodiscard]] bool is_physical(const ForceFit& fit, std::size_t term) const;
 
+  /// Whether the 95 % intervals of a term's parameters hold that it has no effect: no size of it
+  /// is other than zero, or one that samples resolve is not surely more than they do.
+  /// @param half half-widths of the parameters of the fit
+  [[nodiscard]] bool may_be_none(const ForceFit& fit, std::size_t term,
+                                 std::span<const double> half) const;
+
   static constexpr int kFolds = 5;
 
   [[nodiscard]] static bool is_held_out(std::size_t record, int fold) {

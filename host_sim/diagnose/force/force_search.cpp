@@ -89,8 +89,11 @@ void ForceSearch::run() {
     model_ = nominal_;
     added_.clear();
   }
+  const ForceFit by_inliers = leave_out_outliers();
   find_left_out();
-  leave_out_outliers();
+  if (!by_inliers.terms.empty()) {
+    model_ = {by_inliers, data_.held_out(by_inliers, inliers_->fold_fits(by_inliers))};
+  }
 }
 
 void ForceSearch::search() {
@@ -189,12 +192,28 @@ bool ForceSearch::settle() {
   return other;
 }
 
-/// The model is settled: its parameters are those that outliers have no part in.
-void ForceSearch::leave_out_outliers() {
-  inliers_ = data_.without_outliers(model_.fit);
-  if (!model_.fit.terms.empty()) {
-    model_.fit = inliers_->finished(model_.fit);
-    model_.held = data_.held_out(model_.fit, inliers_->fold_fits(model_.fit));
+/// The parameters of a model that is settled are those that outliers have no part in. A term that
+/// is none by those goes.
+/// @returns the model by them
+ForceFit ForceSearch::leave_out_outliers() {
+  for (;;) {
+    inliers_ = data_.without_outliers(model_.fit);
+    if (model_.fit.terms.empty()) {
+      return model_.fit;
+    }
+    ForceFit fit = inliers_->finished(model_.fit);
+    const std::vector<double> half = inliers_->half_widths(fit);
+    std::size_t place = 0;
+    while (place < fit.terms.size() && inliers_->is_physical(fit, place) &&
+           !inliers_->may_be_none(fit, place, half)) {
+      ++place;
+    }
+    if (place == fit.terms.size()) {
+      return fit;
+    }
+    model_ = candidate_of(data_, data_.without(model_.fit, place));
+    reduce();
+    exchange(false);
   }
 }
 

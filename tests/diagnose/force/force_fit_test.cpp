@@ -252,6 +252,31 @@ TEST(ForceData, ATendonIsSoftOrStiffWithinBounds) {
   EXPECT_FALSE(within(10000));
 }
 
+/// Lengths in m, ln of what the tendon lacks: below 0.04 that is none.
+TEST(ForceData, AnEffectOfWhichEverySizeMayBeZeroMayBeNone) {
+  using effects::ForceTerm;
+  const ForceData data(measured({}, 6));
+  const auto may_be_none = [&](ForceTerm term, std::vector<double> parameters,
+                               std::vector<double> half) {
+    parameters.insert(parameters.begin(), {1, 0.1});
+    half.insert(half.begin(), {0.01, 0.01});
+    return data.may_be_none({{term}, parameters, 0}, 0, half);
+  };
+  EXPECT_FALSE(may_be_none(ForceTerm::preload, {3}, {2.9}));
+  EXPECT_TRUE(may_be_none(ForceTerm::preload, {3}, {3.1}));
+  EXPECT_FALSE(may_be_none(ForceTerm::zero, {-3}, {2.9}));
+  // One of several is enough: viscous friction, or the Stribeck peak, at any speed of that.
+  EXPECT_FALSE(may_be_none(ForceTerm::stribeck, {0.2, 0.01, 0.02}, {0.3, 0.009, 0.001}));
+  EXPECT_TRUE(may_be_none(ForceTerm::stribeck, {0.2, 0.01, 0.02}, {0.3, 0.011, 0.001}));
+  // A tendon is loose over a length and by a drop, whatever rubs.
+  EXPECT_FALSE(may_be_none(ForceTerm::loose_tendon, {2e-3, 0.1, 0}, {1e-3, 0.05, 1}));
+  EXPECT_TRUE(may_be_none(ForceTerm::loose_tendon, {2e-3, 0.1, 1}, {3e-3, 0.05, 0.1}));
+  EXPECT_TRUE(may_be_none(ForceTerm::loose_tendon, {2e-3, 0.1, 1}, {1e-3, 0.07, 0.1}));
+  // What gives way by a stiffness that has no end is none.
+  EXPECT_FALSE(may_be_none(ForceTerm::compliance, {5e4}, {4e4}));
+  EXPECT_TRUE(may_be_none(ForceTerm::compliance, {5e4}, {6e4}));
+}
+
 /// One sample in fifty is 30 N off, of a joint with 12 N of friction and noise of 0.7 N.
 TEST(WithoutOutliers, SamplesThatAreFarOffHaveNoPart) {
   std::vector<effects::ForceRecord> records = measured({.preload_N = 12}, 3);
