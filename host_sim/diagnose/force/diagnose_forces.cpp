@@ -46,14 +46,14 @@ class Report {
         half_(search.half_widths(remainder_.stands ? kBesideRemainder : 1)),
         judged_(search.judged()),
         audit_(audit_of(data, search.model().fit, options.threads)) {
-    for (Judged& one : judged_) {
-      if (search.may_be_none(one.term, half_)) {
-        one.share = std::min(one.share, kEven);
+    for (std::size_t i = 0; i < judged_.size(); ++i) {
+      if (data.may_be_none(search.model().fit, i, half_)) {
+        judged_[i].share = std::min(judged_[i].share, kEven);
       }
     }
     constexpr double kMuchLeft = 0.3;
     if (!spoilt()) {
-      const bool much = (remainder_.stands && search.judged().empty()) || share_left() > kMuchLeft;
+      const bool much = (remainder_.stands && judged_.empty()) || share_left() > kMuchLeft;
       std::ranges::move(doubts_beside(data, records, search.model().fit, nominal, much),
                         std::back_inserter(doubts_));
     }

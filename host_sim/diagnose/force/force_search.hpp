@@ -35,12 +35,8 @@ class ForceSearch {
   [[nodiscard]] const Candidate& model() const { return model_; }
   [[nodiscard]] double nominal_rmse_N() const { return data_.rmse_N(nominal_.held.plain_N2); }
   [[nodiscard]] double rmse_N() const { return data_.rmse_N(model_.held.plain_N2); }
+  /// The terms of the model, in order.
   [[nodiscard]] const std::vector<Judged>& judged() const { return judged_; }
-  /// Whether a term of the model may be none by intervals of these half-widths.
-  [[nodiscard]] bool may_be_none(effects::ForceTerm term, std::span<const double> half) const {
-    const auto place = std::ranges::find(model_.fit.terms, term) - model_.fit.terms.begin();
-    return data_.may_be_none(model_.fit, static_cast<std::size_t>(place), half);
-  }
   [[nodiscard]] const std::vector<LeftOut>& left_out() const { return left_out_; }
 
   /// Of the parameters of the model.

@@ -196,7 +196,7 @@ TEST(SessionsDiffer, WhatAShiftLeavesWithinThemCountsWhereItIsClearAndAsLargeAsI
 }
 
 /// A sheath at 1 and 3 rad that sways by 0.25 rad and is bent by 0.15 rad more than is known at
-/// one of them, which is as much friction as sessions scatter by: 0.15 of it.
+/// the first of them: 0.15 more friction, where sessions scatter by 0.1 of it.
 TEST(SessionsDiffer, APoseThatSwaysShowsHowFarItIsOff) {
   std::mt19937 engine(5);
   std::normal_distribution<double> scatter(0.1, 0.01);
