@@ -27,24 +27,20 @@ show_budgets() {
 }
 
 compare_host_and_target() {
-  local host
-  for host in host-release host-asan-ubsan; do
-    tests/target/trail/compare.sh "build/$host/tests/target/host/trail" \
-      build/qemu-m4/tests/target/trail/run_trail
-    python3 tests/target/firmware/compare.py "build/$host/tests/target/host/record" \
-      "build/$host/tests/target/host/firmware_host" \
-      build/qemu-m4/tests/target/firmware/run_firmware
-    python3 tests/target/firmware/compare_extended.py \
-      "build/$host/tests/target/host/extended_host" "build/$host/tests/target/host/extended_host" \
-      build/qemu-m4/tests/target/firmware/run_extended
-  done
+  local host=build/host-release/tests/target/host target=build/qemu-m4/tests/target
+  tests/target/trail/compare.sh "$host/trail" $target/trail/run_trail
+  python3 tests/target/firmware/compare.py "$host/record" "$host/firmware_host" \
+    $target/firmware/run_firmware
+  python3 tests/target/firmware/compare_extended.py "$host/extended_host" "$host/extended_host" \
+    $target/firmware/run_extended
 }
 
 # The analyzer follows the paths of what runs on a board, and only of what stands in the main file of a
 # unit: those sources are read one by one, and paths of a function end at 50,000 states (225,000 by
 # default, of which one file made five minutes). What runs on hosts alone is held by the sanitizers, and
 # would take the analyzer longer than all else together. Its sources are read many at a time, from the
-# files of the unity build that include them.
+# files of the unity build that include them, and by the checks that see what no warning of the
+# compilers does: each check goes through all that is included.
 check_with_clang_tidy() {
   # Clang does not know all warnings that GCC is told of, and warns of reserved names sooner than the
   # check of its own.
@@ -52,9 +48,14 @@ check_with_clang_tidy() {
     -extra-arg=-Wreserved-identifier)
   local -a fewer_states=(-extra-arg=-Xclang -extra-arg=-analyzer-config
     -extra-arg=-Xclang -extra-arg=max-nodes=50000)
+  local hosts_checks='-*,readability-identifier-naming,misc-unused-*,modernize-use-override'
+  hosts_checks+=',bugprone-use-after-move,bugprone-dangling-handle,bugprone-unused-*'
+  hosts_checks+=',bugprone-infinite-loop,bugprone-integer-division,bugprone-branch-clone'
+  hosts_checks+=',bugprone-implicit-widening-of-multiplication-result,cppcoreguidelines-slicing'
+  hosts_checks+=',performance-unnecessary-*,performance-for-range-copy,performance-move-const-arg'
   cmake --preset host-release -B build/one-by-one -DCMAKE_UNITY_BUILD=OFF
   "${tidy[@]}" "${fewer_states[@]}" -p build/one-by-one "^$PWD/(lifemodel|firmware/boards|hal/linux)/"
-  "${tidy[@]}" -p build/host-release -checks='-clang-analyzer-*,-bugprone-suspicious-include' \
+  "${tidy[@]}" -p build/host-release -checks="$hosts_checks" \
     "^$PWD/build/host-release/(host_sim|firmware/CMakeFiles|hal/CMakeFiles/hal_files)"
 }
 
