@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <numbers>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace host_sim::effects {
@@ -235,6 +236,41 @@ TEST(ForceModel, PositionMayCountFromTheMiddleOfTheRecord) {
   of_rotor.rotor_known = true;
   EXPECT_FALSE(is_shown(terms[1], std::span(&of_rotor, 1)));
   EXPECT_TRUE(is_shown(ForceTerm::position, std::span(&of_rotor, 1)));
+}
+
+TEST(ForceModel, SlopesOfWavesAreThoseOfSteps) {
+  // T_in is 10 exp(mu (1 + g) pi) + 3 (1 + g), and g is h at a quarter of a wave of 0.25 m.
+  const ForceRecord moving = record({0, 0.0625}, 1, 10);
+  const ForceTerms terms{ForceTerm::preload, ForceTerm::position};
+  std::vector<double> parameters{1, 0.1, 3};
+  parameters.resize(13);
+  std::vector<double> slopes_N;
+  ASSERT_TRUE(position_slopes(moving, kinematics_of(moving, kScales), terms, kScales, parameters, 1,
+                              slopes_N));
+  ASSERT_EQ(slopes_N.size(), 20U);
+  const double by_share_N = 10 * std::exp(0.1 * pi) * 0.1 * pi + 3;
+  // sin and cos of 1, 2, 3, 4 and 5 quarters of a turn.
+  const double waves[] = {1, 0, 0, -1, -1, 0, 0, 1, 1, 0};
+  for (std::size_t k = 0; k < 10; ++k) {
+    EXPECT_NEAR(slopes_N[10 + k], waves[k] * by_share_N, 1e-4) << k;
+  }
+
+  EXPECT_FALSE(position_slopes(moving, kinematics_of(moving, kScales), terms, kScales, parameters,
+                               0, slopes_N));
+}
+
+TEST(ForceModel, AMemoryOfFrictionHasNoSlopesOfWaves) {
+  const ForceRecord moving = record({0, 0.0625}, 1, 10);
+  for (const auto& [term, value] :
+       {std::pair{ForceTerm::compliance, 1e3}, std::pair{ForceTerm::elastic_presliding, 1e3},
+        std::pair{ForceTerm::lag, -0.1}, std::pair{ForceTerm::delay, 0.05}}) {
+    std::vector<double> parameters{1, 0.1, value};
+    parameters.resize(13);
+    std::vector<double> slopes_N;
+    EXPECT_FALSE(position_slopes(moving, kinematics_of(moving, kScales),
+                                 {term, ForceTerm::position}, kScales, parameters, 1, slopes_N))
+        << static_cast<unsigned>(term);
+  }
 }
 
 TEST(ForceModel, SensorsShiftAndDelayTheOutput) {

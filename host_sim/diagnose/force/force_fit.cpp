@@ -19,11 +19,10 @@ constexpr int kFoldIterations = 2;  ///< from where all records have led
 
 }  // namespace
 
-/// Of least squares: J'J, J'r and the gradient of each record.
+/// Of least squares beside the scatter of sessions: J'J and J'r of a record.
 struct ForceData::Normal {
   Eigen::MatrixXd matrix;
   Eigen::VectorXd gradient;
-  std::vector<Eigen::VectorXd> of_records;
 };
 
 /// The gain is near 1, as the nominal model has it, by as much as one session says of it: where the
@@ -57,49 +56,84 @@ double ForceData::distance_N2(const ForceFit& one, const ForceFit& other) const 
   return square_N2;
 }
 
-ForceData::Normal ForceData::normal_of(const effects::ForceTerms& terms,
-                                       std::span<const double> parameters, int fold) const {
+ForceData::Normal ForceData::normal_of(std::size_t record, const effects::ForceTerms& terms,
+                                       std::span<const double> parameters) const {
   const auto all = parameters_of(terms, scales_);
   const auto count = static_cast<Eigen::Index>(all.size());
-  Normal normal{.matrix = Eigen::MatrixXd::Zero(count, count),
-                .gradient = Eigen::VectorXd::Zero(count),
-                .of_records = {}};
-  for (std::size_t j = 0; j < records_.size(); ++j) {
-    if (is_left_out(j, fold)) {
+  const std::vector<double> at = residuals_N(record, terms, parameters);
+  Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(at.size()), count);
+  // All that a load cell reads is in proportion to the gain.
+  const effects::ForceRecord& of = records_[record];
+  const bool by_gain = of.input_N_per_A == 0;
+  for (std::size_t i = 0; by_gain && i < at.size(); ++i) {
+    jacobian(static_cast<Eigen::Index>(i), 0) =
+        of.used[i] ? (of.input_N[i] - at[i]) / parameters[0] : 0;
+  }
+  std::vector<bool> known(all.size());
+  known[0] = by_gain;
+  for (std::size_t place = 0; place < terms.size(); ++place) {
+    const auto own = parameters_at(place, terms, parameters, scales_);
+    const auto first = static_cast<std::size_t>(own.data() - parameters.data());
+    std::vector<double> slopes;
+    if (!effects::position_slopes(of, kinematics_[record], terms, scales_, parameters, place,
+                                  slopes)) {
       continue;
     }
-    const std::vector<double> at = residuals_N(j, terms, parameters);
-    Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(at.size()), count);
-    // All that a load cell reads is in proportion to the gain.
-    const bool by_gain = records_[j].input_N_per_A == 0;
-    for (std::size_t i = 0; by_gain && i < at.size(); ++i) {
-      const effects::ForceRecord& of = records_[j];
-      jacobian(static_cast<Eigen::Index>(i), 0) =
-          of.used[i] ? (of.input_N[i] - at[i]) / parameters[0] : 0;
+    for (std::size_t i = 0; i < slopes.size(); ++i) {
+      const std::size_t sample = i / own.size();
+      jacobian(static_cast<Eigen::Index>(sample),
+               static_cast<Eigen::Index>(first + i % own.size())) = of.used[sample] ? slopes[i] : 0;
     }
-    for (Eigen::Index k = by_gain ? 1 : 0; k < count; ++k) {
-      const effects::ForceParameter& parameter = all[static_cast<std::size_t>(k)];
-      if (parameter.chosen) {
-        jacobian.col(k).setZero();
-        continue;
-      }
-      std::vector<double> moved(parameters.begin(), parameters.end());
-      double& value = moved[static_cast<std::size_t>(k)];
-      const double step = step_of(parameter, value);
-      value += step;
-      jacobian.col(k) = (vector_of(at) - vector_of(residuals_N(j, terms, moved))) / step;
-    }
-    normal.matrix += covariance_.product(j, jacobian, jacobian);
-    normal.of_records.emplace_back(covariance_.product(j, jacobian, vector_of(at)));
-    normal.gradient += normal.of_records.back();
+    std::fill_n(known.begin() + static_cast<std::ptrdiff_t>(first), own.size(), true);
   }
-  normal.matrix(0, 0) += gain_weight_N2_ / (parameters[0] * parameters[0]);
-  normal.gradient(0) -= gain_weight_N2_ * std::log(parameters[0]) / parameters[0];
-  return normal;
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const effects::ForceParameter& parameter = all[static_cast<std::size_t>(k)];
+    if (known[static_cast<std::size_t>(k)]) {
+      continue;
+    }
+    if (parameter.chosen) {
+      jacobian.col(k).setZero();
+      continue;
+    }
+    std::vector<double> moved(parameters.begin(), parameters.end());
+    double& value = moved[static_cast<std::size_t>(k)];
+    const double step = step_of(parameter, value);
+    value += step;
+    jacobian.col(k) = (vector_of(at) - vector_of(residuals_N(record, terms, moved))) / step;
+  }
+  return {covariance_.product(record, jacobian, jacobian),
+          covariance_.product(record, jacobian, vector_of(at))};
+}
+
+std::vector<ForceData::Normal> ForceData::normals_of(const effects::ForceTerms& terms,
+                                                     std::span<const double> parameters,
+                                                     int fold) const {
+  std::vector<Normal> normals(records_.size());
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    if (!is_left_out(j, fold)) {
+      normals[j] = normal_of(j, terms, parameters);
+    }
+  }
+  return normals;
+}
+
+ForceData::Normal ForceData::sum_of(const std::vector<Normal>& normals,
+                                    std::span<const double> parameters, int fold) const {
+  const auto count = static_cast<Eigen::Index>(parameters.size());
+  Normal sum{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count)};
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    if (!is_left_out(j, fold)) {
+      sum.matrix += normals[j].matrix;
+      sum.gradient += normals[j].gradient;
+    }
+  }
+  sum.matrix(0, 0) += gain_weight_N2_ / (parameters[0] * parameters[0]);
+  sum.gradient(0) -= gain_weight_N2_ * std::log(parameters[0]) / parameters[0];
+  return sum;
 }
 
 ForceFit ForceData::fit(const effects::ForceTerms& terms, std::vector<double> start, int iterations,
-                        int fold) const {
+                        int fold, const std::vector<Normal>* normals) const {
   constexpr double kEnough = 1e-7;
   constexpr int kTries = 8;
   const auto all = parameters_of(terms, scales_);
@@ -110,7 +144,9 @@ ForceFit ForceData::fit(const effects::ForceTerms& terms, std::vector<double> st
   best.square_N2 = square_of(terms, best.parameters, fold);
   double damping = 1e-3;
   for (int iteration = 0; iteration < iterations; ++iteration) {
-    Normal normal = normal_of(terms, best.parameters, fold);
+    const bool known = iteration == 0 && normals != nullptr;
+    Normal normal =
+        sum_of(known ? *normals : normals_of(terms, best.parameters, fold), best.parameters, fold);
     // What would go beyond its bound stays there, and the others go without it.
     for (std::size_t k = 0; k < all.size(); ++k) {
       const auto at = static_cast<Eigen::Index>(k);
@@ -243,16 +279,24 @@ ForceFit ForceData::without(const ForceFit& from, std::size_t place) const {
   return fit(terms, std::move(parameters), kIterations);
 }
 
-ForceFit ForceData::fold_fit(const ForceFit& whole, int fold) const {
-  return fit(whole.terms, whole.parameters, kFoldIterations, fold);
-}
-
-std::vector<ForceFit> ForceData::fold_fits(const ForceFit& whole) const {
-  std::vector<ForceFit> seen;
-  seen.reserve(static_cast<std::size_t>(folds()));
-  for (int fold = 0; fold < folds(); ++fold) {
-    seen.push_back(fold_fit(whole, fold));
-  }
+std::vector<std::vector<ForceFit>> ForceData::fold_fits(std::span<const ForceFit> whole,
+                                                        unsigned threads) const {
+  // All folds of a model begin where it is.
+  std::vector<std::vector<Normal>> normals(whole.size());
+  statistics::parallel_for(
+      whole.size(),
+      [&](std::size_t i) { normals[i] = normals_of(whole[i].terms, whole[i].parameters, -1); },
+      threads);
+  const auto count = static_cast<std::size_t>(folds());
+  std::vector<std::vector<ForceFit>> seen(whole.size(), std::vector<ForceFit>(count));
+  statistics::parallel_for(
+      whole.size() * count,
+      [&](std::size_t i) {
+        const ForceFit& of = whole[i / count];
+        seen[i / count][i % count] = fit(of.terms, of.parameters, kFoldIterations,
+                                         static_cast<int>(i % count), &normals[i / count]);
+      },
+      threads);
   return seen;
 }
 
@@ -325,11 +369,12 @@ double ForceData::freedom_of(const ForceFit& fit) const {
 }
 
 ForceData::Covariance ForceData::covariance_of(const ForceFit& fit) const {
-  const Normal normal = normal_of(fit.terms, fit.parameters, -1);
+  const std::vector<Normal> normals = normals_of(fit.terms, fit.parameters, -1);
+  const Normal normal = sum_of(normals, fit.parameters, -1);
   const Eigen::Index count = normal.gradient.size();
   Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(count, count);
-  for (const Eigen::VectorXd& gradient : normal.of_records) {
-    scatter += gradient * gradient.transpose();
+  for (const Normal& of_record : normals) {
+    scatter += of_record.gradient * of_record.gradient.transpose();
   }
   const Eigen::MatrixXd inverse =
       normal.matrix.ldlt().solve(Eigen::MatrixXd::Identity(count, count));

@@ -32,6 +32,8 @@ struct HeldOut {
 /// All records of a campaign and what a fit needs of them: the output force smoothed, and samples
 /// thinned.
 class ForceData {
+  struct Normal;
+
  public:
   static constexpr std::size_t kMostSamples = 600;  ///< of a record, or up to twice that
   static constexpr int kIterations = 15;            ///< of a fit that starts
@@ -94,8 +96,10 @@ class ForceData {
   /// Least squares beside the scatter of sessions, within the bounds (Levenberg-Marquardt), from
   /// these parameters on.
   /// @param fold records of this number modulo kFolds stay out; none: all take part
+  /// @param normals of all records at the start, where they are known
   [[nodiscard]] ForceFit fit(const effects::ForceTerms& terms, std::vector<double> start,
-                             int iterations, int fold = -1) const;
+                             int iterations, int fold = -1,
+                             const std::vector<Normal>* normals = nullptr) const;
 
   /// With one of these terms more, one each, from the best of its starts, after a few iterations.
   [[nodiscard]] std::vector<ForceFit> started(const ForceFit& fit,
@@ -114,9 +118,12 @@ class ForceData {
   /// How many folds there are, kFolds where there are as many records.
   [[nodiscard]] int folds() const { return std::min(kFolds, static_cast<int>(records_.size())); }
 
-  /// Fitted again without the records of a fold, and of each in turn.
-  [[nodiscard]] ForceFit fold_fit(const ForceFit& fit, int fold) const;
-  [[nodiscard]] std::vector<ForceFit> fold_fits(const ForceFit& fit) const;
+  /// Each of these fitted again without the records of each fold in turn.
+  [[nodiscard]] std::vector<std::vector<ForceFit>> fold_fits(std::span<const ForceFit> fits,
+                                                             unsigned threads) const;
+  [[nodiscard]] std::vector<ForceFit> fold_fits(const ForceFit& fit) const {
+    return fold_fits(std::span(&fit, 1), 1).front();
+  }
 
   [[nodiscard]] HeldOut held_out(const ForceFit& fit) const;
   /// @param seen fold_fits() of a fit
@@ -181,9 +188,14 @@ class ForceData {
   [[nodiscard]] double gain_weight_N2(double square_N2) const;
   void settle_resolution();
   [[nodiscard]] ForceFit beyond_steps(ForceFit best) const;
-  struct Normal;
-  [[nodiscard]] Normal normal_of(const effects::ForceTerms& terms,
-                                 std::span<const double> parameters, int fold) const;
+  [[nodiscard]] Normal normal_of(std::size_t record, const effects::ForceTerms& terms,
+                                 std::span<const double> parameters) const;
+  /// Of each record, empty where it stays out.
+  [[nodiscard]] std::vector<Normal> normals_of(const effects::ForceTerms& terms,
+                                               std::span<const double> parameters, int fold) const;
+  /// With what is known of the gain.
+  [[nodiscard]] Normal sum_of(const std::vector<Normal>& normals,
+                              std::span<const double> parameters, int fold) const;
   [[nodiscard]] double square_of(const effects::ForceTerms& terms,
                                  std::span<const double> parameters, int fold) const;
 

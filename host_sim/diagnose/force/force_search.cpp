@@ -326,15 +326,11 @@ std::vector<ForceSearch::Candidate> ForceSearch::with_each(
 }
 
 void ForceSearch::hold_out(std::vector<Candidate>& all) const {
-  const auto folds = static_cast<std::size_t>(data_.folds());
-  std::vector<std::vector<ForceFit>> seen(all.size(), std::vector<ForceFit>(folds));
-  statistics::parallel_for(
-      all.size() * folds,
-      [&](std::size_t i) {
-        seen[i / folds][i % folds] =
-            data_.fold_fit(all[i / folds].fit, static_cast<int>(i % folds));
-      },
-      options_.threads);
+  std::vector<ForceFit> fits;
+  for (const Candidate& one : all) {
+    fits.push_back(one.fit);
+  }
+  const auto seen = data_.fold_fits(fits, options_.threads);
   for (std::size_t i = 0; i < all.size(); ++i) {
     all[i].held = data_.held_out(all[i].fit, seen[i]);
   }

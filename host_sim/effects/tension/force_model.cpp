@@ -114,6 +114,31 @@ double along_sheath(double log_ratio, double load_exponent) {
              : std::log1p(std::max(load_exponent * log_ratio, kLeast - 1)) / load_exponent;
 }
 
+/// Sine and cosine of each harmonic of a sample's place.
+std::array<double, 2 * ForceValues::kHarmonics> waves_at(const Kinematics& kinematics,
+                                                         bool from_middle, std::size_t i) {
+  double first_sine = kinematics.place_sine[i];
+  double first_cosine = kinematics.place_cosine[i];
+  if (from_middle) {
+    first_sine = kinematics.place_sine[i] * kinematics.middle_cosine -
+                 kinematics.place_cosine[i] * kinematics.middle_sine;
+    first_cosine = kinematics.place_cosine[i] * kinematics.middle_cosine +
+                   kinematics.place_sine[i] * kinematics.middle_sine;
+  }
+  // Each harmonic by the one before it: sin((k + 1) x) is sin(k x) cos x + cos(k x) sin x.
+  std::array<double, 2 * ForceValues::kHarmonics> waves{};
+  double sine = 0;
+  double cosine = 1;
+  for (std::size_t k = 0; k < waves.size(); k += 2) {
+    const double next = sine * first_cosine + cosine * first_sine;
+    cosine = cosine * first_cosine - sine * first_sine;
+    sine = next;
+    waves[k] = sine;
+    waves[k + 1] = cosine;
+  }
+  return waves;
+}
+
 /// What each sample has beside how far its friction is turned over.
 class Forward {
  public:
@@ -138,8 +163,7 @@ class Forward {
     const double output_N = output_of_tendon_N(i);
     const double size_N = std::abs(output_N);
     const double speed_m_s = std::abs(record_.velocity_m_s[i]);
-    const double place =
-        (by_position_ ? position_factor(i) : 1) * (by_speed_ ? speed_factor(speed_m_s) : 1);
+    const double place = position_factor(i) * (by_speed_ ? speed_factor(speed_m_s) : 1);
     double coefficient = values_.friction * place * age_factor(i);
     coefficient += values_.viscous_friction_s_m * speed_m_s;
     if (values_.stribeck_friction != 0) {
@@ -236,24 +260,12 @@ class Forward {
   }
 
   [[nodiscard]] double position_factor(std::size_t i) const {
-    double first_sine = kinematics_.place_sine[i];
-    double first_cosine = kinematics_.place_cosine[i];
-    if (values_.from_middle) {
-      first_sine = kinematics_.place_sine[i] * kinematics_.middle_cosine -
-                   kinematics_.place_cosine[i] * kinematics_.middle_sine;
-      first_cosine = kinematics_.place_cosine[i] * kinematics_.middle_cosine +
-                     kinematics_.place_sine[i] * kinematics_.middle_sine;
-    }
-    // Each harmonic by the one before it: sin((k + 1) x) is sin(k x) cos x + cos(k x) sin x.
-    double sine = 0;
-    double cosine = 1;
-    double factor = 1;
-    for (std::size_t harmonic = 1; harmonic <= ForceValues::kHarmonics; ++harmonic) {
-      const double next = sine * first_cosine + cosine * first_sine;
-      cosine = cosine * first_cosine - sine * first_sine;
-      sine = next;
-      factor +=
-          values_.harmonics[2 * harmonic - 2] * sine + values_.harmonics[2 * harmonic - 1] * cosine;
+    double factor = 1 + values_.evenly;
+    if (by_position_) {
+      const auto waves = waves_at(kinematics_, values_.from_middle, i);
+      for (std::size_t k = 0; k < waves.size(); ++k) {
+        factor += values_.harmonics[k] * waves[k];
+      }
     }
     return factor;
   }
@@ -316,53 +328,6 @@ ForceValues values_of(const ForceTerms& terms, const ForceScales& scales,
   return values;
 }
 
-/// Where a time lies between two samples.
-struct Place {
-  std::size_t before = 0;
-  double share = 0;  ///< of the way to the next
-};
-
-/// Of each sample's time and more; beyond the ends as there.
-std::vector<Place> places_at(const std::vector<double>& time_s, double later_s) {
-  std::vector<Place> places;
-  std::size_t before = 0;
-  for (const double own_s : time_s) {
-    const double at_s = own_s + later_s;
-    while (before + 2 < time_s.size() && time_s[before + 1] < at_s) {
-      ++before;
-    }
-    const double share = (at_s - time_s[before]) / (time_s[before + 1] - time_s[before]);
-    places.push_back({before, std::clamp(share, 0.0, 1.0)});
-  }
-  return places;
-}
-
-/// On lines between samples.
-std::vector<double> read_at(const std::vector<Place>& places, const std::vector<double>& values) {
-  std::vector<double> read;
-  read.reserve(places.size());
-  for (const Place& place : places) {
-    read.push_back(std::lerp(values[place.before], values[place.before + 1], place.share));
-  }
-  return read;
-}
-
-/// Output forces at other times, on cubics by their rates: samples are far apart for fast ones.
-std::vector<double> forces_at(const std::vector<Place>& places, const ForceRecord& record) {
-  std::vector<double> read_N;
-  read_N.reserve(places.size());
-  for (const auto& [before, share] : places) {
-    const double step_s = record.time_s[before + 1] - record.time_s[before];
-    const double left = 1 - share;
-    read_N.push_back(
-        left * left * (1 + 2 * share) * record.output_N[before] +
-        share * share * (1 + 2 * left) * record.output_N[before + 1] +
-        share * left * step_s *
-            (left * record.output_rate_N_s[before] - share * record.output_rate_N_s[before + 1]));
-  }
-  return read_N;
-}
-
 void predict_in_time(const ForceRecord& record, const Kinematics& kinematics,
                      const ForceValues& values, const ForceScales& scales,
                      std::vector<double>& input_N) {
@@ -416,21 +381,35 @@ void predict_input(const ForceRecord& record, const Kinematics& kinematics, cons
     predict_in_time(record, kinematics, values, scales, input_N);
     return;
   }
-  const std::vector<Place> places = places_at(record.time_s, values.delay_s);
-  ForceRecord read = record;
-  read.output_N = forces_at(places, record);
-  if (values.delay_s > 0) {
-    predict_in_time(read, kinematics, values, scales, input_N);
-    return;
+  const auto [read, moved] = read_later(record, kinematics, scales, values.delay_s);
+  predict_in_time(read, moved, values, scales, input_N);
+}
+
+bool position_slopes(const ForceRecord& record, const Kinematics& kinematics,
+                     const ForceTerms& terms, const ForceScales& scales,
+                     std::span<const double> parameters, std::size_t place,
+                     std::vector<double>& slopes_N) {
+  if (terms[place] != ForceTerm::position && terms[place] != ForceTerm::position_from_middle) {
+    return false;
   }
-  Kinematics behind = kinematics;
-  for (auto* const channel : {&read.output_rate_N_s, &read.position_m, &read.velocity_m_s,
-                              &behind.place_sine, &behind.place_cosine}) {
-    *channel = read_at(places, *channel);
+  ForceValues values = values_of(terms, scales, parameters);
+  if (values.stiffness_N_m > 0 || values.presliding_N_m > 0 || values.lag_s < 0 ||
+      values.delay_s != 0) {
+    return false;
   }
-  read.reversal_m = reversals_m(read);
-  behind.turned_over = turned_over(read, scales);
-  predict_in_time(read, behind, values, scales, input_N);
+  constexpr double kStep = 1e-6;
+  std::vector<double> at_N;
+  std::vector<double> above_N;
+  predict_in_time(record, kinematics, values, scales, at_N);
+  values.evenly = kStep;
+  predict_in_time(record, kinematics, values, scales, above_N);
+  slopes_N.clear();
+  for (std::size_t i = 0; i < at_N.size(); ++i) {
+    for (const double wave : waves_at(kinematics, values.from_middle, i)) {
+      slopes_N.push_back(wave * (above_N[i] - at_N[i]) / kStep);
+    }
+  }
+  return true;
 }
 
 }  // namespace host_sim::effects

@@ -92,6 +92,7 @@ struct ForceValues {
   double load_exponent = 0;
   std::array<double, 2 * kHarmonics> harmonics{};  ///< sine, cosine, of ForceScales::wavelength_m()
   bool from_middle = false;                        ///< of each record, and not of all
+  double evenly = 0;                               ///< as much more of it at any place
   double slack_m = 0;
   double loose_m = 0;
   double loose_log_drop = 0;
@@ -183,5 +184,15 @@ std::optional<Extension> written_term(ForceTerm term, std::span<const double> pa
 void predict_input(const ForceRecord& record, const Kinematics& kinematics, const ForceTerms& terms,
                    const ForceScales& scales, std::span<const double> parameters,
                    std::vector<double>& input_N);
+
+/// Derivatives of that force by the parameters of a law of friction by position, sooner than by
+/// steps of each: those of a sample in proportion to the waves there.
+/// @param place of the term
+/// @param slopes_N takes all of the first sample, then of the next
+/// @returns whether the term is one, and no memory of friction makes a sample depend on others
+bool position_slopes(const ForceRecord& record, const Kinematics& kinematics,
+                     const ForceTerms& terms, const ForceScales& scales,
+                     std::span<const double> parameters, std::size_t place,
+                     std::vector<double>& slopes_N);
 
 }  // namespace host_sim::effects

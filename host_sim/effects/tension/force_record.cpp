@@ -41,6 +41,53 @@ std::size_t nearest(const std::vector<double>& poses_rad, double bend_angle_rad)
   return static_cast<std::size_t>(std::ranges::min_element(poses_rad, {}, off) - poses_rad.begin());
 }
 
+/// Where a time lies between two samples.
+struct Place {
+  std::size_t before = 0;
+  double share = 0;  ///< of the way to the next
+};
+
+/// Of each sample's time and more; beyond the ends as there.
+std::vector<Place> places_at(const std::vector<double>& time_s, double later_s) {
+  std::vector<Place> places;
+  std::size_t before = 0;
+  for (const double own_s : time_s) {
+    const double at_s = own_s + later_s;
+    while (before + 2 < time_s.size() && time_s[before + 1] < at_s) {
+      ++before;
+    }
+    const double share = (at_s - time_s[before]) / (time_s[before + 1] - time_s[before]);
+    places.push_back({before, std::clamp(share, 0.0, 1.0)});
+  }
+  return places;
+}
+
+/// On lines between samples.
+std::vector<double> read_at(const std::vector<Place>& places, const std::vector<double>& values) {
+  std::vector<double> read;
+  read.reserve(places.size());
+  for (const Place& place : places) {
+    read.push_back(std::lerp(values[place.before], values[place.before + 1], place.share));
+  }
+  return read;
+}
+
+/// Output forces at other times, on cubics by their rates: samples are far apart for fast ones.
+std::vector<double> forces_at(const std::vector<Place>& places, const ForceRecord& record) {
+  std::vector<double> read_N;
+  read_N.reserve(places.size());
+  for (const auto& [before, share] : places) {
+    const double step_s = record.time_s[before + 1] - record.time_s[before];
+    const double left = 1 - share;
+    read_N.push_back(
+        left * left * (1 + 2 * share) * record.output_N[before] +
+        share * share * (1 + 2 * left) * record.output_N[before + 1] +
+        share * left * step_s *
+            (left * record.output_rate_N_s[before] - share * record.output_rate_N_s[before + 1]));
+  }
+  return read_N;
+}
+
 }  // namespace
 
 double mean_of(const std::vector<double>& values) {
@@ -127,6 +174,25 @@ std::vector<double> turned_over(const ForceRecord& record, const ForceScales& sc
     value = std::tanh(value / scales.turn_over_m_s);
   }
   return turned;
+}
+
+std::pair<ForceRecord, Kinematics> read_later(const ForceRecord& record,
+                                              const Kinematics& kinematics,
+                                              const ForceScales& scales, double later_s) {
+  const std::vector<Place> places = places_at(record.time_s, later_s);
+  std::pair<ForceRecord, Kinematics> later{record, kinematics};
+  auto& [read, moved] = later;
+  read.output_N = forces_at(places, record);
+  if (later_s > 0) {
+    return later;
+  }
+  for (auto* const channel : {&read.output_rate_N_s, &read.position_m, &read.velocity_m_s,
+                              &moved.place_sine, &moved.place_cosine}) {
+    *channel = read_at(places, *channel);
+  }
+  read.reversal_m = reversals_m(read);
+  moved.turned_over = turned_over(read, scales);
+  return later;
 }
 
 }  // namespace host_sim::effects

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace host_sim::effects {
@@ -75,5 +76,12 @@ std::vector<double> reversals_m(const ForceRecord& record);
 std::vector<double> turned_over(const ForceRecord& record, const ForceScales& scales);
 
 Kinematics kinematics_of(const ForceRecord& record, const ForceScales& scales);
+
+/// Output forces as they are so much later, between samples; at an earlier time, below 0, the
+/// motion with them, so that the input force alone is late.
+/// @pre two samples or more
+std::pair<ForceRecord, Kinematics> read_later(const ForceRecord& record,
+                                              const Kinematics& kinematics,
+                                              const ForceScales& scales, double later_s);
 
 }  // namespace host_sim::effects
