@@ -147,8 +147,7 @@ TEST(BlindLives, Sample) {
 
 TEST(BlindLives, WithoutAnEffectItsCampaignIsUnknown) {
   expect_unknown_without([](std::uint64_t seed) { return draw_lives(seed, 0); }, draw_visible_lives,
-                         analysis_of_lives(), {"ageing", "lot_frailty"},
-                         kPlainLives_sigmas);
+                         analysis_of_lives(), {"ageing", "lot_frailty"}, kPlainLives_sigmas);
 }
 
 }  // namespace
