@@ -4,20 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <functional>
-#include <memory>
+#include <cstddef>
 #include <numbers>
-#include <numeric>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "host_sim/diagnose/force/smoothing.hpp"
-#include "host_sim/extension/model_file.hpp"
 #include "tests/diagnose/force/findings.hpp"
 #include "tests/diagnose/force/joint.hpp"
 
@@ -99,109 +93,6 @@ TEST(DiagnoseForces, ADriveWithoutLoadHasFrictionAndNoZero) {
   EXPECT_THAT(findings.invisible,
               Contains(testing::Field(&Invisible::why, HasSubstr("no sensor has read it"))));
   EXPECT_LT(metric(findings, "input_rmse_N", true), 1.15 * 0.5);
-}
-
-/// The friction turns over at once, and shows three samples later: a lag would bring it on slowly.
-TEST(DiagnoseForces, AChannelThatIsLateIsNoLag) {
-  std::vector<effects::ForceRecord> records = measured({.preload_N = 12, .noise_N = 0.2}, 5);
-  for (effects::ForceRecord& record : records) {
-    std::rotate(record.input_N.begin(), record.input_N.end() - 3, record.input_N.end());
-    std::fill_n(record.used.begin(), 3, false);
-  }
-  const Findings findings = findings_of(records);
-  EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
-  EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload", "channel_delay"));
-  EXPECT_NEAR(estimate(findings, "delay_s").value, -0.03, 0.005);  // half a sample
-}
-
-/// A joint with an input that is read as `read` says of its course at 4000 Hz, and kept at 200 Hz.
-std::vector<effects::ForceRecord> read_late(
-    const std::function<void(std::vector<double>& input_N, double step_s)>& read) {
-  constexpr std::size_t kEach = 20;
-  std::vector<effects::ForceRecord> records =
-      measured({.preload_N = 12, .noise_N = 0.2, .samples = 40000}, 5);
-  for (effects::ForceRecord& record : records) {
-    read(record.input_N, record.time_s[1]);
-    thin(record, record.samples() / kEach);
-  }
-  return records;
-}
-
-/// 6 ms, of records of which every second sample is kept: 10 ms apart.
-TEST(DiagnoseForces, ALagOfTheInputIsToldFromADelayBetweenTheSamplesThatAreKept) {
-  const Findings behind = findings_of(read_late([](std::vector<double>& input_N, double step_s) {
-    double reads_N = input_N.front();
-    for (double& value_N : input_N) {
-      reads_N += (1 - std::exp(-step_s / 0.006)) * (value_N - reads_N);
-      value_N = reads_N;
-    }
-  }));
-  EXPECT_THAT(ids_of(behind), UnorderedElementsAre("friction_preload", "filter_lag"))
-      << behind.prose;
-  EXPECT_NEAR(estimate(behind, "lag_s").value, -0.006, 0.0005);
-  const Findings late = findings_of(read_late([](std::vector<double>& input_N, double step_s) {
-    std::shift_right(input_N.begin(), input_N.end(), std::lround(0.006 / step_s));
-  }));
-  EXPECT_THAT(ids_of(late), UnorderedElementsAre("friction_preload", "channel_delay"))
-      << late.prose;
-  EXPECT_NEAR(estimate(late, "delay_s").value, -0.006, 0.0005);
-}
-
-/// The input is read with a lag of 40 ms.
-std::vector<effects::ForceRecord> lagging(std::vector<effects::ForceRecord> records) {
-  const double share = 1 - std::exp(-0.01 / 0.04);
-  for (effects::ForceRecord& record : records) {
-    double reads_N = record.input_N.front();
-    for (double& input_N : record.input_N) {
-      reads_N += share * (input_N - reads_N);
-      input_N = reads_N;
-    }
-  }
-  return records;
-}
-
-/// Friction that is larger one way, which a zero would be as well, takes nothing from a lag that
-/// may be a delay: one of the two is there.
-TEST(DiagnoseForces, WhatMayBeOutsideTheCatalogueIsNoDoubtOfTheOthers) {
-  const Findings findings = findings_of(lagging(
-      measured({.friction = 0.1, .turn_over_m_s = 0.05, .one_way = 0.4, .noise_N = 0.2}, 1)));
-  EXPECT_EQ(findings.verdict, Verdict::ambiguous) << findings.prose;
-  EXPECT_THAT(ids_of(findings), ElementsAre(AnyOf("filter_lag", "channel_delay")));
-  EXPECT_THAT(findings.prose, HasSubstr("looks like zero of the output sensor"));
-}
-
-/// Of the smooth load, 40 N at 0.7 Hz, a delay takes off all but (0.04 * 2 pi * 0.7/2)^2 = 0.8 %:
-/// too little to say that it is none.
-TEST(DiagnoseForces, OfASmoothForceALagIsAsLikelyAsADelay) {
-  const Findings findings = findings_of(lagging(measured({.friction = 0, .noise_N = 0.2}, 8)));
-  EXPECT_EQ(findings.verdict, Verdict::ambiguous) << findings.prose;
-  EXPECT_THAT(findings.equivalent_sets,
-              ElementsAre(UnorderedElementsAre("filter_lag", "channel_delay")));
-  ASSERT_GE(findings.candidates.size(), 2U);
-  EXPECT_THAT(findings.candidates[0].id, AnyOf("filter_lag", "channel_delay"));
-  EXPECT_NEAR(findings.candidates[0].probability, findings.candidates[1].probability, 0.01);
-  double of_either = 0;
-  for (const Candidate& candidate : findings.candidates) {
-    const std::vector<std::string_view> ids = effects_in(candidate.id);
-    const bool either = std::ranges::any_of(
-        ids, [](std::string_view id) { return id == "filter_lag" || id == "channel_delay"; });
-    of_either += either ? candidate.probability : 0;
-  }
-  EXPECT_GT(of_either, 0.95);
-}
-
-/// A drive that has no friction, whose output is read half a sample late.
-TEST(DiagnoseForces, WithoutFrictionAnOutputThatIsLateIsSeen) {
-  std::vector<effects::ForceRecord> records = measured({.friction = 0}, 3);
-  for (effects::ForceRecord& record : records) {
-    for (std::size_t i = 0; i < record.samples(); ++i) {
-      record.output_N[i] -= 0.005 * record.output_rate_N_s[i];
-    }
-  }
-  const Findings findings = findings_of(records);
-  EXPECT_EQ(findings.verdict, Verdict::ambiguous) << findings.prose;
-  EXPECT_THAT(findings.equivalent_sets,
-              ElementsAre(UnorderedElementsAre("filter_lag", "channel_delay")));
 }
 
 /// Friction that falls with a load of 10 to 90 N by an exponent of 0.5 is nearly a line: little of
@@ -367,35 +258,6 @@ TEST(DiagnoseForces, NamesLoadIndependentAndViscousFrictionOfASignedForce) {
   EXPECT_DOUBLE_EQ(findings.remainder->input_rmse_N, metric(findings, "input_rmse_N", true));
 }
 
-TEST(DiagnoseForces, WhatRemainsIsDrawnByDirectionForBothModels) {
-  const TensionDiagnosis diagnosis =
-      diagnose_forces(measured({.preload_N = 12, .viscous_N_s_m = 150}, 3), nominal(), kWire, {});
-  ASSERT_EQ(diagnosis.remainders.size(), 6U);  // friction shows against all of them
-  EXPECT_EQ(diagnosis.remainders[0].covariate, diagnosis.findings.remainder->covariate);
-  EXPECT_EQ(diagnosis.remainders[1].covariate, diagnosis.remainders[0].covariate);
-  EXPECT_NE(diagnosis.remainders[2].covariate, diagnosis.remainders[0].covariate);
-  const auto mean = [](const std::vector<double>& values) {
-    double sum = 0;
-    for (const double value : values) {
-      sum += value;
-    }
-    return sum / static_cast<double>(values.size());
-  };
-  for (const RemainderPicture& picture : diagnosis.remainders) {
-    ASSERT_GE(picture.centre.size(), 4U);
-    EXPECT_TRUE(std::ranges::is_sorted(picture.centre));
-    for (std::size_t i = 0; i < picture.centre.size(); ++i) {
-      EXPECT_LT(std::abs(picture.after_N[i]), 12.0 / 20) << picture.centre[i];
-      EXPECT_GT(picture.after_sd_N[i], 0);
-    }
-  }
-  EXPECT_EQ(diagnosis.remainders[0].direction, 1);
-  EXPECT_EQ(diagnosis.remainders[1].direction, -1);
-  // Friction that the nominal model lacks is against the motion, a fifth of it at the least.
-  EXPECT_LT(mean(diagnosis.remainders[0].before_N) * mean(diagnosis.remainders[1].before_N),
-            -std::pow(12.0 / 5, 2));
-}
-
 TEST(DiagnoseForces, ACauseIsDrawnWithoutAndWithIt) {
   const TensionDiagnosis diagnosis =
       diagnose_forces(measured({.preload_N = 12}, 6), nominal(), kWire, {});
@@ -413,80 +275,6 @@ TEST(DiagnoseForces, ACauseIsDrawnWithoutAndWithIt) {
   // it the noise of both ends is left.
   EXPECT_GT(off_N(trace.before_N), 4);
   EXPECT_LT(off_N(trace.after_N), 1.5);
-}
-
-TEST(DiagnoseForces, WhatIsOutsideTheCatalogueIsNoneOfItsCauses) {
-  for (unsigned seed = 1; seed <= 5; ++seed) {
-    const Findings findings = findings_of(measured({.cogging_N = 6}, seed));
-    EXPECT_NE(findings.verdict, Verdict::named) << findings.prose;
-  }
-}
-
-TEST(DiagnoseForces, ACauseIsNamedAlthoughMoreIsWrong) {
-  const Findings findings = findings_of(measured({.preload_N = 12, .cogging_N = 3}, 4));
-  EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
-  EXPECT_THAT(ids_of(findings), Contains("friction_preload"));
-  ASSERT_TRUE(findings.remainder);
-  EXPECT_EQ(findings.remainder->covariate, "position");
-  EXPECT_LT(findings.remainder->p, 0.01);
-}
-
-TEST(DiagnoseForces, WhatDriftsInEverySessionRemainsAgainstTime) {
-  const Findings findings = findings_of(measured({.gain_scatter = 0.02, .drift_N = 0.5}, 6));
-  EXPECT_EQ(findings.verdict, Verdict::unknown) << findings.prose;
-  ASSERT_TRUE(findings.remainder);
-  EXPECT_EQ(findings.remainder->covariate, "time");
-  EXPECT_LT(findings.remainder->p, 0.01);
-}
-
-/// 1.4 N at the fastest of twelve sessions, 0.06 N at the slowest, and in each in proportion to the
-/// position.
-TEST(DiagnoseForces, AMassThatIsMovedRemainsAgainstAccelerationOrPosition) {
-  const Findings findings = findings_of(measured({.noise_N = 0.3, .moved_kg = 0.35}, 7));
-  EXPECT_EQ(findings.verdict, Verdict::unknown) << findings.prose;
-  ASSERT_TRUE(findings.remainder);
-  EXPECT_THAT(findings.remainder->covariate, AnyOf("acceleration", "position"));
-  EXPECT_LT(findings.remainder->p, 0.01);
-}
-
-/// At a chance of 1 % for each, more than two of 40 have one of 0.7 %.
-TEST(DiagnoseForces, GainsThatScatterLeaveNoRemainder) {
-  int alarms = 0;
-  for (unsigned seed = 1; seed <= 40; ++seed) {
-    alarms +=
-        findings_of(measured({.gain_scatter = 0.02}, seed)).verdict == Verdict::unknown ? 1 : 0;
-  }
-  EXPECT_LE(alarms, 2);
-}
-
-/// The force beside the cause is 6 N x/0.05 m, whichever way the motion goes.
-TEST(DiagnoseForces, WhatRepeatsBesideACauseIsACorrectionAndNoCause) {
-  const Findings findings = findings_of(measured({.preload_N = 12, .spring_N = 6}, 8));
-  EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
-  ASSERT_TRUE(findings.correction) << findings.prose;
-  EXPECT_EQ(findings.correction->covariate, "position");
-  // Uniform in time the position of a sine has a mean square of a half: 6 N / sqrt(2), and the
-  // noise of both ends.
-  EXPECT_NEAR(findings.correction->before_N, std::hypot(6 / std::sqrt(2), 0.7), 0.6);
-  EXPECT_LT(findings.correction->after_N, 1.1);
-  EXPECT_DOUBLE_EQ(metric(findings, "input_rmse_N", true), findings.correction->after_N);
-  EXPECT_EQ(findings.extensions.back().id, "empirical");
-  EXPECT_THAT(ids_of(findings), Not(Contains("empirical")));
-  EXPECT_THAT(findings.candidates.front().id, Not(HasSubstr("empirical")));
-  EXPECT_THAT(findings.prose, HasSubstr("which is no cause"));
-}
-
-TEST(DiagnoseForces, WhatHasNoCauseAndRepeatsIsCorrectedAndStaysUnknown) {
-  const Findings findings = findings_of(measured({.spring_N = 6}, 8));
-  EXPECT_EQ(findings.verdict, Verdict::unknown) << findings.prose;
-  EXPECT_THAT(ids_of(findings), IsEmpty());
-  ASSERT_TRUE(findings.correction) << findings.prose;
-  ASSERT_EQ(findings.extensions.size(), 1U);
-  EXPECT_EQ(findings.extensions[0].id, "empirical");
-  // 6 N / sqrt(2), and the noise of both ends.
-  EXPECT_NEAR(findings.correction->before_N, std::hypot(6 / std::sqrt(2), 0.7), 0.6);
-  EXPECT_LT(findings.correction->after_N, 1.1);
-  EXPECT_DOUBLE_EQ(metric(findings, "input_rmse_N", false), findings.correction->before_N);
 }
 
 /// 5 N of load, and a zero that is four times as much: all that drives the joint is off by it.
@@ -586,102 +374,6 @@ TEST(DiagnoseForces, AZeroOfWhatWorksBothWaysIsNamedAlthoughMoreIsWrong) {
   };
   EXPECT_THAT(ids_of(found_with(0.9)), ElementsAre("load_cell_zero"));
   EXPECT_THAT(ids_of(found_with(0.6)), IsEmpty());
-}
-
-/// The sheath warms by 10 K in the course of each session, in which the input rises by 3 %.
-TEST(DiagnoseForces, AnInputThatSettlesInEachSessionIsNoFrictionByTemperature) {
-  std::vector<effects::ForceRecord> records = measured(
-      {.friction = 0.3, .load_N = 15, .still_N = 40, .noise_N = 0.1, .gain_scatter = 0.002}, 12);
-  std::mt19937 engine(12);
-  std::normal_distribution<double> noise_C(0, 0.1);
-  for (effects::ForceRecord& record : records) {
-    record.pulls_alone = true;
-    for (std::size_t i = 0; i < record.samples(); ++i) {
-      const double settled = 1 - std::exp(-record.time_s[i] / 1.5);
-      record.sheath_temperature_C.push_back(20 + 10 * settled + noise_C(engine));
-      record.input_N[i] *= 1 + 0.03 * settled;
-    }
-  }
-  const TensionDiagnosis diagnosis = diagnose_forces(records, nominal(), kWire, {});
-  EXPECT_THAT(ids_of(diagnosis.findings), Not(Contains("friction_temperature")))
-      << diagnosis.findings.prose;
-  EXPECT_EQ(diagnosis.findings.verdict, Verdict::unknown);
-  EXPECT_THAT(diagnosis.findings.prose, HasSubstr("settles in the course of each session"));
-}
-
-/// The cogging that the catalogue does not have is a cause of its own by 30 %.
-TEST(DiagnoseForces, WhatStandsBesideCausesLeavesThemAPartOfTheProbabilityToBeAll) {
-  const Findings findings = findings_of(measured({.preload_N = 12, .cogging_N = 3}, 4));
-  ASSERT_GE(findings.candidates.size(), 2U);
-  EXPECT_THAT(findings.candidates[0].id, HasSubstr("friction_preload"));
-  EXPECT_NEAR(findings.candidates[0].probability, 0.7, 0.01);
-  EXPECT_EQ(findings.candidates[1].id, findings.candidates[0].id + "+unknown");
-  EXPECT_NEAR(findings.candidates[1].probability, 0.3, 0.01);
-  EXPECT_GT(findings.effects.front().probability, 0.99);
-}
-
-/// With a force of samples more, on for 1.2 s in 2.5 s, in each session later by some.
-template <typename Force>
-std::vector<effects::ForceRecord> in_bursts(std::vector<effects::ForceRecord> records,
-                                            double later_s, const Force& force_N) {
-  double begun_s = 0;
-  for (effects::ForceRecord& record : records) {
-    begun_s += later_s;
-    for (std::size_t i = 0; i < record.samples(); ++i) {
-      const bool on = std::fmod(record.time_s[i] + begun_s, 2.5) < 1.2;
-      record.input_N[i] += on ? force_N(record, i) : 0;
-    }
-  }
-  return records;
-}
-
-/// Chatter of 2 N at 9 Hz, on for 1.2 s in 2.5 s, at times of its own in each session.
-TEST(DiagnoseForces, WhatComesInBurstsIsUnknown) {
-  const auto chattering = [](double size_N) {
-    std::vector<effects::ForceRecord> records =
-        measured({.friction = 0.2, .still_N = 60, .noise_N = 0.3, .gain_scatter = 0.002}, 10);
-    for (effects::ForceRecord& record : records) {
-      record.pulls_alone = true;
-    }
-    return findings_of(in_bursts(std::move(records), 0.6, [&](const auto& record, std::size_t i) {
-      return size_N * std::sin(2 * std::numbers::pi * 9 * record.time_s[i]);
-    }));
-  };
-  EXPECT_EQ(chattering(0).verdict, Verdict::none);
-  const Findings findings = chattering(2);
-  EXPECT_EQ(findings.verdict, Verdict::unknown)
-      << findings.discrepancies.back().statistic << ' ' << findings.discrepancies.back().p_after;
-  EXPECT_EQ(findings.remainder.value().covariate, "time");
-}
-
-/// A quarter more friction for 1.2 s at times of each session's own: as often against the
-/// force as with it, and as large in one session as in another.
-TEST(DiagnoseForces, FrictionThatStaysForAWhileIsUnknown) {
-  const auto sticking = [](double share) {
-    const Joint joint{.friction = 0.02, .preload_N = 8, .noise_N = 0.3, .gain_scatter = 0.002};
-    return findings_of(in_bursts(measured(joint, 10), 0.7, [&](const auto& record, std::size_t i) {
-      return share * 8 * std::tanh(record.velocity_m_s[i] / 1e-3);
-    }));
-  };
-  const double chance = sticking(0).discrepancies.back().p_after;
-  EXPECT_GT(chance, 0.01);
-  const Findings findings = sticking(0.25);
-  EXPECT_EQ(findings.remainder.value().covariate, "time");
-  EXPECT_THAT(ids_of(findings), ElementsAre("friction_preload"));
-}
-
-/// Eight that all agree: of 2^8 ways to turn them over two are as large, whatever the seed.
-TEST(DiagnoseForces, FewSessionsAreTurnedOverInAllWays) {
-  for (const std::uint64_t seed : {1U, 2U, 3U}) {
-    DiagnoseOptions options;
-    options.seed = seed;
-    const Findings findings =
-        diagnose_forces(measured({.spring_N = 6}, 3, 8), nominal(), kWire, options).findings;
-    const auto position =
-        std::ranges::find(findings.discrepancies, "position", &Discrepancy::covariate);
-    ASSERT_NE(position, findings.discrepancies.end());
-    EXPECT_EQ(position->p, 2.0 / 256);
-  }
 }
 
 TEST(DiagnoseForces, AFewSessionsNameNothing) {
