@@ -66,7 +66,7 @@ cat "$logs/structure_of_the_sources.log"
 stage "host-release: what needs more to build" build host-release -DTENDONLIFE_TESTS=ON \
   -DTENDONLIFE_MPI=ON -DTENDONLIFE_MQTT=ON
 stage "host-release: what needs more to run" run_tests host-release tools
-stage "host-release: proofs by simulation" run_tests host-release proof
+stage "host-release: proofs" run_tests host-release proof
 stage "host-release: blind suite, a sample" run_tests host-release blind
 stage "host-asan-ubsan: build" build host-asan-ubsan
 stage "host-asan-ubsan: tests" run_tests host-asan-ubsan
