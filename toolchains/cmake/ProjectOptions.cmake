@@ -9,7 +9,7 @@ option(TENDONLIFE_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
 option(TENDONLIFE_COVERAGE "Line and branch coverage" OFF)
 option(TENDONLIFE_FUZZ "Build the libFuzzer targets (Clang)" OFF)
 option(TENDONLIFE_BENCH "Build the host benchmarks" OFF)
-option(TENDONLIFE_LONG_TESTS "Build what takes long to run, too: blind campaigns, proofs, pages in a browser" ON)
+option(TENDONLIFE_LONG_TESTS "Build what takes long to run, too: blind campaigns, proofs, a virtual board, a kernel, pages in a browser" ON)
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
