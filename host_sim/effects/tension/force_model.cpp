@@ -114,9 +114,10 @@ double along_sheath(double log_ratio, double load_exponent) {
              : std::log1p(std::max(load_exponent * log_ratio, kLeast - 1)) / load_exponent;
 }
 
-/// Sine and cosine of each harmonic of a sample's place.
-std::array<double, 2 * ForceValues::kHarmonics> waves_at(const Kinematics& kinematics,
-                                                         bool from_middle, std::size_t i) {
+/// Calls wave(k, value) for the sine and the cosine of each harmonic of a sample's place, in the
+/// order of ForceValues::harmonics.
+template <class Wave>
+void each_wave(const Kinematics& kinematics, bool from_middle, std::size_t i, const Wave& wave) {
   double first_sine = kinematics.place_sine[i];
   double first_cosine = kinematics.place_cosine[i];
   if (from_middle) {
@@ -126,17 +127,15 @@ std::array<double, 2 * ForceValues::kHarmonics> waves_at(const Kinematics& kinem
                    kinematics.place_sine[i] * kinematics.middle_sine;
   }
   // Each harmonic by the one before it: sin((k + 1) x) is sin(k x) cos x + cos(k x) sin x.
-  std::array<double, 2 * ForceValues::kHarmonics> waves{};
   double sine = 0;
   double cosine = 1;
-  for (std::size_t k = 0; k < waves.size(); k += 2) {
+  for (std::size_t k = 0; k < 2 * ForceValues::kHarmonics; k += 2) {
     const double next = sine * first_cosine + cosine * first_sine;
     cosine = cosine * first_cosine - sine * first_sine;
     sine = next;
-    waves[k] = sine;
-    waves[k + 1] = cosine;
+    wave(k, sine);
+    wave(k + 1, cosine);
   }
-  return waves;
 }
 
 /// What each sample has beside how far its friction is turned over.
@@ -262,10 +261,8 @@ class Forward {
   [[nodiscard]] double position_factor(std::size_t i) const {
     double factor = 1 + values_.evenly;
     if (by_position_) {
-      const auto waves = waves_at(kinematics_, values_.from_middle, i);
-      for (std::size_t k = 0; k < waves.size(); ++k) {
-        factor += values_.harmonics[k] * waves[k];
-      }
+      each_wave(kinematics_, values_.from_middle, i,
+                [&](std::size_t k, double wave) { factor += values_.harmonics[k] * wave; });
     }
     return factor;
   }
@@ -382,7 +379,7 @@ void predict_input(const ForceRecord& record, const Kinematics& kinematics, cons
     return;
   }
   const auto [read, moved] = read_later(record, kinematics, scales, values.delay_s);
-  predict_in_time(read, moved, values, scales, input_N);
+  predict_in_time(read, moved ? *moved : kinematics, values, scales, input_N);
 }
 
 bool position_slopes(const ForceRecord& record, const Kinematics& kinematics,
@@ -405,9 +402,9 @@ bool position_slopes(const ForceRecord& record, const Kinematics& kinematics,
   predict_in_time(record, kinematics, values, scales, above_N);
   slopes_N.clear();
   for (std::size_t i = 0; i < at_N.size(); ++i) {
-    for (const double wave : waves_at(kinematics, values.from_middle, i)) {
-      slopes_N.push_back(wave * (above_N[i] - at_N[i]) / kStep);
-    }
+    const double by_share_N = (above_N[i] - at_N[i]) / kStep;
+    each_wave(kinematics, values.from_middle, i,
+              [&](std::size_t, double wave) { slopes_N.push_back(wave * by_share_N); });
   }
   return true;
 }

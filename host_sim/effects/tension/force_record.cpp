@@ -176,16 +176,16 @@ std::vector<double> turned_over(const ForceRecord& record, const ForceScales& sc
   return turned;
 }
 
-std::pair<ForceRecord, Kinematics> read_later(const ForceRecord& record,
-                                              const Kinematics& kinematics,
-                                              const ForceScales& scales, double later_s) {
+LaterRecord read_later(const ForceRecord& record, const Kinematics& kinematics,
+                       const ForceScales& scales, double later_s) {
   const std::vector<Place> places = places_at(record.time_s, later_s);
-  std::pair<ForceRecord, Kinematics> later{record, kinematics};
-  auto& [read, moved] = later;
+  LaterRecord later{record, std::nullopt};
+  ForceRecord& read = later.record;
   read.output_N = forces_at(places, record);
   if (later_s > 0) {
     return later;
   }
+  Kinematics& moved = later.kinematics.emplace(kinematics);
   for (auto* const channel : {&read.output_rate_N_s, &read.position_m, &read.velocity_m_s,
                               &moved.place_sine, &moved.place_cosine}) {
     *channel = read_at(places, *channel);

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace host_sim::effects {
@@ -77,11 +77,16 @@ std::vector<double> turned_over(const ForceRecord& record, const ForceScales& sc
 
 Kinematics kinematics_of(const ForceRecord& record, const ForceScales& scales);
 
-/// Output forces as they are so much later, between samples; at an earlier time, below 0, the
-/// motion with them, so that the input force alone is late.
+/// A record as it is so much later, between samples.
+struct LaterRecord {
+  ForceRecord record;
+  std::optional<Kinematics> kinematics;  ///< none: those that it has
+};
+
+/// Output forces that are read later; earlier, below 0, the motion with them, so that the input
+/// force alone is late.
 /// @pre two samples or more
-std::pair<ForceRecord, Kinematics> read_later(const ForceRecord& record,
-                                              const Kinematics& kinematics,
-                                              const ForceScales& scales, double later_s);
+LaterRecord read_later(const ForceRecord& record, const Kinematics& kinematics,
+                       const ForceScales& scales, double later_s);
 
 }  // namespace host_sim::effects
