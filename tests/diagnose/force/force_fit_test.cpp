@@ -58,6 +58,34 @@ TEST_P(Slack, IsFoundBetweenSamples) {
 
 INSTANTIATE_TEST_SUITE_P(Lengths, Slack, testing::Values(0.0007, 0.002, 0.007, 0.02));
 
+/// Whatever the sessions of a fold hold, its fit never saw it: from the same start it ends the
+/// same, and those of the other folds do not.
+TEST(ForceData, AFoldNeverSawItsSessions) {
+  constexpr std::size_t kFold = 2;
+  std::vector<effects::ForceRecord> records = measured({.preload_N = 12}, 6);
+  const ForceData data(records);
+  const ForceFit nominal = data.fit({}, {1, 0.1}, 15);
+  const ForceFit start = data.with(nominal, effects::ForceTerm::preload, 1);
+  const auto before = data.fold_fits(std::array{nominal, start}, 2);
+  for (std::size_t j = kFold; j < records.size(); j += ForceData::kFolds) {
+    for (double& input_N : records[j].input_N) {
+      input_N *= 1.1;
+    }
+  }
+  const auto after = ForceData(records).fold_fits(std::array{nominal, start}, 2);
+  ASSERT_EQ(after.size(), 2U);
+  for (std::size_t model = 0; model < 2; ++model) {
+    ASSERT_EQ(after[model].size(), 5U);
+    const auto moved = [&](std::size_t fold) {
+      return std::abs(after[model][fold].parameters[0] - before[model][fold].parameters[0]);
+    };
+    for (const std::size_t other : {0U, 1U, 3U, 4U}) {
+      // What is known of the gain, and the steps of derivatives, go with the forces of all.
+      EXPECT_LT(moved(kFold), 0.02 * moved(other)) << model << ' ' << other;
+    }
+  }
+}
+
 /// Friction of 60 N turns over by 0.05 of the speed, beside 400 N that the gain is 30 % off of.
 TEST(ForceData, HowSharpFrictionTurnsOverIsSeenBesideAGainThatIsOff) {
   const ForceData data(
