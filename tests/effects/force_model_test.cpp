@@ -244,9 +244,11 @@ TEST(ForceModel, SlopesOfWavesAreThoseOfSteps) {
   const ForceTerms terms{ForceTerm::preload, ForceTerm::position};
   std::vector<double> parameters{1, 0.1, 3};
   parameters.resize(13);
+  const Kinematics kinematics = kinematics_of(moving, kScales);
+  std::vector<double> at_N;
+  predict_input(moving, kinematics, terms, kScales, parameters, at_N);
   std::vector<double> slopes_N;
-  ASSERT_TRUE(position_slopes(moving, kinematics_of(moving, kScales), terms, kScales, parameters, 1,
-                              slopes_N));
+  ASSERT_TRUE(position_slopes(moving, kinematics, terms, kScales, parameters, at_N, 1, slopes_N));
   ASSERT_EQ(slopes_N.size(), 20U);
   const double by_share_N = 10 * std::exp(0.1 * pi) * 0.1 * pi + 3;
   // sin and cos of 1, 2, 3, 4 and 5 quarters of a turn.
@@ -255,8 +257,7 @@ TEST(ForceModel, SlopesOfWavesAreThoseOfSteps) {
     EXPECT_NEAR(slopes_N[10 + k], waves[k] * by_share_N, 1e-4) << k;
   }
 
-  EXPECT_FALSE(position_slopes(moving, kinematics_of(moving, kScales), terms, kScales, parameters,
-                               0, slopes_N));
+  EXPECT_FALSE(position_slopes(moving, kinematics, terms, kScales, parameters, at_N, 0, slopes_N));
 }
 
 TEST(ForceModel, AMemoryOfFrictionHasNoSlopesOfWaves) {
@@ -266,9 +267,12 @@ TEST(ForceModel, AMemoryOfFrictionHasNoSlopesOfWaves) {
         std::pair{ForceTerm::lag, -0.1}, std::pair{ForceTerm::delay, 0.05}}) {
     std::vector<double> parameters{1, 0.1, value};
     parameters.resize(13);
+    const ForceTerms terms{term, ForceTerm::position};
+    const Kinematics kinematics = kinematics_of(moving, kScales);
+    std::vector<double> at_N;
+    predict_input(moving, kinematics, terms, kScales, parameters, at_N);
     std::vector<double> slopes_N;
-    EXPECT_FALSE(position_slopes(moving, kinematics_of(moving, kScales),
-                                 {term, ForceTerm::position}, kScales, parameters, 1, slopes_N))
+    EXPECT_FALSE(position_slopes(moving, kinematics, terms, kScales, parameters, at_N, 1, slopes_N))
         << static_cast<unsigned>(term);
   }
 }

@@ -151,13 +151,17 @@ ForceData ForceData::without_outliers(const ForceFit& fit) const {
 
 std::vector<double> ForceData::residuals_N(std::size_t record, const effects::ForceTerms& terms,
                                            std::span<const double> parameters) const {
+  std::vector<double> input_N;
+  predict_input(records_[record], kinematics_[record], terms, scales_, parameters, input_N);
+  return left_N(record, std::move(input_N));
+}
+
+std::vector<double> ForceData::left_N(std::size_t record, std::vector<double> input_N) const {
   const effects::ForceRecord& of = records_[record];
-  std::vector<double> residuals;
-  predict_input(of, kinematics_[record], terms, scales_, parameters, residuals);
-  for (std::size_t i = 0; i < residuals.size(); ++i) {
-    residuals[i] = of.used[i] ? of.input_N[i] - residuals[i] : 0;
+  for (std::size_t i = 0; i < input_N.size(); ++i) {
+    input_N[i] = of.used[i] ? of.input_N[i] - input_N[i] : 0;
   }
-  return residuals;
+  return input_N;
 }
 
 std::vector<std::vector<double>> ForceData::residuals_N(const ForceFit& fit) const {

@@ -60,10 +60,12 @@ ForceData::Normal ForceData::normal_of(std::size_t record, const effects::ForceT
                                        std::span<const double> parameters) const {
   const auto all = parameters_of(terms, scales_);
   const auto count = static_cast<Eigen::Index>(all.size());
-  const std::vector<double> at = residuals_N(record, terms, parameters);
+  const effects::ForceRecord& of = records_[record];
+  std::vector<double> input_N;
+  predict_input(of, kinematics_[record], terms, scales_, parameters, input_N);
+  const std::vector<double> at = left_N(record, input_N);
   Eigen::MatrixXd jacobian(static_cast<Eigen::Index>(at.size()), count);
   // All that a load cell reads is in proportion to the gain.
-  const effects::ForceRecord& of = records_[record];
   const bool by_gain = of.input_N_per_A == 0;
   for (std::size_t i = 0; by_gain && i < at.size(); ++i) {
     jacobian(static_cast<Eigen::Index>(i), 0) =
@@ -75,8 +77,8 @@ ForceData::Normal ForceData::normal_of(std::size_t record, const effects::ForceT
     const auto own = parameters_at(place, terms, parameters, scales_);
     const auto first = static_cast<std::size_t>(own.data() - parameters.data());
     std::vector<double> slopes;
-    if (!effects::position_slopes(of, kinematics_[record], terms, scales_, parameters, place,
-                                  slopes)) {
+    if (!effects::position_slopes(of, kinematics_[record], terms, scales_, parameters, input_N,
+                                  place, slopes)) {
       continue;
     }
     for (std::size_t i = 0; i < slopes.size(); ++i) {

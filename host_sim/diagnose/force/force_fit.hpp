@@ -188,6 +188,8 @@ class ForceData {
   [[nodiscard]] double gain_weight_N2(double square_N2) const;
   void settle_resolution();
   [[nodiscard]] ForceFit beyond_steps(ForceFit best) const;
+  /// Residuals of a record by predicted input forces.
+  [[nodiscard]] std::vector<double> left_N(std::size_t record, std::vector<double> input_N) const;
   [[nodiscard]] Normal normal_of(std::size_t record, const effects::ForceTerms& terms,
                                  std::span<const double> parameters) const;
   /// Of each record, empty where it stays out.

@@ -384,8 +384,8 @@ void predict_input(const ForceRecord& record, const Kinematics& kinematics, cons
 
 bool position_slopes(const ForceRecord& record, const Kinematics& kinematics,
                      const ForceTerms& terms, const ForceScales& scales,
-                     std::span<const double> parameters, std::size_t place,
-                     std::vector<double>& slopes_N) {
+                     std::span<const double> parameters, std::span<const double> at_N,
+                     std::size_t place, std::vector<double>& slopes_N) {
   if (terms[place] != ForceTerm::position && terms[place] != ForceTerm::position_from_middle) {
     return false;
   }
@@ -395,9 +395,7 @@ bool position_slopes(const ForceRecord& record, const Kinematics& kinematics,
     return false;
   }
   constexpr double kStep = 1e-6;
-  std::vector<double> at_N;
   std::vector<double> above_N;
-  predict_in_time(record, kinematics, values, scales, at_N);
   values.evenly = kStep;
   predict_in_time(record, kinematics, values, scales, above_N);
   slopes_N.clear();

@@ -187,12 +187,13 @@ void predict_input(const ForceRecord& record, const Kinematics& kinematics, cons
 
 /// Derivatives of that force by the parameters of a law of friction by position, sooner than by
 /// steps of each: those of a sample in proportion to the waves there.
+/// @param at_N that force
 /// @param place of the term
 /// @param slopes_N takes all of the first sample, then of the next
 /// @returns whether the term is one, and no memory of friction makes a sample depend on others
 bool position_slopes(const ForceRecord& record, const Kinematics& kinematics,
                      const ForceTerms& terms, const ForceScales& scales,
-                     std::span<const double> parameters, std::size_t place,
-                     std::vector<double>& slopes_N);
+                     std::span<const double> parameters, std::span<const double> at_N,
+                     std::size_t place, std::vector<double>& slopes_N);
 
 }  // namespace host_sim::effects

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <numbers>
 #include <random>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,6 +24,13 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
+
+/// What is left is surely more than noise, and shows most against this.
+void expect_remainder(const Findings& findings, const testing::Matcher<std::string>& covariate) {
+  ASSERT_TRUE(findings.remainder);
+  EXPECT_THAT(findings.remainder->covariate, covariate);
+  EXPECT_LT(findings.remainder->p, 0.01);
+}
 
 TEST(DiagnoseForces, WhatRemainsIsDrawnByDirectionForBothModels) {
   const TensionDiagnosis diagnosis =
@@ -64,17 +72,13 @@ TEST(DiagnoseForces, ACauseIsNamedAlthoughMoreIsWrong) {
   const Findings findings = findings_of(measured({.preload_N = 12, .cogging_N = 3}, 4));
   EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
   EXPECT_THAT(ids_of(findings), Contains("friction_preload"));
-  ASSERT_TRUE(findings.remainder);
-  EXPECT_EQ(findings.remainder->covariate, "position");
-  EXPECT_LT(findings.remainder->p, 0.01);
+  expect_remainder(findings, "position");
 }
 
 TEST(DiagnoseForces, WhatDriftsInEverySessionRemainsAgainstTime) {
   const Findings findings = findings_of(measured({.gain_scatter = 0.02, .drift_N = 0.5}, 6));
   EXPECT_EQ(findings.verdict, Verdict::unknown) << findings.prose;
-  ASSERT_TRUE(findings.remainder);
-  EXPECT_EQ(findings.remainder->covariate, "time");
-  EXPECT_LT(findings.remainder->p, 0.01);
+  expect_remainder(findings, "time");
 }
 
 /// 1.4 N at the fastest of twelve sessions, 0.06 N at the slowest, and in each in proportion to the
@@ -82,9 +86,7 @@ TEST(DiagnoseForces, WhatDriftsInEverySessionRemainsAgainstTime) {
 TEST(DiagnoseForces, AMassThatIsMovedRemainsAgainstAccelerationOrPosition) {
   const Findings findings = findings_of(measured({.noise_N = 0.3, .moved_kg = 0.35}, 7));
   EXPECT_EQ(findings.verdict, Verdict::unknown) << findings.prose;
-  ASSERT_TRUE(findings.remainder);
-  EXPECT_THAT(findings.remainder->covariate, AnyOf("acceleration", "position"));
-  EXPECT_LT(findings.remainder->p, 0.01);
+  expect_remainder(findings, AnyOf("acceleration", "position"));
 }
 
 /// At a chance of 1 % for each, more than two of 40 have one of 0.7 %.
