@@ -36,7 +36,7 @@ ForceRecord record(const std::vector<double>& positions_m, double velocity_m_s, 
   record.velocity_m_s.assign(samples, velocity_m_s);
   record.output_N.assign(samples, output_N);
   record.output_rate_N_s.assign(samples, 0);
-  record.input_N.assign(samples, 0);
+  record.input_N.assign(samples, output_N);  // where it begins, nothing is turned over
   record.bend_angle_rad.assign(samples, pi);
   record.used.assign(samples, true);
   return record;
@@ -120,6 +120,19 @@ TEST(ForceModel, PreslidingTurnsFrictionOverWithTheTravel) {
   // z = 0.95 after three lengths, then one back: -1 + 1.95/e.
   const double z = -1 + (2 - std::exp(-3)) * std::exp(-1);
   EXPECT_NEAR(predicted(record({0, 0.03, 0.02}, -1, 10), terms, {1, 0, 3, 0.01}), 10 + 3 * z, 1e-9);
+}
+
+/// Of 10 +- 2 N a force of 9 N is turned over by -1/2; of what is still to turn, 3/2, a slide of
+/// l ln 2 leaves a half. A sample that does not count begins with nothing turned over.
+TEST(ForceModel, FrictionWithAMemoryBeginsAsItWasRead) {
+  const ForceTerms terms{ForceTerm::preload, ForceTerm::presliding};
+  ForceRecord begun = record({0, 0.01 * std::log(2)}, 1, 10);
+  begun.input_N[0] = 9;
+  EXPECT_NEAR(predicted(begun, terms, {1, 0, 2, 0.01}), 10 + 2 * 0.25, 1e-9);
+  begun.input_N[0] = 3;  // no friction does that
+  EXPECT_NEAR(predicted(begun, terms, {1, 0, 2, 0.01}), 10, 1e-9);
+  begun.used[0] = false;
+  EXPECT_NEAR(predicted(begun, terms, {1, 0, 2, 0.01}), 10 + 2 * 0.5, 1e-9);
 }
 
 /// 3 N of friction stretch 300 N/m by 10 mm, 6 N by 20 mm.
@@ -321,6 +334,7 @@ TEST(ForceModel, AnInputSensorFollowsWithItsLag) {
 /// second sample: exp(-1.5) of the step is still to come. Over a length it turns on a line.
 TEST(ForceModel, AnInputSensorFollowsAStepFromWhereTheMotionTurned) {
   ForceRecord turning = record({0, -0.05}, 1, 10);
+  turning.input_N[0] = 12;
   turning.velocity_m_s[1] = -3;
   EXPECT_NEAR(predicted(turning, {ForceTerm::preload, ForceTerm::lag}, {1, 0, 2, -0.05}),
               8 + 4 * std::exp(-1.5), 1e-9);
@@ -355,12 +369,45 @@ TEST(ForceModel, APoseBendsMoreThanItWasSaidTo) {
 /// T_out 10 N, friction 2 N: 12 N sliding one way, 8 N the other. From 12 N a spring of 30 N/m
 /// gives 3 N for 0.1 m back, and stays where friction holds no more.
 TEST(ForceModel, ASpringFollowsTheMotionWithinWhatFrictionHolds) {
-  const ForceRecord back = record({0, -0.05}, 1, 10);
+  ForceRecord back = record({0, -0.05}, 1, 10);
+  back.input_N[0] = 12;
   EXPECT_NEAR(predicted(back, {ForceTerm::preload, ForceTerm::compliance}, {1, 0, 2, 30}), 10.5,
               1e-6);
-  EXPECT_NEAR(predicted(record({0, -0.3}, 1, 10), {ForceTerm::preload, ForceTerm::compliance},
-                        {1, 0, 2, 30}),
-              8, 1e-6);
+  back.position_m[1] = -0.3;
+  back.reversal_m[1] = -0.3;
+  EXPECT_NEAR(predicted(back, {ForceTerm::preload, ForceTerm::compliance}, {1, 0, 2, 30}), 8, 1e-6);
+}
+
+/// Between an output of 10 N and one of 20 N the motion turns half way, at 15 N: friction of 8 N
+/// holds no more than 23 N there, of which 100 N/m lets go of 5 N in 0.05 m.
+TEST(ForceModel, ASpringIsHeldByTheFrictionThatIsThereWhereTheMotionTurns) {
+  ForceRecord turning = record({0, 0.05}, 1, 10);
+  turning.output_N[1] = 20;
+  turning.input_N[0] = 18;
+  turning.reversal_m[1] = 0.1;
+  turning.velocity_m_s[1] = -1;
+  EXPECT_NEAR(predicted(turning, {ForceTerm::preload, ForceTerm::compliance}, {1, 0, 8, 100}), 18,
+              1e-6);
+}
+
+/// Friction of 2 N that turns over by a half, from -1 to 0, in a slide of l ln 2 takes the input
+/// from 8 to 10 N, which stretches 100 N/m by 20 mm beside it.
+TEST(ForceModel, ATendonThatStretchesSlidesLessThanTheDriveMoves) {
+  const double length_m = 0.01;
+  const double moved_m = length_m * std::log(2) + 0.02;
+  ForceRecord pulling = record({0, moved_m}, 1, 10);
+  pulling.input_N[0] = 8;
+  EXPECT_NEAR(predicted(pulling, {ForceTerm::preload, ForceTerm::presliding, ForceTerm::compliance},
+                        {1, 0, 2, length_m, 100}),
+              10, 1e-6);
+}
+
+/// In 0.1 s a drive moves 20 mm. Half of it stretches 100 N/m by 1 N, and half slides at 0.1 m/s,
+/// against 10 N s/m.
+TEST(ForceModel, ATendonThatStretchesSlidesSlowerThanTheDriveMoves) {
+  EXPECT_NEAR(predicted(record({0, 0.02}, 1, 10), {ForceTerm::velocity, ForceTerm::compliance},
+                        {1, 0, 10, 0, 100}),
+              11, 1e-6);
 }
 
 /// 1 + 0.01 (35 - 20) of 2 N.

@@ -43,12 +43,14 @@ ForceData ForceData::as_sampled(std::vector<effects::ForceRecord> records, const
 
 void ForceData::take_records(std::vector<effects::ForceRecord> records, std::size_t most) {
   records_ = std::move(records);
-  noise_left_N2_ = smooth_output(records_);
+  noise_.clear();
   counts_.clear();
   samples_ = 0;
   for (effects::ForceRecord& record : records_) {
+    noise_.push_back(smooth_output(record));
     record.reversal_m = reversals_m(record);
     thin(record, most);
+    smooth_temperatures(record);
     counts_.push_back(static_cast<double>(std::ranges::count(record.used, true)));
     samples_ += counts_.back();
   }
@@ -210,15 +212,12 @@ Eigen::MatrixX2d ForceData::directions_N(std::size_t record, const ForceFit& mod
 }
 
 double ForceData::noise_taken_N2(const ForceFit& before, const ForceFit& after) const {
-  if (noise_left_N2_ <= 0) {
-    return 0;
-  }
   std::mt19937 engine(1);
-  std::normal_distribution<double> noise_N(0, std::sqrt(noise_left_N2_));
   double square_N2 = 0;
   std::vector<double> once;
   std::vector<double> again;
   for (std::size_t j = 0; j < records_.size(); ++j) {
+    std::normal_distribution<double> noise_N(0, std::sqrt(std::max(noise_[j].force_N2, 1e-30)));
     effects::ForceRecord noisy = records_[j];
     for (double& output_N : noisy.output_N) {
       output_N += noise_N(engine);

@@ -6,24 +6,15 @@
 #include <cmath>
 #include <utility>
 
-#include "host_sim/statistics/distribution.hpp"
 #include "host_sim/statistics/parallel.hpp"
 
 namespace host_sim::diagnose {
 namespace {
 
 constexpr int kFirstIterations = 2;  ///< of each start, and again of the best one of a term
-/// Standard deviation of ln gain: more than that off is told as a doubt about units.
-constexpr double kLogGain = 0.3;
-constexpr int kFoldIterations = 2;  ///< from where all records have led
+constexpr int kFoldIterations = 2;   ///< from where all records have led
 
 }  // namespace
-
-/// Of least squares beside the scatter of sessions: J'J and J'r of a record.
-struct ForceData::Normal {
-  Eigen::MatrixXd matrix;
-  Eigen::VectorXd gradient;
-};
 
 /// The gain is near 1, as the nominal model has it, by as much as one session says of it: where the
 /// output is hardly loaded, or all motion goes one way, nothing else tells it from friction.
@@ -363,111 +354,6 @@ double ForceData::rmse_N(std::span<const double> means_N2) const {
     square_N2 += means_N2[j] * counts_[j];
   }
   return std::sqrt(square_N2 / std::max(samples_, 1.0));
-}
-
-double ForceData::freedom_of(const ForceFit& fit) const {
-  const double records = static_cast<double>(records_.size());
-  return std::max(records - static_cast<double>(fit.parameters.size()), 1.0);
-}
-
-ForceData::Covariance ForceData::covariance_of(const ForceFit& fit) const {
-  const std::vector<Normal> normals = normals_of(fit.terms, fit.parameters, -1);
-  const Normal normal = sum_of(normals, fit.parameters, -1);
-  const Eigen::Index count = normal.gradient.size();
-  Eigen::MatrixXd scatter = Eigen::MatrixXd::Zero(count, count);
-  for (const Normal& of_record : normals) {
-    scatter += of_record.gradient * of_record.gradient.transpose();
-  }
-  const Eigen::MatrixXd inverse =
-      normal.matrix.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
-  const double records = static_cast<double>(records_.size());
-  const Eigen::VectorXd by_gain = inverse.col(0) * (gain_weight_N2_ * kLogGain / fit.parameters[0]);
-  return {.of_records = inverse * scatter * inverse * (records / freedom_of(fit)),
-          .of_gain = by_gain * by_gain.transpose()};
-}
-
-std::vector<double> ForceData::half_widths(const ForceFit& fit, double times) const {
-  const Covariance covariance = covariance_of(fit);
-  const double wide = times * statistics::student95(freedom_of(fit));
-  const auto all = parameters_of(fit.terms, scales_);
-  std::vector<double> half;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const auto at = static_cast<Eigen::Index>(k);
-    const double step_m = all[k].stepped ? resolution_m_ : 0;
-    half.push_back(std::hypot(wide * std::sqrt(std::max(covariance.of_records(at, at), 0.0)),
-                              times * statistics::kNormal95 * step_m,
-                              statistics::kNormal95 * std::sqrt(covariance.of_gain(at, at))));
-  }
-  return half;
-}
-
-double ForceData::log_occam(const ForceFit& fit, std::size_t term) const {
-  constexpr double kLeast = 1e-300;
-  const auto values = parameters_at(term, fit.terms, fit.parameters, scales_);
-  const auto first = static_cast<Eigen::Index>(values.data() - fit.parameters.data());
-  double log_prior = 0;
-  std::vector<Eigen::Index> places;
-  std::vector<double> usual;
-  const auto parameters = parameters_of(fit.terms[term], scales_);
-  for (std::size_t k = 0; k < parameters.size(); ++k) {
-    if (parameters[k].chosen) {
-      log_prior -= std::log(static_cast<double>(parameters[k].starts.size()));
-      continue;
-    }
-    usual.push_back(parameters[k].usual == 0 ? parameters[k].starts.front() : parameters[k].usual);
-    places.push_back(first + static_cast<Eigen::Index>(k));
-    log_prior -= std::pow(values[k] / usual.back(), 2) / 2;
-  }
-  const Eigen::VectorXd scale = vector_of(usual).cwiseInverse();
-  const Eigen::MatrixXd of_usual =
-      scale.asDiagonal() * covariance_of(fit).all()(places, places) * scale.asDiagonal();
-  return log_prior + std::log(std::max(of_usual.determinant(), kLeast)) / 2;
-}
-
-bool ForceData::is_physical(const ForceFit& fit, std::size_t term) const {
-  const auto values = parameters_at(term, fit.terms, fit.parameters, scales_);
-  const auto parameters = parameters_of(fit.terms[term], scales_);
-  constexpr double kNear = 1e-3;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const effects::ForceParameter& parameter = parameters[k];
-    const double range = parameter.maximum - parameter.minimum;
-    // What lies within a range of many decades is near its lower bound by a share of that.
-    const double lowest =
-        parameter.minimum > 0 ? (1 + kNear) * parameter.minimum : parameter.minimum + kNear * range;
-    const bool at_bound = values[k] > parameter.maximum - kNear * range ||
-                          (parameter.minimum != 0 && values[k] < lowest);
-    if ((at_bound && !parameter.chosen && !parameter.beside) ||
-        std::abs(values[k]) < parameter.resolved) {
-      return false;
-    }
-  }
-  return true;
-}
-
-bool ForceData::may_be_none(const ForceFit& fit, std::size_t term,
-                            std::span<const double> half) const {
-  const auto values = parameters_at(term, fit.terms, fit.parameters, scales_);
-  const auto half_of =
-      half.subspan(static_cast<std::size_t>(values.data() - fit.parameters.data()));
-  const auto parameters = parameters_of(fit.terms[term], scales_);
-  // What cannot be zero says how, but for a law that has no other.
-  const bool has_size = std::ranges::any_of(parameters, [](const effects::ForceParameter& one) {
-    return !one.chosen && one.minimum <= 0;
-  });
-  bool any = false;
-  for (std::size_t k = 0; k < values.size(); ++k) {
-    const effects::ForceParameter& parameter = parameters[k];
-    const bool needed = parameter.stepped || parameter.resolved > 0;
-    if (parameter.chosen || (has_size && parameter.minimum > 0) || (parameter.beside && !needed)) {
-      continue;
-    }
-    const bool more = std::abs(values[k]) - half_of[k] > parameter.resolved;
-    if (needed && !more) {
-      return true;
-    }
-    any = any || more;
-  }
-  return !any;
 }
 
 }  // namespace host_sim::diagnose

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host_sim/diagnose/force/force_covariance.hpp"
+#include "host_sim/diagnose/force/smoothing.hpp"
 #include "host_sim/effects/tension/force_model.hpp"
 
 namespace host_sim::diagnose {
@@ -32,7 +33,11 @@ struct HeldOut {
 /// All records of a campaign and what a fit needs of them: the output force smoothed, and samples
 /// thinned.
 class ForceData {
-  struct Normal;
+  /// Of least squares beside the scatter of sessions: J'J and J'r of a record.
+  struct Normal {
+    Eigen::MatrixXd matrix;
+    Eigen::VectorXd gradient;
+  };
 
  public:
   static constexpr std::size_t kMostSamples = 600;  ///< of a record, or up to twice that
@@ -54,6 +59,9 @@ class ForceData {
   /// How much less of the output's noise that smoothing has left a model passes on than another,
   /// where that is white.
   [[nodiscard]] double noise_taken_N2(const ForceFit& before, const ForceFit& after) const;
+
+  /// The parameters that noise of the output moves to those of a fit.
+  [[nodiscard]] ForceFit beside_output_noise(const ForceFit& fit) const;
 
   /// Friction turns over as sharply as a model says that has what else acts at reversals, where
   /// that is seen to be another way.
@@ -136,8 +144,8 @@ class ForceData {
   /// Root mean square over records of such means.
   [[nodiscard]] double rmse_N(std::span<const double> means_N2) const;
 
-  /// 95 % half-widths of the parameters, of records that scatter as wholes (sandwich), and where a
-  /// parameter lies between samples of how far they are apart at all reversals.
+  /// 95 % half-widths of the parameters, of records that scatter as wholes, and where a parameter
+  /// lies between samples of how far they are apart at all reversals.
   /// @param times as far as they scatter
   [[nodiscard]] std::vector<double> half_widths(const ForceFit& fit, double times = 1) const;
 
@@ -162,15 +170,18 @@ class ForceData {
   }
 
  private:
-  /// Of the parameters: of records that scatter as wholes (sandwich), and of the gain that the
-  /// nominal model has, which is known however few the records are.
+  /// Of the parameters.
   struct Covariance {
-    Eigen::MatrixXd of_records;
-    Eigen::MatrixXd of_gain;
-    [[nodiscard]] Eigen::MatrixXd all() const { return of_records + of_gain; }
+    Eigen::MatrixXd of_records;  ///< by how far each moves them that stays out (jackknife)
+    Eigen::MatrixXd of_noise;    ///< of least squares, as noisy as those are in the mean
+    Eigen::MatrixXd of_gain;     ///< that the nominal model has, known however few the records are
   };
   [[nodiscard]] Covariance covariance_of(const ForceFit& fit) const;
+  [[nodiscard]] Eigen::VectorXd step_from(const ForceFit& fit) const;
   [[nodiscard]] double freedom_of(const ForceFit& fit) const;
+
+  /// Standard deviation of ln gain: more than that off is told as a doubt about units.
+  static constexpr double kLogGain = 0.3;
 
   /// In the place of a fold: one record in three, where those are enough to choose a start by.
   static constexpr int kSome = -2;
@@ -205,10 +216,10 @@ class ForceData {
   effects::ForceScales scales_;
   std::vector<effects::Kinematics> kinematics_;  ///< of each record
   ForceCovariance covariance_;
-  double noise_left_N2_ = 0;
-  double gain_weight_N2_ = 0;   ///< of the square of ln gain, beside the residuals
-  std::vector<double> counts_;  ///< of samples that count, by record
-  double resolution_m_ = 0;     ///< standard deviation of a place between samples, of all reversals
+  std::vector<OutputNoise> noise_;  ///< that smoothing has left, of each record
+  double gain_weight_N2_ = 0;       ///< of the square of ln gain, beside the residuals
+  std::vector<double> counts_;      ///< of samples that count, by record
+  double resolution_m_ = 0;  ///< standard deviation of a place between samples, of all reversals
   double samples_ = 0;
 };
 

@@ -209,7 +209,7 @@ ForceFit ForceSearch::leave_out_outliers() {
       ++place;
     }
     if (place == fit.terms.size()) {
-      return fit;
+      return inliers_->beside_output_noise(fit);
     }
     model_ = candidate_of(data_, data_.without(model_.fit, place));
     reduce();

@@ -1,9 +1,13 @@
 #include "host_sim/diagnose/force/smoothing.hpp"
 
+#include <Eigen/Core>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "host_sim/recording/signal.hpp"
@@ -16,56 +20,171 @@ std::vector<recording::Stretch> pieces_of(const effects::ForceRecord& record) {
   return recording::stretches_of(record.used, true);
 }
 
-/// Mean square of what a sample is off the cubic through the two to each side of it.
-double off_neighbours(const std::vector<effects::ForceRecord>& records) {
-  double square_N2 = 0;
+using Channel = std::vector<double> effects::ForceRecord::*;
+
+/// What each sample around one counts in something that is in proportion to them.
+using Weights = Eigen::VectorXd;
+
+/// Sum of squares that such weights make of noise of variance 1 that is correlated from sample to
+/// sample, as `correlation` to the power of how far they are apart.
+double variance_of(const Weights& weights, double correlation) {
+  double variance = 0;
+  for (Eigen::Index i = 0; i < weights.size(); ++i) {
+    for (Eigen::Index k = 0; k < weights.size(); ++k) {
+      variance += weights(i) * weights(k) * std::pow(correlation, std::abs(i - k));
+    }
+  }
+  return variance;
+}
+
+Weights convolved(const Weights& one, const Weights& other) {
+  Weights both = Weights::Zero(one.size() + other.size() - 1);
+  for (Eigen::Index i = 0; i < one.size(); ++i) {
+    both.segment(i, other.size()) += one(i) * other;
+  }
+  return both;
+}
+
+/// Of a cubic that fits the samples around one best (Savitzky and Golay, 1964), and of another
+/// through what that leaves (twicing; Tukey, 1977): a force that waves within its reach is no
+/// smaller by it.
+struct Cubic {
+  Weights value;
+  Weights slope;  ///< of one sample to the next
+
+  explicit Cubic(int samples) {
+    const Eigen::VectorXd at = Eigen::VectorXd::LinSpaced(2 * samples + 1, -samples, samples);
+    Eigen::MatrixX4d powers(at.size(), 4);
+    powers << Eigen::VectorXd::Ones(at.size()), at, at.array().square(), at.array().cube();
+    const Eigen::MatrixX4d fit = powers * (powers.transpose() * powers).inverse();
+    Weights left = -fit.col(0);
+    left(samples) += 1;
+    Weights once = Weights::Zero(2 * at.size() - 1);
+    once.segment(samples, at.size()) = fit.col(0);
+    value = once + convolved(fit.col(0), left);
+    once.segment(samples, at.size()) = fit.col(1);
+    slope = once + convolved(fit.col(1), left);
+  }
+
+  /// What a sample counts in the fit at its own place.
+  [[nodiscard]] double own() const { return value((value.size() - 1) / 2); }
+
+  /// Of what a sample is off the fit of the others.
+  [[nodiscard]] Weights off() const {
+    Weights off = -value / (1 - own());
+    off((off.size() - 1) / 2) = 1;
+    return off;
+  }
+};
+
+/// Of what a sample is off the cubic through the two to each side of it.
+Weights off_neighbours() {
+  return Eigen::Matrix<double, 5, 1>(1, -4, 6, -4, 1) / 6;
+}
+
+/// Mean square of that.
+double off_neighbours(const effects::ForceRecord& record, Channel channel) {
+  const Weights weights = off_neighbours();
+  const std::vector<double>& at = record.*channel;
+  double square = 0;
   double count = 0;
-  for (const effects::ForceRecord& record : records) {
-    const std::vector<double>& at_N = record.output_N;
-    for (const recording::Stretch& piece : pieces_of(record)) {
-      for (std::size_t i = piece.first + 2; i + 2 < piece.end(); ++i) {
-        const double between_N = (4 * (at_N[i - 1] + at_N[i + 1]) - at_N[i - 2] - at_N[i + 2]) / 6;
-        square_N2 += std::pow(at_N[i] - between_N, 2);
+  for (const recording::Stretch& piece : pieces_of(record)) {
+    for (std::size_t i = piece.first + 2; i + 2 < piece.end(); ++i) {
+      square += std::pow(weights.dot(Eigen::Map<const Eigen::VectorXd>(&at[i - 2], 5)), 2);
+      ++count;
+    }
+  }
+  return square / std::max(count, 1.0);
+}
+
+/// Correlation of noise that is off the fit of many samples by as many times more than off its
+/// neighbours' as this ratio.
+double correlation_by(double ratio, const Cubic& cubic) {
+  constexpr double kMost = 0.6;  // more of it looks alike, but for how large it is
+  double low = 0;
+  double high = kMost;
+  for (int step = 0; step < 20; ++step) {
+    const double middle = (low + high) / 2;
+    (variance_of(cubic.off(), middle) < ratio * variance_of(off_neighbours(), middle) ? low
+                                                                                      : high) =
+        middle;
+  }
+  return low;
+}
+
+struct Smoothed {
+  int samples = 0;  ///< to each side
+  std::vector<double> values;
+  std::vector<std::optional<double>> rates_1_s;  ///< none where no fit is
+  double off = 0;  ///< mean square of what a sample is off the fit of the others
+};
+
+/// By cubics over some samples to each side.
+Smoothed smoothed_over(int samples, const effects::ForceRecord& record, Channel channel) {
+  const double own = Cubic(samples).own();
+  const double reach_s = (samples + 0.5) * record.step_s();
+  const std::vector<double>& read = record.*channel;
+  const std::vector<recording::Stretch> pieces = pieces_of(record);
+  Smoothed smoothed{.samples = samples, .values = read, .rates_1_s = {}, .off = HUGE_VAL};
+  smoothed.rates_1_s.resize(read.size());
+  const std::vector<double> once = recording::smoothed(record.time_s, read, pieces, reach_s);
+  std::vector<double> left(read.size());
+  std::ranges::transform(read, once, left.begin(), std::minus());
+  double square = 0;
+  double count = 0;
+  for (const recording::Stretch& piece : pieces) {
+    for (std::size_t i = piece.first; i < piece.end(); ++i) {
+      recording::LocalFit fit;
+      recording::LocalFit of_left;
+      if (recording::fit_locally(record.time_s, read, piece, i, reach_s, fit) &&
+          recording::fit_locally(record.time_s, left, piece, i, reach_s, of_left)) {
+        smoothed.values[i] = fit.value + of_left.value;
+        smoothed.rates_1_s[i] = fit.slope_1_s + of_left.slope_1_s;
+        square += std::pow((read[i] - smoothed.values[i]) / (1 - own), 2);
         ++count;
       }
     }
   }
-  return square_N2 / std::max(count, 1.0);
+  if (count > 0) {
+    smoothed.off = square / count;
+  }
+  return smoothed;
 }
 
-struct Smoothed {
-  std::vector<std::vector<double>> output_N;  ///< by record
-  std::vector<std::vector<double>> rate_N_s;
-  double off_N2 = 0;  ///< mean square of what a sample is off the fit of the others
-  double own = 0;     ///< what a sample counts in the fit at its own place
-};
+/// Of these, over as many samples as foresee a sample best; none if none does better than its
+/// neighbours.
+std::optional<Smoothed> best_of(const std::vector<Smoothed>& all, double off_neighbours) {
+  const auto best = std::ranges::min_element(all, {}, &Smoothed::off);
+  return best->off < off_neighbours ? std::optional(*best) : std::nullopt;
+}
 
-/// By cubics over some samples to each side.
-Smoothed smoothed_over(int samples, const std::vector<effects::ForceRecord>& records) {
-  const double reach = samples;
-  const double own = 3 * (3 * reach * reach + 3 * reach - 1) /
-                     ((2 * reach + 3) * (2 * reach + 1) * (2 * reach - 1));
-  Smoothed smoothed{.output_N = {}, .rate_N_s = {}, .off_N2 = 0, .own = own};
-  double count = 0;
-  for (const effects::ForceRecord& record : records) {
-    std::vector<double>& output_N = smoothed.output_N.emplace_back(record.output_N);
-    std::vector<double>& rate_N_s = smoothed.rate_N_s.emplace_back(record.output_rate_N_s);
-    const double step_s = record.step_s();
-    for (const recording::Stretch& piece : pieces_of(record)) {
-      for (std::size_t i = piece.first; i < piece.end(); ++i) {
-        recording::LocalFit fit;
-        if (recording::fit_locally(record.time_s, record.output_N, piece, i, (reach + 0.5) * step_s,
-                                   fit)) {
-          output_N[i] = fit.value;
-          rate_N_s[i] = fit.slope_1_s;
-          smoothed.off_N2 += std::pow((record.output_N[i] - fit.value) / (1 - own), 2);
-          ++count;
-        }
-      }
-    }
+std::vector<Smoothed> smoothed_over(std::span<const int> samples,
+                                    const effects::ForceRecord& record, Channel channel) {
+  std::vector<Smoothed> all;
+  for (const int of : samples) {
+    all.push_back(smoothed_over(of, record, channel));
   }
-  smoothed.off_N2 = count > 0 ? smoothed.off_N2 / count : HUGE_VAL;
-  return smoothed;
+  return all;
+}
+
+/// The noise that is left, by what the least smooth one is off.
+OutputNoise noise_left(const Smoothed& least, const std::optional<Smoothed>& best,
+                       double off_neighbours_N2, double step_s) {
+  if (least.off == HUGE_VAL || off_neighbours_N2 == 0) {
+    return {};
+  }
+  const double correlation = correlation_by(least.off / off_neighbours_N2, Cubic(least.samples));
+  const auto noise_by_N2 = [&](const Smoothed& smoothed) {
+    return smoothed.off / variance_of(Cubic(smoothed.samples).off(), correlation);
+  };
+  if (!best) {
+    const double noise_N2 = noise_by_N2(least);
+    return {noise_N2, noise_N2 * (1 - correlation * correlation) / (2 * step_s * step_s)};
+  }
+  const Cubic cubic(best->samples);
+  const double noise_N2 = noise_by_N2(*best);
+  return {noise_N2 * variance_of(cubic.value, correlation),
+          noise_N2 * variance_of(cubic.slope, correlation) / (step_s * step_s)};
 }
 
 template <class T>
@@ -96,26 +215,33 @@ double reversal_m(const effects::ForceRecord& record, std::size_t before, std::s
 
 }  // namespace
 
-double smooth_output(std::vector<effects::ForceRecord>& records) {
+OutputNoise smooth_output(effects::ForceRecord& record) {
   constexpr int kSamples[] = {4, 8, 16};
-  constexpr double kOfNeighbours = 35.0 / 18;  // of the noise, 1 + (2 * 4^2 + 2 * 1^2)/6^2
-  double least_N2 = off_neighbours(records);
-  std::optional<Smoothed> best;
-  for (const int samples : kSamples) {
-    Smoothed smoothed = smoothed_over(samples, records);
-    if (smoothed.off_N2 < least_N2) {
-      least_N2 = smoothed.off_N2;
-      best = std::move(smoothed);
+  const Channel channel = &effects::ForceRecord::output_N;
+  const double off_N2 = off_neighbours(record, channel);
+  const std::vector<Smoothed> all = smoothed_over(kSamples, record, channel);
+  const std::optional<Smoothed> best = best_of(all, off_N2);
+  if (best) {
+    record.output_N = best->values;
+    for (std::size_t i = 0; i < best->rates_1_s.size(); ++i) {
+      record.output_rate_N_s[i] = best->rates_1_s[i].value_or(record.output_rate_N_s[i]);
     }
   }
-  if (!best) {
-    return least_N2 / kOfNeighbours;
+  return noise_left(all.front(), best, off_N2, record.step_s());
+}
+
+void smooth_temperatures(effects::ForceRecord& record) {
+  constexpr int kSamples[] = {8, 32};
+  for (const Channel channel : {&effects::ForceRecord::sheath_temperature_C,
+                                &effects::ForceRecord::winding_temperature_C}) {
+    if ((record.*channel).empty()) {
+      continue;
+    }
+    const std::vector<Smoothed> all = smoothed_over(kSamples, record, channel);
+    if (const auto best = best_of(all, off_neighbours(record, channel))) {
+      record.*channel = best->values;
+    }
   }
-  for (std::size_t j = 0; j < records.size(); ++j) {
-    records[j].output_N = std::move(best->output_N[j]);
-    records[j].output_rate_N_s = std::move(best->rate_N_s[j]);
-  }
-  return best->own * (1 - best->own) * best->off_N2;
 }
 
 void thin(effects::ForceRecord& record, std::size_t most) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace host_sim::effects {
 namespace {
@@ -12,6 +13,13 @@ constexpr double kMostLogRatio = 5;
 constexpr double kLeastLoad = 0.01;
 constexpr double kReference_C = 20;
 constexpr double kReference_cycles = 1000;
+
+/// How far friction is turned over once the tendon has slid further.
+/// @param side the way it slides, -1 or 1
+/// @param presliding_m the length that it turns over by; 0: at once
+double turned_further(double turned, double side, double slid_m, double presliding_m) {
+  return presliding_m > 0 ? side + (turned - side) * std::exp(-slid_m / presliding_m) : side;
+}
 
 /// How far friction is turned over, -1 .. 1, with its memory of the motion.
 class Slip {
@@ -39,6 +47,10 @@ class Slip {
 
   [[nodiscard]] double slip() const { return slip_; }
 
+  /// Friction with a memory begins with what its first sample has.
+  void begin(double turned) { presliding_ = turned; }
+  [[nodiscard]] double turned() const { return presliding_; }
+
   /// Whether the tendon lies loose between two ends of its dead zone.
   [[nodiscard]] bool loose() const { return values_.loose_m > 0 && std::abs(taken_up_) < 1; }
 
@@ -53,8 +65,8 @@ class Slip {
       }
     }
     if (presliding_m > 0) {
-      const double side = moved_m > 0 ? 1 : -1;
-      presliding_ = side + (presliding_ - side) * std::exp(-std::abs(moved_m) / presliding_m);
+      presliding_ =
+          turned_further(presliding_, moved_m > 0 ? 1 : -1, std::abs(moved_m), presliding_m);
     }
   }
 
@@ -114,6 +126,47 @@ double along_sheath(double log_ratio, double load_exponent) {
              : std::log1p(std::max(load_exponent * log_ratio, kLeast - 1)) / load_exponent;
 }
 
+/// Where what rises changes its sign between 0 and an end; 0 where it is not negative there, the
+/// end where it is not positive there.
+template <class Excess>
+double root_between_0_and(double end, const Excess& excess) {
+  constexpr int kMostSteps = 40;
+  constexpr double kEnough = 1e-9;  // of what it rises by
+  double low = 0;
+  double at_low = excess(low);
+  if (at_low >= 0) {
+    return 0;
+  }
+  double high = end;
+  double at_high = excess(high);
+  if (at_high <= 0) {
+    return end;
+  }
+  const double enough = kEnough * (at_high - at_low);
+  // By secants, of which an end that stays counts half (Illinois).
+  int kept = 0;
+  double middle = end;
+  for (int step = 0; step < kMostSteps; ++step) {
+    middle = (low * at_high - high * at_low) / (at_high - at_low);
+    const double at_middle = excess(middle);
+    if (std::abs(at_middle) < enough) {
+      break;
+    }
+    if (at_middle < 0) {
+      low = middle;
+      at_low = at_middle;
+      at_high /= kept == -1 ? 2 : 1;
+      kept = -1;
+    } else {
+      high = middle;
+      at_high = at_middle;
+      at_low /= kept == 1 ? 2 : 1;
+      kept = 1;
+    }
+  }
+  return middle;
+}
+
 /// Calls wave(k, value) for the sine and the cosine of each harmonic of a sample's place, in the
 /// order of ForceValues::harmonics.
 template <class Wave>
@@ -151,47 +204,62 @@ class Forward {
         by_load_(values.by_load != decltype(values.by_load){}),
         by_speed_(values.by_speed != decltype(values.by_speed){}) {}
 
-  /// A sample, whatever its friction is turned over by.
+  /// What a sample has whatever its friction is turned over by, and however fast the tendon slides.
   struct Sample {
     double output_N;
-    double log_ratio;  ///< of the friction of the sheath that is turned over in full
-    double other_N;    ///< of what rubs beside it
+    double place;  ///< of the friction, as its place has it
+    double age;
+    double warm;
+    double along;  ///< what a coefficient of the sheath's friction goes with
+  };
+
+  /// What rubs where it is turned over in full.
+  struct Friction {
+    double log_ratio;  ///< of the sheath
+    double other_N;    ///< beside it
   };
 
   [[nodiscard]] Sample sample(std::size_t i) const {
-    const double output_N = output_of_tendon_N(i);
-    const double size_N = std::abs(output_N);
-    const double speed_m_s = std::abs(record_.velocity_m_s[i]);
-    const double place = position_factor(i) * (by_speed_ ? speed_factor(speed_m_s) : 1);
-    double coefficient = values_.friction * place * age_factor(i);
-    coefficient += values_.viscous_friction_s_m * speed_m_s;
+    Sample of{.output_N = output_of_tendon_N(i),
+              .place = position_factor(i),
+              .age = age_factor(i),
+              .warm = 1,
+              .along = angle_rad(i)};
+    const double size_N = std::abs(of.output_N);
+    if (values_.temperature_1_K != 0) {
+      of.warm += values_.temperature_1_K * (record_.sheath_temperature_C[i] - kReference_C);
+    }
+    of.along *= of.warm;
+    if (by_load_) {
+      of.along *= load_factor(size_N);
+    }
+    if (values_.giving_share != 0) {
+      of.along *= std::max(0.0, 1 + values_.giving_share * (size_N / scales_.force_N - 1));
+    }
+    if (values_.load_exponent != 0) {
+      of.along *= std::pow(std::max(size_N / scales_.force_N, kLeastLoad), -values_.load_exponent);
+    }
+    return of;
+  }
+
+  [[nodiscard]] Friction friction(const Sample& of, double speed_m_s) const {
+    const double place = of.place * (by_speed_ ? speed_factor(speed_m_s) : 1);
+    double coefficient =
+        values_.friction * place * of.age + values_.viscous_friction_s_m * speed_m_s;
     if (values_.stribeck_friction != 0) {
       coefficient +=
           values_.stribeck_friction * std::exp(-speed_m_s / values_.stribeck_velocity_m_s);
     }
-    double warm = 1;
-    if (values_.temperature_1_K != 0) {
-      warm += values_.temperature_1_K * (record_.sheath_temperature_C[i] - kReference_C);
-    }
-    double log_ratio = coefficient * warm * angle_rad(i);
-    if (by_load_) {
-      log_ratio *= load_factor(size_N);
-    }
-    if (values_.giving_share != 0) {
-      log_ratio *= std::max(0.0, 1 + values_.giving_share * (size_N / scales_.force_N - 1));
-    }
-    if (values_.load_exponent != 0) {
-      log_ratio *= std::pow(std::max(size_N / scales_.force_N, kLeastLoad), -values_.load_exponent);
-    }
-    return {output_N, log_ratio,
-            values_.preload_N * place * warm + values_.viscous_N_s_m * speed_m_s};
+    return {coefficient * of.along,
+            values_.preload_N * place * of.warm + values_.viscous_N_s_m * speed_m_s};
   }
 
   /// Input force before the gain, for a friction that is turned over by `slip`.
   /// @param loose whether the drive holds only a part of the force
-  [[nodiscard]] double input_N(const Sample& of, double slip, bool loose) const {
+  [[nodiscard]] double input_N(const Sample& of, const Friction& friction, double slip,
+                               bool loose) const {
     const double way = slip * (1 + values_.one_way_share * slip);
-    double log_ratio = of.log_ratio * way;
+    double log_ratio = friction.log_ratio * way;
     if (loose) {
       log_ratio = values_.loose_friction * log_ratio - values_.loose_log_drop;
     }
@@ -199,17 +267,34 @@ class Forward {
     const double side = of.output_N < 0 ? -1 : 1;
     const double ratio = std::exp(std::clamp(along_sheath(side * log_ratio, values_.load_exponent),
                                              -kMostLogRatio, kMostLogRatio));
-    return of.output_N * ratio + of.other_N * way;
+    return of.output_N * ratio + friction.other_N * way;
+  }
+
+  /// Whether friction depends on how fast the tendon slides.
+  [[nodiscard]] bool is_of_speed() const {
+    return by_speed_ || values_.viscous_N_s_m != 0 || values_.viscous_friction_s_m != 0 ||
+           values_.stribeck_friction != 0;
   }
 
   /// The length that friction turns over by; 0: at once.
-  [[nodiscard]] double presliding_m(const Sample& of) const {
+  [[nodiscard]] double presliding_m(const Sample& of, const Friction& friction) const {
     if (values_.presliding_N_m == 0) {
       return values_.presliding_m;
     }
     constexpr double kLeast_m = 1e-9;
-    const double friction_N = input_N(of, 1, false) - of.output_N;
+    const double friction_N = input_N(of, friction, 1, false) - of.output_N;
     return std::max(friction_N / values_.presliding_N_m, kLeast_m);
+  }
+
+  /// How far friction is turned over where the input force is as it was read: what went before is
+  /// not known. 0 where that does not count, or nothing rubs.
+  [[nodiscard]] double turned_at(std::size_t i, const Sample& of, const Friction& friction) const {
+    constexpr double kNone = 1e-6;  // of the scale of force
+    const double back_N = shown_N(i, input_N(of, friction, -1, false));
+    const double rubs_N = shown_N(i, input_N(of, friction, 1, false)) - back_N;
+    return record_.used[i] && rubs_N > kNone * scales_.force_N
+               ? std::clamp(2 * (record_.input_N[i] - back_N) / rubs_N - 1, -1.0, 1.0)
+               : 0;
   }
 
   /// What the drive has for a force: as a current shows it, with what is wrong with the motor.
@@ -325,6 +410,97 @@ ForceValues values_of(const ForceTerms& terms, const ForceScales& scales,
   return values;
 }
 
+/// Of the time since the sample before, when the motion turned; 1: it did not.
+double turned_at(const ForceRecord& record, std::size_t i) {
+  if (record.reversal_m[i] == record.position_m[i]) {
+    return 1;
+  }
+  const double before_m_s = record.velocity_m_s[i - 1];
+  const double after_m_s = record.velocity_m_s[i];
+  constexpr double kMiddle = 0.5;  // it turned twice
+  return before_m_s * after_m_s < 0 ? before_m_s / (before_m_s - after_m_s) : kMiddle;
+}
+
+/// A tendon that stretches between the drive and where it slides: the input follows the spring, and
+/// never leaves what friction holds.
+class Spring {
+ public:
+  Spring(const ForceRecord& record, const Forward& forward, const ForceValues& values)
+      : record_(record),
+        forward_(forward),
+        stiffness_N_m_(values.stiffness_N_m),
+        at_once_(!forward.is_of_speed() && values.presliding_m == 0 && values.presliding_N_m == 0) {
+  }
+
+  void begin(const Forward::Sample& of, double held_N, double turned) {
+    now_ = of;
+    held_N_ = held_N;
+    turned_ = turned;
+  }
+
+  /// @param i the next sample
+  void go_to(std::size_t i, const Forward::Sample& of, bool loose) {
+    before_ = std::exchange(now_, of);
+    const double turned_at = effects::turned_at(record_, i);
+    const double step_s = record_.time_s[i] - record_.time_s[i - 1];
+    const double reversal_m = record_.reversal_m[i];
+    move_by({turned_at, loose}, reversal_m - record_.position_m[i - 1], turned_at * step_s);
+    if (turned_at < 1) {
+      move_by({1, loose}, record_.position_m[i] - reversal_m, (1 - turned_at) * step_s);
+    }
+  }
+
+  [[nodiscard]] double held_N() const { return held_N_; }
+
+ private:
+  /// Between a sample and the one before it.
+  struct Place {
+    double share;
+    bool loose;
+  };
+
+  [[nodiscard]] double force_N(const Place& at, double turned, double speed_m_s) const {
+    const auto of_sample_N = [&](const Forward::Sample& of) {
+      return forward_.input_N(of, forward_.friction(of, speed_m_s), turned, at.loose);
+    };
+    return at.share < 1 ? std::lerp(of_sample_N(before_), of_sample_N(now_), at.share)
+                        : of_sample_N(now_);
+  }
+
+  void move_by(const Place& at, double moved_m, double time_s) {
+    const double stretched_N = held_N_ + stiffness_N_m_ * moved_m;
+    if (at_once_ || moved_m == 0) {
+      const auto [low_N, high_N] = std::minmax({force_N(at, -1, 0), force_N(at, 1, 0)});
+      held_N_ = std::clamp(stretched_N, low_N, high_N);
+      return;
+    }
+    const double side = moved_m > 0 ? 1 : -1;
+    const double presliding_m = forward_.presliding_m(now_, forward_.friction(now_, 0));
+    const auto sliding_N = [&](double slid_m) {
+      return force_N(at, turned_further(turned_, side, slid_m, presliding_m), slid_m / time_s);
+    };
+    const double slid_m = root_between_0_and(std::abs(moved_m), [&](double slid) {
+      return side * (sliding_N(slid) - stretched_N) + stiffness_N_m_ * slid;
+    });
+    if (slid_m > 0) {
+      held_N_ = sliding_N(slid_m);
+      turned_ = turned_further(turned_, side, slid_m, presliding_m);
+    } else {
+      const double back_N = force_N(at, -side, 0);
+      held_N_ = side > 0 ? std::max(stretched_N, back_N) : std::min(stretched_N, back_N);
+    }
+  }
+
+  const ForceRecord& record_;
+  const Forward& forward_;
+  double stiffness_N_m_;
+  bool at_once_;
+  Forward::Sample before_{};
+  Forward::Sample now_{};
+  double held_N_ = 0;
+  double turned_ = 0;
+};
+
 void predict_in_time(const ForceRecord& record, const Kinematics& kinematics,
                      const ForceValues& values, const ForceScales& scales,
                      std::vector<double>& input_N) {
@@ -334,23 +510,26 @@ void predict_in_time(const ForceRecord& record, const Kinematics& kinematics,
   }
   const Forward forward(record, kinematics, values, scales);
   Slip slip(record, kinematics, values);
+  Spring spring(record, forward, values);
   Lag lag(-values.lag_s);
   const bool at_once =
       values.stiffness_N_m == 0 && values.presliding_m == 0 && values.presliding_N_m == 0;
-  double held_N = 0;
   for (std::size_t i = 0; i < record.samples(); ++i) {
     const Forward::Sample of = forward.sample(i);
-    slip.go_to(i, forward.presliding_m(of));
+    const Forward::Friction friction = forward.friction(of, std::abs(record.velocity_m_s[i]));
+    const bool remembers = !at_once && i == 0;
+    if (remembers) {
+      slip.begin(forward.turned_at(i, of, friction));
+    }
+    slip.go_to(i, forward.presliding_m(of, friction));
+    double held_N = 0;
     if (values.stiffness_N_m > 0 && i > 0) {
-      // Between slips the input follows the spring; it never leaves what friction holds.
-      const auto [low_N, high_N] = std::minmax(
-          {forward.input_N(of, -1, slip.loose()), forward.input_N(of, 1, slip.loose())});
-      for (const double moved_m : {record.reversal_m[i] - record.position_m[i - 1],
-                                   record.position_m[i] - record.reversal_m[i]}) {
-        held_N = std::clamp(held_N + values.stiffness_N_m * moved_m, low_N, high_N);
-      }
+      spring.go_to(i, of, slip.loose());
+      held_N = spring.held_N();
     } else {
-      held_N = forward.input_N(of, slip.slip(), slip.loose());
+      const double turned = remembers ? slip.turned() : slip.slip();
+      held_N = forward.input_N(of, friction, turned, slip.loose());
+      spring.begin(of, held_N, turned);
     }
     input_N[i] = forward.shown_N(i, held_N);
     if (values.lag_s < 0) {

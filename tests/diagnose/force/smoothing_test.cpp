@@ -13,7 +13,8 @@ namespace {
 constexpr double kSensorNoise_N = 0.5;
 
 /// Six seconds at 100 Hz of a force that a sensor reads with noise.
-effects::ForceRecord read(double (*output_N)(double time_s)) {
+template <class Output>
+effects::ForceRecord read(const Output& output_N) {
   std::mt19937 engine(5);
   std::normal_distribution<double> noise(0, kSensorNoise_N);
   effects::ForceRecord record;
@@ -29,7 +30,8 @@ effects::ForceRecord read(double (*output_N)(double time_s)) {
   return record;
 }
 
-double off_N(const effects::ForceRecord& record, double (*output_N)(double time_s)) {
+template <class Output>
+double off_N(const effects::ForceRecord& record, const Output& output_N) {
   double square_N2 = 0;
   for (std::size_t i = 0; i < record.samples(); ++i) {
     square_N2 += std::pow(record.output_N[i] - output_N(record.time_s[i]), 2);
@@ -41,16 +43,50 @@ double waving_N(double time_s) {
   return 30 + 10 * std::sin(2 * time_s);
 }
 
-/// By a cubic over 33 samples a sample counts 0.0683 at its own place (Savitzky and Golay, 1964,
-/// table I by their equation): so much of the variance of the noise is left.
+/// Twice by a cubic over 33 samples the squares of what samples count add up to 0.0977 (Savitzky
+/// and Golay, 1964, table I by their equation h, and 2 h - h * h): so much of the variance of the
+/// noise is left.
 TEST(Smoothing, TakesOutNoiseOfASmoothForce) {
-  std::vector<effects::ForceRecord> records{read(waving_N)};
+  effects::ForceRecord record = read(waving_N);
   const double noise_N2 = kSensorNoise_N * kSensorNoise_N;
-  EXPECT_NEAR(smooth_output(records), 0.0683 * noise_N2, 0.15 * 0.0683 * noise_N2);
-  EXPECT_NEAR(off_N(records[0], waving_N), std::sqrt(0.0683) * kSensorNoise_N,
-              0.1 * kSensorNoise_N);
+  EXPECT_NEAR(smooth_output(record).force_N2, 0.0977 * noise_N2, 0.15 * 0.0977 * noise_N2);
+  EXPECT_NEAR(off_N(record, waving_N), std::sqrt(0.0977) * kSensorNoise_N, 0.1 * kSensorNoise_N);
   // d/dt of the sine at a second.
-  EXPECT_NEAR(records[0].output_rate_N_s[100], 20 * std::cos(2.0), 3);
+  EXPECT_NEAR(record.output_rate_N_s[100], 20 * std::cos(2.0), 3);
+}
+
+/// A wave of 0.28 s is no smaller by it than noise lets that be seen: once over 17 samples it would
+/// be by 3.7 %, 0.37 N.
+TEST(Smoothing, LeavesAFastWaveAsLargeAsItIs) {
+  const auto fast_N = [](double time_s) { return 30 + 10 * std::sin(22 * time_s); };
+  effects::ForceRecord record = read(fast_N);
+  smooth_output(record);
+  EXPECT_LT(off_N(record, fast_N), kSensorNoise_N);
+  double amplitude_N = 0;
+  for (std::size_t i = 0; i < record.samples(); ++i) {
+    amplitude_N += (record.output_N[i] - 30) * std::sin(22 * record.time_s[i]) / 300;
+  }
+  EXPECT_NEAR(amplitude_N, 10, 0.1);
+}
+
+/// Noise of which a sample has 0.4 of the one before is taken out less: what is left is as large as
+/// it is said to be.
+TEST(Smoothing, KnowsWhatIsLeftOfNoiseThatIsCorrelated) {
+  double left_N2 = 0;
+  double off_N2 = 0;
+  for (unsigned seed = 1; seed <= 20; ++seed) {
+    std::mt19937 engine(seed);
+    std::normal_distribution<double> normal;
+    effects::ForceRecord record = read(waving_N);
+    double noise_N = 0;
+    for (std::size_t i = 0; i < record.samples(); ++i) {
+      noise_N = 0.4 * noise_N + std::sqrt(1 - 0.16) * kSensorNoise_N * normal(engine);
+      record.output_N[i] = waving_N(record.time_s[i]) + noise_N;
+    }
+    left_N2 += smooth_output(record).force_N2;
+    off_N2 += std::pow(off_N(record, waving_N), 2);
+  }
+  EXPECT_NEAR(left_N2, off_N2, 0.2 * off_N2);
 }
 
 /// A force that steps every tenth of a second is foreseen by no sample around it.
@@ -59,23 +95,41 @@ double stepping_N(double time_s) {
 }
 
 TEST(Smoothing, LeavesAForceWithStepsAsItIs) {
-  std::vector<effects::ForceRecord> records{read(stepping_N)};
-  const std::vector<double> before_N = records[0].output_N;
-  EXPECT_GT(smooth_output(records), kSensorNoise_N * kSensorNoise_N);
-  EXPECT_EQ(records[0].output_N, before_N);
+  effects::ForceRecord record = read(stepping_N);
+  const std::vector<double> before_N = record.output_N;
+  EXPECT_GT(smooth_output(record).force_N2, kSensorNoise_N * kSensorNoise_N);
+  EXPECT_EQ(record.output_N, before_N);
 }
 
 /// What does not count does not spread: neither does it change nor its neighbours by it.
 TEST(Smoothing, DoesNotSpreadAFault) {
-  std::vector<effects::ForceRecord> records{read(waving_N)};
+  effects::ForceRecord record = read(waving_N);
   for (std::size_t i = 300; i < 303; ++i) {
-    records[0].output_N[i] = 1e6;
-    records[0].used[i] = false;
+    record.output_N[i] = 1e6;
+    record.used[i] = false;
   }
-  smooth_output(records);
-  EXPECT_EQ(records[0].output_N[301], 1e6);
-  EXPECT_NEAR(records[0].output_N[299], waving_N(2.99), 2 * kSensorNoise_N);
-  EXPECT_NEAR(records[0].output_N[303], waving_N(3.03), 2 * kSensorNoise_N);
+  smooth_output(record);
+  EXPECT_EQ(record.output_N[301], 1e6);
+  EXPECT_NEAR(record.output_N[299], waving_N(2.99), 2 * kSensorNoise_N);
+  EXPECT_NEAR(record.output_N[303], waving_N(3.03), 2 * kSensorNoise_N);
+}
+
+/// A sheath that warms by 2 K in a minute changes by a cubic over 65 samples: 0.0496 of the
+/// variance of the noise is left.
+TEST(Smoothing, TakesOutNoiseOfTemperatures) {
+  effects::ForceRecord record = read(waving_N);
+  std::mt19937 engine(8);
+  std::normal_distribution<double> noise_C(0, 0.4);
+  for (const double time_s : record.time_s) {
+    record.sheath_temperature_C.push_back(20 + time_s / 30 + noise_C(engine));
+  }
+  smooth_temperatures(record);
+  double square_K2 = 0;
+  for (std::size_t i = 0; i < record.samples(); ++i) {
+    square_K2 += std::pow(record.sheath_temperature_C[i] - 20 - record.time_s[i] / 30, 2);
+  }
+  EXPECT_NEAR(square_K2 / 600, 0.0496 * 0.16, 0.5 * 0.0496 * 0.16);
+  EXPECT_TRUE(record.winding_temperature_C.empty());
 }
 
 TEST(Smoothing, ThinningKeepsEachSoManySamples) {

@@ -129,25 +129,31 @@ TEST(DiagnoseForces, WhatHasNoCauseAndRepeatsIsCorrectedAndStaysUnknown) {
   EXPECT_DOUBLE_EQ(metric(findings, "input_rmse_N", false), findings.correction->before_N);
 }
 
-/// The sheath warms by 10 K in the course of each session, in which the input rises by 3 %.
+/// The sheath warms by 10 K in the course of each session, in which the input rises by 3 %: what
+/// else could do that is said unless more than one effect would have to stand for it.
 TEST(DiagnoseForces, AnInputThatSettlesInEachSessionIsNoFrictionByTemperature) {
-  std::vector<effects::ForceRecord> records = measured(
-      {.friction = 0.3, .load_N = 15, .still_N = 40, .noise_N = 0.1, .gain_scatter = 0.002}, 12);
-  std::mt19937 engine(12);
-  std::normal_distribution<double> noise_C(0, 0.1);
-  for (effects::ForceRecord& record : records) {
-    record.pulls_alone = true;
-    for (std::size_t i = 0; i < record.samples(); ++i) {
-      const double settled = 1 - std::exp(-record.time_s[i] / 1.5);
-      record.sheath_temperature_C.push_back(20 + 10 * settled + noise_C(engine));
-      record.input_N[i] *= 1 + 0.03 * settled;
+  constexpr unsigned kTimes = 4;
+  int said = 0;
+  for (unsigned seed = 12; seed < 12 + kTimes; ++seed) {
+    std::vector<effects::ForceRecord> records = measured(
+        {.friction = 0.3, .load_N = 15, .still_N = 40, .noise_N = 0.1, .gain_scatter = 0.002},
+        seed);
+    std::mt19937 engine(seed);
+    std::normal_distribution<double> noise_C(0, 0.1);
+    for (effects::ForceRecord& record : records) {
+      record.pulls_alone = true;
+      for (std::size_t i = 0; i < record.samples(); ++i) {
+        const double settled = 1 - std::exp(-record.time_s[i] / 1.5);
+        record.sheath_temperature_C.push_back(20 + 10 * settled + noise_C(engine));
+        record.input_N[i] *= 1 + 0.03 * settled;
+      }
     }
+    const Findings findings = diagnose_forces(records, nominal(), kWire, {}).findings;
+    EXPECT_THAT(ids_of(findings), Not(Contains("friction_temperature"))) << findings.prose;
+    EXPECT_EQ(findings.verdict, Verdict::unknown);
+    said += findings.prose.find("settles in the course of each session") != std::string::npos;
   }
-  const TensionDiagnosis diagnosis = diagnose_forces(records, nominal(), kWire, {});
-  EXPECT_THAT(ids_of(diagnosis.findings), Not(Contains("friction_temperature")))
-      << diagnosis.findings.prose;
-  EXPECT_EQ(diagnosis.findings.verdict, Verdict::unknown);
-  EXPECT_THAT(diagnosis.findings.prose, HasSubstr("settles in the course of each session"));
+  EXPECT_GE(said, 1);
 }
 
 /// The cogging that the catalogue does not have is a cause of its own by 30 %.
