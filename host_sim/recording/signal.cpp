@@ -89,6 +89,17 @@ bool fit_locally(std::span<const double> time_s, std::span<const double> values,
   return true;
 }
 
+bool fit_wave_locally(std::span<const double> time_s, std::span<const double> values,
+                      const Stretch& piece, std::size_t i, double reach_s, LocalFit& fit) {
+  constexpr std::size_t kLeastOfWave = 9;
+  const Window window = window_of(time_s, piece, i, reach_s);
+  if (!window.whole || window.size() < kLeastOfWave) {
+    return fit_locally(time_s, values, piece, i, reach_s, fit);
+  }
+  fit = polynomial<5>(time_s, values, window, i, reach_s);
+  return true;
+}
+
 std::vector<double> smoothed(std::span<const double> time_s, std::span<const double> values,
                              std::span<const Stretch> pieces, double reach_s) {
   std::vector<double> smooth(values.begin(), values.end());

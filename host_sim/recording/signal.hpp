@@ -34,8 +34,13 @@ struct LocalFit {
 bool fit_locally(std::span<const double> time_s, std::span<const double> values,
                  const Stretch& piece, std::size_t i, double reach_s, LocalFit& fit);
 
-/// The values of those fits; where there is none, and outside of the pieces, the values as they
-/// are.
+/// The same by a quintic where the end of the piece is far enough: a wave of which a half lies
+/// within the reach to each side is 2.5 % smaller, and by a cubic 26 %.
+bool fit_wave_locally(std::span<const double> time_s, std::span<const double> values,
+                      const Stretch& piece, std::size_t i, double reach_s, LocalFit& fit);
+
+/// The values of the first of those fits; where there is none, and outside of the pieces, the
+/// values as they are.
 std::vector<double> smoothed(std::span<const double> time_s, std::span<const double> values,
                              std::span<const Stretch> pieces, double reach_s);
 

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <utility>
@@ -37,33 +36,20 @@ double variance_of(const Weights& weights, double correlation) {
   return variance;
 }
 
-Weights convolved(const Weights& one, const Weights& other) {
-  Weights both = Weights::Zero(one.size() + other.size() - 1);
-  for (Eigen::Index i = 0; i < one.size(); ++i) {
-    both.segment(i, other.size()) += one(i) * other;
-  }
-  return both;
-}
-
-/// Of a cubic that fits the samples around one best (Savitzky and Golay, 1964), and of another
-/// through what that leaves (twicing; Tukey, 1977): a force that waves within its reach is no
-/// smaller by it.
-struct Cubic {
+/// Of a quintic that fits the samples around one best (Savitzky and Golay, 1964).
+struct Quintic {
   Weights value;
   Weights slope;  ///< of one sample to the next
 
-  explicit Cubic(int samples) {
-    const Eigen::VectorXd at = Eigen::VectorXd::LinSpaced(2 * samples + 1, -samples, samples);
-    Eigen::MatrixX4d powers(at.size(), 4);
-    powers << Eigen::VectorXd::Ones(at.size()), at, at.array().square(), at.array().cube();
-    const Eigen::MatrixX4d fit = powers * (powers.transpose() * powers).inverse();
-    Weights left = -fit.col(0);
-    left(samples) += 1;
-    Weights once = Weights::Zero(2 * at.size() - 1);
-    once.segment(samples, at.size()) = fit.col(0);
-    value = once + convolved(fit.col(0), left);
-    once.segment(samples, at.size()) = fit.col(1);
-    slope = once + convolved(fit.col(1), left);
+  explicit Quintic(int samples) {
+    const Eigen::ArrayXd at = Eigen::ArrayXd::LinSpaced(2 * samples + 1, -1, 1);
+    Eigen::MatrixXd powers(at.size(), 6);
+    for (int power = 0; power < 6; ++power) {
+      powers.col(power) = at.pow(power);
+    }
+    const Eigen::MatrixXd fit = powers * (powers.transpose() * powers).inverse();
+    value = fit.col(0);
+    slope = fit.col(1) / samples;
   }
 
   /// What a sample counts in the fit at its own place.
@@ -99,14 +85,14 @@ double off_neighbours(const effects::ForceRecord& record, Channel channel) {
 
 /// Correlation of noise that is off the fit of many samples by as many times more than off its
 /// neighbours' as this ratio.
-double correlation_by(double ratio, const Cubic& cubic) {
+double correlation_by(double ratio, const Quintic& quintic) {
   constexpr double kMost = 0.6;  // more of it looks alike, but for how large it is
   double low = 0;
   double high = kMost;
   for (int step = 0; step < 20; ++step) {
     const double middle = (low + high) / 2;
-    (variance_of(cubic.off(), middle) < ratio * variance_of(off_neighbours(), middle) ? low
-                                                                                      : high) =
+    (variance_of(quintic.off(), middle) < ratio * variance_of(off_neighbours(), middle) ? low
+                                                                                        : high) =
         middle;
   }
   return low;
@@ -119,28 +105,22 @@ struct Smoothed {
   double off = 0;  ///< mean square of what a sample is off the fit of the others
 };
 
-/// By cubics over some samples to each side.
+/// By quintics over some samples to each side.
 Smoothed smoothed_over(int samples, const effects::ForceRecord& record, Channel channel) {
-  const double own = Cubic(samples).own();
+  const double own = Quintic(samples).own();
   const double reach_s = (samples + 0.5) * record.step_s();
   const std::vector<double>& read = record.*channel;
-  const std::vector<recording::Stretch> pieces = pieces_of(record);
   Smoothed smoothed{.samples = samples, .values = read, .rates_1_s = {}, .off = HUGE_VAL};
   smoothed.rates_1_s.resize(read.size());
-  const std::vector<double> once = recording::smoothed(record.time_s, read, pieces, reach_s);
-  std::vector<double> left(read.size());
-  std::ranges::transform(read, once, left.begin(), std::minus());
   double square = 0;
   double count = 0;
-  for (const recording::Stretch& piece : pieces) {
+  for (const recording::Stretch& piece : pieces_of(record)) {
     for (std::size_t i = piece.first; i < piece.end(); ++i) {
       recording::LocalFit fit;
-      recording::LocalFit of_left;
-      if (recording::fit_locally(record.time_s, read, piece, i, reach_s, fit) &&
-          recording::fit_locally(record.time_s, left, piece, i, reach_s, of_left)) {
-        smoothed.values[i] = fit.value + of_left.value;
-        smoothed.rates_1_s[i] = fit.slope_1_s + of_left.slope_1_s;
-        square += std::pow((read[i] - smoothed.values[i]) / (1 - own), 2);
+      if (recording::fit_wave_locally(record.time_s, read, piece, i, reach_s, fit)) {
+        smoothed.values[i] = fit.value;
+        smoothed.rates_1_s[i] = fit.slope_1_s;
+        square += std::pow((read[i] - fit.value) / (1 - own), 2);
         ++count;
       }
     }
@@ -167,24 +147,22 @@ std::vector<Smoothed> smoothed_over(std::span<const int> samples,
   return all;
 }
 
-/// The noise that is left, by what the least smooth one is off.
+/// The noise that is left.
+/// @param least of all that were tried
 OutputNoise noise_left(const Smoothed& least, const std::optional<Smoothed>& best,
                        double off_neighbours_N2, double step_s) {
-  if (least.off == HUGE_VAL || off_neighbours_N2 == 0) {
+  const Smoothed& by = best ? *best : least;
+  if (by.off == HUGE_VAL || off_neighbours_N2 == 0) {
     return {};
   }
-  const double correlation = correlation_by(least.off / off_neighbours_N2, Cubic(least.samples));
-  const auto noise_by_N2 = [&](const Smoothed& smoothed) {
-    return smoothed.off / variance_of(Cubic(smoothed.samples).off(), correlation);
-  };
+  const Quintic quintic(by.samples);
+  const double correlation = correlation_by(by.off / off_neighbours_N2, quintic);
+  const double noise_N2 = by.off / variance_of(quintic.off(), correlation);
   if (!best) {
-    const double noise_N2 = noise_by_N2(least);
     return {noise_N2, noise_N2 * (1 - correlation * correlation) / (2 * step_s * step_s)};
   }
-  const Cubic cubic(best->samples);
-  const double noise_N2 = noise_by_N2(*best);
-  return {noise_N2 * variance_of(cubic.value, correlation),
-          noise_N2 * variance_of(cubic.slope, correlation) / (step_s * step_s)};
+  return {noise_N2 * variance_of(quintic.value, correlation),
+          noise_N2 * variance_of(quintic.slope, correlation) / (step_s * step_s)};
 }
 
 template <class T>
@@ -216,7 +194,7 @@ double reversal_m(const effects::ForceRecord& record, std::size_t before, std::s
 }  // namespace
 
 OutputNoise smooth_output(effects::ForceRecord& record) {
-  constexpr int kSamples[] = {4, 8, 16};
+  constexpr int kSamples[] = {6, 10, 16};
   const Channel channel = &effects::ForceRecord::output_N;
   const double off_N2 = off_neighbours(record, channel);
   const std::vector<Smoothed> all = smoothed_over(kSamples, record, channel);

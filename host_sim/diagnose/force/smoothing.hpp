@@ -14,7 +14,7 @@ struct OutputNoise {
 };
 
 /// Takes noise out of the output force, which would be noise of the prediction and make slopes too
-/// small: by cubics over 4, 8 or 16 samples to each side, as many as foresee a sample best by
+/// small: by quintics over 6, 10 or 16 samples to each side, as many as foresee a sample best by
 /// those around it, and not at all where two to each side foresee it better.
 /// @returns the noise that is left
 OutputNoise smooth_output(effects::ForceRecord& record);

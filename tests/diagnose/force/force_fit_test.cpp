@@ -237,6 +237,57 @@ TEST(ForceData, WhatMovesSessionsIsSeenByHowTheyScatter) {
   }
 }
 
+/// Smoothing leaves 0.1 of the variance of white noise of 0.5 N, which makes the gain of a wave of
+/// 2 N smaller by 0.1 * 0.25/2 = 1.2 %.
+TEST(ForceData, NoiseOfTheOutputMakesTheGainNoSmaller) {
+  constexpr unsigned kTimes = 20;
+  double with_noise = 0;
+  double beside_noise = 0;
+  for (unsigned seed = 1; seed <= kTimes; ++seed) {
+    ForceData data(measured({.friction = 0, .load_N = 2, .gain_scatter = 0}, seed));
+    const ForceFit fit = data.fit({}, {1, 0.1}, 15);
+    data.learn_covariance(fit, fit, false);
+    const ForceFit finished = data.finished(fit);
+    with_noise += finished.parameters[0] / kTimes;
+    beside_noise += data.beside_output_noise(finished).parameters[0] / kTimes;
+  }
+  EXPECT_NEAR(with_noise, 0.988, 0.005);
+  EXPECT_NEAR(beside_noise, 1, 0.005);
+}
+
+/// What is noise throughout has no gain that could be made larger.
+TEST(ForceData, NoiseAloneMovesNothing) {
+  const ForceData data(measured({.friction = 0, .load_N = 0, .viscous_N_s_m = 40}, 3));
+  const ForceFit fit = data.with(data.fit({}, {1, 0.1}, 15), effects::ForceTerm::velocity, 1);
+  EXPECT_EQ(data.beside_output_noise(fit).parameters, fit.parameters);
+}
+
+/// Friction of sessions is 5 % off, and one of eight is 20 K warmer: 0.05/20 of the coefficient
+/// is not known, though no other session gainsays that one.
+TEST(ForceData, WhatOneSessionShowsIsNotKnownBetterThanSessionsScatter) {
+  constexpr unsigned kTimes = 20;
+  int inside = 0;
+  for (unsigned seed = 1; seed <= kTimes; ++seed) {
+    std::mt19937 engine(seed);
+    std::normal_distribution<double> scatter(1, 0.05);
+    std::vector<effects::ForceRecord> records;
+    for (unsigned j = 0; j < 8; ++j) {
+      const double warm_K = j == 5 ? 20 : 0;
+      records.push_back(measured_at(20 + warm_K,
+                                    {.friction = 0.3 * scatter(engine) * (1 + 0.01 * warm_K),
+                                     .noise_N = 0.1,
+                                     .gain_scatter = 0},
+                                    100 * seed + j));
+    }
+    ForceData data(std::move(records));
+    const ForceFit nominal = data.fit({}, {1, 0.1}, 15);
+    data.learn_covariance(nominal, data.with(nominal, effects::ForceTerm::temperature, 1), false);
+    const ForceFit fit = data.with(nominal, effects::ForceTerm::temperature, 1);
+    inside += std::abs(fit.parameters[2] - 0.01) < data.half_widths(fit)[2] ? 1 : 0;
+  }
+  EXPECT_GE(inside, 18);
+}
+
 /// A normal density of a usual size, here 5 % of the force, at the value that was found, times the
 /// standard error over that size; of four times as many sessions that is half as large.
 TEST(ForceData, WhatIsKnownBetterWasLessLikelyBefore) {

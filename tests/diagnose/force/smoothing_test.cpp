@@ -43,30 +43,32 @@ double waving_N(double time_s) {
   return 30 + 10 * std::sin(2 * time_s);
 }
 
-/// Twice by a cubic over 33 samples the squares of what samples count add up to 0.0977 (Savitzky
-/// and Golay, 1964, table I by their equation h, and 2 h - h * h): so much of the variance of the
-/// noise is left.
+/// By a quintic over 33 samples a sample counts 0.107 at its own place (Savitzky and Golay, 1964,
+/// table II by their equation): so much of the variance of the noise is left.
 TEST(Smoothing, TakesOutNoiseOfASmoothForce) {
   effects::ForceRecord record = read(waving_N);
   const double noise_N2 = kSensorNoise_N * kSensorNoise_N;
-  EXPECT_NEAR(smooth_output(record).force_N2, 0.0977 * noise_N2, 0.15 * 0.0977 * noise_N2);
-  EXPECT_NEAR(off_N(record, waving_N), std::sqrt(0.0977) * kSensorNoise_N, 0.1 * kSensorNoise_N);
+  EXPECT_NEAR(smooth_output(record).force_N2, 0.107 * noise_N2, 0.15 * 0.107 * noise_N2);
+  EXPECT_NEAR(off_N(record, waving_N), std::sqrt(0.107) * kSensorNoise_N, 0.1 * kSensorNoise_N);
   // d/dt of the sine at a second.
   EXPECT_NEAR(record.output_rate_N_s[100], 20 * std::cos(2.0), 3);
 }
 
-/// A wave of 0.28 s is no smaller by it than noise lets that be seen: once over 17 samples it would
-/// be by 3.7 %, 0.37 N.
+/// A wave of 0.28 s is no smaller by it than noise lets that be seen: by cubics over 17 samples it
+/// would be by 3.7 %, 0.37 N, and change as much slower.
 TEST(Smoothing, LeavesAFastWaveAsLargeAsItIs) {
   const auto fast_N = [](double time_s) { return 30 + 10 * std::sin(22 * time_s); };
   effects::ForceRecord record = read(fast_N);
   smooth_output(record);
   EXPECT_LT(off_N(record, fast_N), kSensorNoise_N);
   double amplitude_N = 0;
+  double rate_N_s = 0;
   for (std::size_t i = 0; i < record.samples(); ++i) {
     amplitude_N += (record.output_N[i] - 30) * std::sin(22 * record.time_s[i]) / 300;
+    rate_N_s += record.output_rate_N_s[i] * std::cos(22 * record.time_s[i]) / 300;
   }
   EXPECT_NEAR(amplitude_N, 10, 0.1);
+  EXPECT_NEAR(rate_N_s, 220, 2.2);
 }
 
 /// Noise of which a sample has 0.4 of the one before is taken out less: what is left is as large as
@@ -114,7 +116,7 @@ TEST(Smoothing, DoesNotSpreadAFault) {
   EXPECT_NEAR(record.output_N[303], waving_N(3.03), 2 * kSensorNoise_N);
 }
 
-/// A sheath that warms by 2 K in a minute changes by a cubic over 65 samples: 0.0496 of the
+/// A sheath that warms by 2 K in a minute changes by a quintic over 65 samples: 0.054 of the
 /// variance of the noise is left.
 TEST(Smoothing, TakesOutNoiseOfTemperatures) {
   effects::ForceRecord record = read(waving_N);
@@ -128,7 +130,7 @@ TEST(Smoothing, TakesOutNoiseOfTemperatures) {
   for (std::size_t i = 0; i < record.samples(); ++i) {
     square_K2 += std::pow(record.sheath_temperature_C[i] - 20 - record.time_s[i] / 30, 2);
   }
-  EXPECT_NEAR(square_K2 / 600, 0.0496 * 0.16, 0.5 * 0.0496 * 0.16);
+  EXPECT_NEAR(square_K2 / 600, 0.054 * 0.16, 0.5 * 0.054 * 0.16);
   EXPECT_TRUE(record.winding_temperature_C.empty());
 }
 
