@@ -102,6 +102,7 @@ double ModelExtension::output_rmse_N(const ExtendedModel& model) const {
   std::vector<double> above;
   for (std::size_t j = 0; j < data_.records().size(); ++j) {
     effects::ForceRecord moved = data_.records()[j];
+    moved.used[0] = false;  // that it begins as it was read would take the step off again
     const effects::Kinematics& kinematics = data_.kinematics()[j];
     predict_input(moved, kinematics, model.fit.terms, scales, model.fit.parameters, at);
     for (double& output_N : moved.output_N) {
