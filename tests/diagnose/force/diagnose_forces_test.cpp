@@ -231,6 +231,8 @@ TEST(DiagnoseForces, NamesPreslidingOfATendonThatIsNearlyFree) {
   EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
   EXPECT_THAT(ids_of(findings), UnorderedElementsAre("presliding"));
   EXPECT_NEAR(estimate(findings, "presliding_stiffness_N_m").value, 50, 4);
+  const double input_N = metric(findings, "input_rmse_N", true);
+  EXPECT_NEAR(metric(findings, "rmse_N", true), input_N, 0.1 * input_N);
 }
 
 /// A model that is written has presliding over a length that is always the same: near that of 40 N.
