@@ -46,8 +46,9 @@ class Report {
         half_(search.half_widths(remainder_.stands ? kBesideRemainder : 1)),
         judged_(search.judged()),
         audit_(audit_of(data, search.model().fit, options.threads)) {
+    const std::vector<bool> none = search.may_be_none(remainder_.stands ? kBesideRemainder : 1);
     for (std::size_t i = 0; i < judged_.size(); ++i) {
-      if (data.may_be_none(search.model().fit, i, half_)) {
+      if (none[i]) {
         judged_[i].share = std::min(judged_[i].share, kEven);
       }
     }

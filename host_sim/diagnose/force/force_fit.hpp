@@ -149,6 +149,11 @@ class ForceData {
   /// @param times as far as they scatter
   [[nodiscard]] std::vector<double> half_widths(const ForceFit& fit, double times = 1) const;
 
+  /// The same of sizes, given what says how each effect is: of cycles to a power of which neither
+  /// is well known by itself, the change may be sure.
+  [[nodiscard]] std::vector<double> half_widths_of_sizes(const ForceFit& fit,
+                                                         double times = 1) const;
+
   /// ln of the density of a term's parameters before they are measured, normal of their usual size,
   /// times the volume that data leave of them (Laplace). Of one that is chosen each is as likely.
   [[nodiscard]] double log_occam(const ForceFit& fit, std::size_t term) const;
@@ -159,7 +164,7 @@ class ForceData {
 
   /// Whether the 95 % intervals of a term's parameters hold that it has no effect: no size of it
   /// is other than zero, or one that samples resolve is not surely more than they do.
-  /// @param half half-widths of the parameters of the fit
+  /// @param half half_widths_of_sizes() of the fit
   [[nodiscard]] bool may_be_none(const ForceFit& fit, std::size_t term,
                                  std::span<const double> half) const;
 
@@ -172,11 +177,13 @@ class ForceData {
  private:
   /// Of the parameters.
   struct Covariance {
-    Eigen::MatrixXd of_records;  ///< by how far each moves them that stays out (jackknife)
+    Eigen::MatrixXd of_records;  ///< that scatter as wholes, by how far each moves them
     Eigen::MatrixXd of_noise;    ///< of least squares, as noisy as those are in the mean
     Eigen::MatrixXd of_gain;     ///< that the nominal model has, known however few the records are
   };
   [[nodiscard]] Covariance covariance_of(const ForceFit& fit) const;
+  [[nodiscard]] std::vector<double> half_widths_by(const Covariance& covariance,
+                                                   const ForceFit& fit, double times) const;
   [[nodiscard]] Eigen::VectorXd step_from(const ForceFit& fit) const;
   [[nodiscard]] double freedom_of(const ForceFit& fit) const;
 

@@ -1,15 +1,31 @@
 #include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <random>
+#include <span>
 
 #include "host_sim/diagnose/force/force_fit.hpp"
 #include "host_sim/statistics/distribution.hpp"
 
 /// How well records know the parameters of a fit.
 namespace host_sim::diagnose {
+namespace {
+
+/// What cannot be zero says how an effect is, but for a law that has no other.
+bool says_how(const effects::ForceParameter& parameter) {
+  return !parameter.chosen && parameter.minimum > 0;
+}
+
+bool has_size(std::span<const effects::ForceParameter> parameters) {
+  return std::ranges::any_of(parameters, [](const effects::ForceParameter& one) {
+    return !one.chosen && one.minimum <= 0;
+  });
+}
+
+}  // namespace
 
 Eigen::VectorXd ForceData::step_from(const ForceFit& fit) const {
   const Normal normal = sum_of(normals_of(fit.terms, fit.parameters, -1), fit.parameters, -1);
@@ -68,21 +84,38 @@ double ForceData::freedom_of(const ForceFit& fit) const {
   return std::max(records - static_cast<double>(fit.parameters.size()), 1.0);
 }
 
+/// Of residuals that are enlarged by how far each record leads the fit (bias-reduced linearisation;
+/// Bell and McCaffrey, 2002).
 ForceData::Covariance ForceData::covariance_of(const ForceFit& fit) const {
-  // What one record alone shows would be anything without it.
-  constexpr double kMostLeverage = 0.95;
+  constexpr double kMostLeverage = 0.95;  // what one record alone shows has no residual
   const std::vector<Normal> normals = normals_of(fit.terms, fit.parameters, -1);
   const Normal normal = sum_of(normals, fit.parameters, -1);
   const Eigen::Index count = normal.gradient.size();
   const double records = static_cast<double>(records_.size());
-  // How far the parameters move without each.
+  // Beside unit matrices, as residuals are smaller where a record leads the fit.
+  Eigen::VectorXd scale = normal.matrix.diagonal().cwiseSqrt();
+  scale = (scale.array() > 0).select(scale, 1);
+  Eigen::MatrixXd scaled =
+      scale.cwiseInverse().asDiagonal() * normal.matrix * scale.cwiseInverse().asDiagonal();
+  scaled.diagonal().array() += 1e-12;
+  const Eigen::LLT<Eigen::MatrixXd> root(scaled);
+  const auto to_unit = [&](const Eigen::MatrixXd& columns) -> Eigen::MatrixXd {
+    return root.matrixL().solve(scale.cwiseInverse().asDiagonal() * columns);
+  };
   Eigen::MatrixXd moved(count, static_cast<Eigen::Index>(normals.size()));
   for (std::size_t j = 0; j < normals.size(); ++j) {
+    const Eigen::MatrixXd share = to_unit(to_unit(normals[j].matrix).transpose());
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> shares(share);
+    const Eigen::VectorXd larger =
+        (1 - shares.eigenvalues().array().max(0).min(kMostLeverage)).rsqrt().matrix();
     moved.col(static_cast<Eigen::Index>(j)) =
-        (normal.matrix - kMostLeverage * normals[j].matrix).ldlt().solve(normals[j].gradient);
+        shares.eigenvectors() *
+        (larger.asDiagonal() * (shares.eigenvectors().transpose() * to_unit(normals[j].gradient)));
   }
   moved.colwise() -= moved.rowwise().mean().eval();
-  const Eigen::MatrixXd scatter = moved * moved.transpose() * ((records - 1) / records);
+  const Eigen::MatrixXd spread =
+      scale.cwiseInverse().asDiagonal() * Eigen::MatrixXd(root.matrixU().solve(moved));
+  const Eigen::MatrixXd scatter = spread * spread.transpose() * (records / (records - 1));
   const Eigen::MatrixXd inverse =
       normal.matrix.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
   // As if all directions were as noisy as those are in the mean: chance makes the variance of one
@@ -98,7 +131,11 @@ ForceData::Covariance ForceData::covariance_of(const ForceFit& fit) const {
 }
 
 std::vector<double> ForceData::half_widths(const ForceFit& fit, double times) const {
-  const Covariance covariance = covariance_of(fit);
+  return half_widths_by(covariance_of(fit), fit, times);
+}
+
+std::vector<double> ForceData::half_widths_by(const Covariance& covariance, const ForceFit& fit,
+                                              double times) const {
   const double wide = times * statistics::student95(freedom_of(fit));
   const auto all = parameters_of(fit.terms, scales_);
   std::vector<double> half;
@@ -110,6 +147,25 @@ std::vector<double> ForceData::half_widths(const ForceFit& fit, double times) co
                               statistics::kNormal95 * std::sqrt(covariance.of_gain(at, at))));
   }
   return half;
+}
+
+std::vector<double> ForceData::half_widths_of_sizes(const ForceFit& fit, double times) const {
+  Covariance covariance = covariance_of(fit);
+  Eigen::MatrixXd& of_records = covariance.of_records;
+  Eigen::Index first = 2;
+  for (const effects::ForceTerm term : fit.terms) {
+    const std::vector<effects::ForceParameter> own = parameters_of(term, scales_);
+    for (std::size_t k = 0; has_size(own) && k < own.size(); ++k) {
+      const Eigen::Index at = first + static_cast<Eigen::Index>(k);
+      const double variance = of_records(at, at);
+      if (says_how(own[k]) && variance > 0) {
+        const Eigen::VectorXd with_others = of_records.col(at);
+        of_records -= with_others * with_others.transpose() / variance;
+      }
+    }
+    first += static_cast<Eigen::Index>(own.size());
+  }
+  return half_widths_by(covariance, fit, times);
 }
 
 double ForceData::log_occam(const ForceFit& fit, std::size_t term) const {
@@ -163,15 +219,12 @@ bool ForceData::may_be_none(const ForceFit& fit, std::size_t term,
   const auto half_of =
       half.subspan(static_cast<std::size_t>(values.data() - fit.parameters.data()));
   const auto parameters = parameters_of(fit.terms[term], scales_);
-  // What cannot be zero says how, but for a law that has no other.
-  const bool has_size = std::ranges::any_of(parameters, [](const effects::ForceParameter& one) {
-    return !one.chosen && one.minimum <= 0;
-  });
   bool any = false;
   for (std::size_t k = 0; k < values.size(); ++k) {
     const effects::ForceParameter& parameter = parameters[k];
     const bool needed = parameter.stepped || parameter.resolved > 0;
-    if (parameter.chosen || (has_size && parameter.minimum > 0) || (parameter.beside && !needed)) {
+    if (parameter.chosen || (has_size(parameters) && says_how(parameter)) ||
+        (parameter.beside && !needed)) {
       continue;
     }
     const bool more = std::abs(values[k]) - half_of[k] > parameter.resolved;

@@ -202,7 +202,7 @@ ForceFit ForceSearch::leave_out_outliers() {
       return model_.fit;
     }
     ForceFit fit = inliers_->finished(model_.fit);
-    const std::vector<double> half = inliers_->half_widths(fit);
+    const std::vector<double> half = inliers_->half_widths_of_sizes(fit);
     std::size_t place = 0;
     while (place < fit.terms.size() && inliers_->is_physical(fit, place) &&
            !inliers_->may_be_none(fit, place, half)) {

@@ -43,6 +43,15 @@ class ForceSearch {
   [[nodiscard]] std::vector<double> half_widths(double times) const {
     return inliers_->half_widths(model_.fit, times);
   }
+  /// Of each of its terms, whether it may be none by those.
+  [[nodiscard]] std::vector<bool> may_be_none(double times) const {
+    const std::vector<double> half = inliers_->half_widths_of_sizes(model_.fit, times);
+    std::vector<bool> none;
+    for (std::size_t i = 0; i < model_.fit.terms.size(); ++i) {
+      none.push_back(inliers_->may_be_none(model_.fit, i, half));
+    }
+    return none;
+  }
 
   [[nodiscard]] const std::vector<ForceCovariate>& covariates() const { return covariates_; }
   [[nodiscard]] const std::vector<CovariateBins>& bins() const { return bins_; }
