@@ -92,7 +92,8 @@ ForceData::Covariance ForceData::covariance_of(const ForceFit& fit) const {
   const Normal normal = sum_of(normals, fit.parameters, -1);
   const Eigen::Index count = normal.gradient.size();
   const double records = static_cast<double>(records_.size());
-  // Beside unit matrices, as residuals are smaller where a record leads the fit.
+  // In units in which the matrix of all records is one: a record has the share of it by which its
+  // residuals are too small.
   Eigen::VectorXd scale = normal.matrix.diagonal().cwiseSqrt();
   scale = (scale.array() > 0).select(scale, 1);
   Eigen::MatrixXd scaled =
