@@ -217,7 +217,10 @@ double ForceData::noise_taken_N2(const ForceFit& before, const ForceFit& after) 
   std::vector<double> once;
   std::vector<double> again;
   for (std::size_t j = 0; j < records_.size(); ++j) {
-    std::normal_distribution<double> noise_N(0, std::sqrt(std::max(noise_[j].force_N2, 1e-30)));
+    if (noise_[j].force_N2 <= 0) {
+      continue;
+    }
+    std::normal_distribution<double> noise_N(0, std::sqrt(noise_[j].force_N2));
     effects::ForceRecord noisy = records_[j];
     for (double& output_N : noisy.output_N) {
       output_N += noise_N(engine);

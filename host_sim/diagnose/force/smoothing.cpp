@@ -87,13 +87,13 @@ double off_neighbours(const effects::ForceRecord& record, Channel channel) {
 /// neighbours' as this ratio.
 double correlation_by(double ratio, const Quintic& quintic) {
   constexpr double kMost = 0.6;  // more of it looks alike, but for how large it is
+  const Weights off = quintic.off();
+  const Weights of_neighbours = off_neighbours();
   double low = 0;
   double high = kMost;
   for (int step = 0; step < 20; ++step) {
     const double middle = (low + high) / 2;
-    (variance_of(quintic.off(), middle) < ratio * variance_of(off_neighbours(), middle) ? low
-                                                                                        : high) =
-        middle;
+    (variance_of(off, middle) < ratio * variance_of(of_neighbours, middle) ? low : high) = middle;
   }
   return low;
 }
@@ -131,11 +131,11 @@ Smoothed smoothed_over(int samples, const effects::ForceRecord& record, Channel 
   return smoothed;
 }
 
-/// Of these, over as many samples as foresee a sample best; none if none does better than its
+/// Of these, over as many samples as foresee a sample best; null if none does better than its
 /// neighbours.
-std::optional<Smoothed> best_of(const std::vector<Smoothed>& all, double off_neighbours) {
+const Smoothed* best_of(const std::vector<Smoothed>& all, double off_neighbours) {
   const auto best = std::ranges::min_element(all, {}, &Smoothed::off);
-  return best->off < off_neighbours ? std::optional(*best) : std::nullopt;
+  return best->off < off_neighbours ? &*best : nullptr;
 }
 
 std::vector<Smoothed> smoothed_over(std::span<const int> samples,
@@ -149,16 +149,17 @@ std::vector<Smoothed> smoothed_over(std::span<const int> samples,
 
 /// The noise that is left.
 /// @param least of all that were tried
-OutputNoise noise_left(const Smoothed& least, const std::optional<Smoothed>& best,
-                       double off_neighbours_N2, double step_s) {
-  const Smoothed& by = best ? *best : least;
+/// @param best null where none was taken
+OutputNoise noise_left(const Smoothed& least, const Smoothed* best, double off_neighbours_N2,
+                       double step_s) {
+  const Smoothed& by = best != nullptr ? *best : least;
   if (by.off == HUGE_VAL || off_neighbours_N2 == 0) {
     return {};
   }
   const Quintic quintic(by.samples);
   const double correlation = correlation_by(by.off / off_neighbours_N2, quintic);
   const double noise_N2 = by.off / variance_of(quintic.off(), correlation);
-  if (!best) {
+  if (best == nullptr) {
     return {noise_N2, noise_N2 * (1 - correlation * correlation) / (2 * step_s * step_s)};
   }
   return {noise_N2 * variance_of(quintic.value, correlation),
@@ -198,8 +199,8 @@ OutputNoise smooth_output(effects::ForceRecord& record) {
   const Channel channel = &effects::ForceRecord::output_N;
   const double off_N2 = off_neighbours(record, channel);
   const std::vector<Smoothed> all = smoothed_over(kSamples, record, channel);
-  const std::optional<Smoothed> best = best_of(all, off_N2);
-  if (best) {
+  const Smoothed* const best = best_of(all, off_N2);
+  if (best != nullptr) {
     record.output_N = best->values;
     for (std::size_t i = 0; i < best->rates_1_s.size(); ++i) {
       record.output_rate_N_s[i] = best->rates_1_s[i].value_or(record.output_rate_N_s[i]);
@@ -216,7 +217,7 @@ void smooth_temperatures(effects::ForceRecord& record) {
       continue;
     }
     const std::vector<Smoothed> all = smoothed_over(kSamples, record, channel);
-    if (const auto best = best_of(all, off_neighbours(record, channel))) {
+    if (const Smoothed* const best = best_of(all, off_neighbours(record, channel))) {
       record.*channel = best->values;
     }
   }
