@@ -78,7 +78,7 @@ void ForceData::settle_turn_over() {
 }
 
 bool ForceData::settle_turn_over(const ForceFit& model) {
-  constexpr double kSharper = 0.02;  // of the squares
+  constexpr double kSharper = 0.001;  // of the squares
   const ForceFit settled = fit(model.terms, model.parameters, kIterations);
   const double before_m_s = scales_.turn_over_m_s;
   turn_over_by(settled, (1 - kSharper) * settled.square_N2);
