@@ -178,6 +178,26 @@ void leave_out_rest(effects::ForceRecord& record) {
   }
 }
 
+/// A force that is read less often than it is logged lies behind but for the sample at which it is
+/// new: where one of both does, those of the one that is new less often are left.
+void leave_out_held(effects::ForceRecord& record) {
+  record.input_hold = recording::hold_of(record.input_N);
+  record.output_hold = recording::hold_of(record.output_N);
+  if (record.input_hold == 1 && record.output_hold == 1) {
+    return;
+  }
+  const std::vector<double>& held_N =
+      record.input_hold > record.output_hold ? record.input_N : record.output_N;
+  std::vector<std::size_t> fresh;
+  for (std::size_t i = 1; i < held_N.size(); ++i) {
+    if (held_N[i] != held_N[i - 1]) {
+      fresh.push_back(i);
+    }
+  }
+  keep(record, fresh);
+  record.output_rate_N_s = rate_of(record.time_s, record.output_N);
+}
+
 /// What hardly varies shows nothing.
 void leave_out_even(std::vector<effects::ForceRecord>& records,
                     std::vector<double> effects::ForceRecord::*temperature_C) {
@@ -252,6 +272,7 @@ std::vector<effects::ForceRecord> force_records(const std::vector<Recording>& re
     record.used.assign(record.samples(), true);
     leave_out(recording, faults, record);
     leave_out_rest(record);
+    leave_out_held(record);
     if (std::ranges::count(record.used, true) > 0) {
       records.push_back(std::move(record));
     }

@@ -127,6 +127,31 @@ Sensor sensor_of(std::span<const double> values) {
   return {*lowest, *highest, noise_sigma(values), resolution(values), longest_by_chance(values)};
 }
 
+std::size_t hold_of(std::span<const double> values) {
+  constexpr std::size_t kLeastValues = 20;
+  constexpr double kMost = 0.8;
+  constexpr double kFine = 2;  // least steps
+  std::vector<Stretch> rows = still_stretches(values, 1);
+  if (rows.size() < kLeastValues + 2) {
+    return 1;
+  }
+  // Of the first and the last a part may be missing.
+  rows.pop_back();
+  rows.erase(rows.begin());
+  const double least = kFine * resolution(values);
+  std::vector<double> counts;
+  double coarse = 0;
+  for (const Stretch& row : rows) {
+    counts.push_back(static_cast<double>(row.count));
+    coarse += std::abs(values[row.first] - values[row.first - 1]) > least ? 0 : 1;
+  }
+  const double hold = quantile(counts, 0.5);
+  const double alike = static_cast<double>(std::ranges::count_if(
+      counts, [&](double count) { return count > 1 && std::abs(count - hold) <= 1; }));
+  const auto all = static_cast<double>(rows.size());
+  return hold > 1 && alike >= kMost * all && 2 * coarse <= all ? static_cast<std::size_t>(hold) : 1;
+}
+
 std::vector<Stretch> still_stretches(std::span<const double> values, std::size_t least) {
   std::vector<Stretch> stretches;
   std::size_t first = 0;

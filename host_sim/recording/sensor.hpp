@@ -42,6 +42,12 @@ Sensor sensor_of(std::span<const double> values);
 /// Rows of at least `least` samples of equal value, in order.
 std::vector<Stretch> still_stretches(std::span<const double> values, std::size_t least);
 
+/// For how many samples each value stays, of a sensor that is read less often than it is logged; 1
+/// where it is not. Of twenty values or more four fifths stay for so many, or one more or less, and
+/// half of what they change by is more than two of its least steps: rest and a coarse scale do not
+/// look like that.
+std::size_t hold_of(std::span<const double> values);
+
 /// How far `values` go up after having been lower, within the stretch.
 double rise_in(std::span<const double> values, const Stretch& stretch);
 

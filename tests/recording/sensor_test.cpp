@@ -86,6 +86,35 @@ TEST(StillStretches, AreRowsOfEqualValues) {
   EXPECT_THAT(still_stretches({}, 1), IsEmpty());
 }
 
+/// A wave of 40 values.
+std::vector<double> held(std::size_t samples) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < 40; ++i) {
+    values.insert(values.end(), samples, std::sin(0.7 * static_cast<double>(i)));
+  }
+  return values;
+}
+
+TEST(Hold, IsForHowManySamplesEachValueStays) {
+  EXPECT_EQ(hold_of(held(1)), 1);
+  EXPECT_EQ(hold_of(held(2)), 2);
+  EXPECT_EQ(hold_of(held(10)), 10);
+}
+
+/// Of 2 .. 9 samples, and of steps of 0.1 that a ramp takes every 7 samples.
+TEST(Hold, IsNoRestAndNoCoarseScale) {
+  std::vector<double> irregular;
+  std::vector<double> ramp;
+  for (std::size_t i = 0; i < 60; ++i) {
+    irregular.insert(irregular.end(), 2 + 3 * i % 8, std::sin(0.7 * static_cast<double>(i)));
+    ramp.insert(ramp.end(), 7, 0.1 * static_cast<double>(i));
+  }
+  EXPECT_EQ(hold_of(irregular), 1);
+  EXPECT_EQ(hold_of(ramp), 1);
+  EXPECT_EQ(hold_of(std::vector<double>(500, 3.0)), 1);
+  EXPECT_EQ(hold_of({}), 1);
+}
+
 TEST(StretchesOf, AreRowsOfTheWantedMark) {
   const std::vector<bool> marks{true, true, false, true, false, false};
   EXPECT_THAT(stretches_of(marks, true), ElementsAre(Stretch{0, 2}, Stretch{3, 1}));

@@ -111,6 +111,7 @@ class Sessions {
       of_angles();
       of_motion();
       of_speed();
+      of_holds();
     }
     return std::move(doubts_);
   }
@@ -394,6 +395,31 @@ class Sessions {
                              fastest_m_s,
                              farthest_m > 0 ? fmt::format(" and over {:.3g} m", farthest_m) : ""),
                  true);
+    }
+  }
+
+  /// As the first session of these has it.
+  void of_holds() {
+    for (const auto& [hold, name] :
+         {std::pair(&effects::ForceRecord::input_hold, input_column(*of_.front())),
+          std::pair(&effects::ForceRecord::output_hold,
+                    column(hal::files::kOutputTensionColumn))}) {
+      std::vector<std::string> sessions;
+      const effects::ForceRecord* first = nullptr;
+      for (const effects::ForceRecord* const record : of_) {
+        if (record->*hold > 1) {
+          first = first == nullptr ? record : first;
+          sessions.push_back(record->session);
+        }
+      }
+      if (first != nullptr) {
+        doubts_.push_back(
+            {share(sessions) > kMostOfAll ? std::vector<std::string>() : sessions, name,
+             fmt::format("each value stays for {} samples of the log, {:.3g} s: the sensor is read "
+                         "less often than it is logged. Only samples at which it is new count",
+                         first->*hold, first->step_s()),
+             false});
+      }
     }
   }
 

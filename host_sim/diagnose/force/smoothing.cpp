@@ -166,32 +166,6 @@ OutputNoise noise_left(const Smoothed& least, const Smoothed* best, double off_n
           noise_N2 * variance_of(quintic.slope, correlation) / (step_s * step_s)};
 }
 
-template <class T>
-void thin(std::vector<T>& values, std::size_t step) {
-  std::size_t kept = 0;
-  for (std::size_t i = 0; i < values.size(); i += step) {
-    values[kept++] = values[i];
-  }
-  values.resize(kept);
-}
-
-/// Of all places since the sample that is kept before one, the farthest beyond both; else its own.
-double reversal_m(const effects::ForceRecord& record, std::size_t before, std::size_t at) {
-  const auto [low_m, high_m] = std::minmax(record.position_m[before], record.position_m[at]);
-  double turned_m = record.position_m[at];
-  double farthest_m = 0;
-  for (std::size_t i = before + 1; i <= at; ++i) {
-    for (const double place_m : {record.reversal_m[i], record.position_m[i]}) {
-      const double beyond_m = std::max(place_m - high_m, low_m - place_m);
-      if (beyond_m > farthest_m) {
-        farthest_m = beyond_m;
-        turned_m = place_m;
-      }
-    }
-  }
-  return turned_m;
-}
-
 }  // namespace
 
 OutputNoise smooth_output(effects::ForceRecord& record) {
@@ -225,16 +199,11 @@ void smooth_temperatures(effects::ForceRecord& record) {
 
 void thin(effects::ForceRecord& record, std::size_t most) {
   const std::size_t step = std::max<std::size_t>(1, record.samples() / most);
-  for (std::size_t i = step; i < record.samples(); i += step) {
-    record.reversal_m[i] = reversal_m(record, i - step, i);
+  std::vector<std::size_t> kept;
+  for (std::size_t i = 0; i < record.samples(); i += step) {
+    kept.push_back(i);
   }
-  for (auto* values : {&record.time_s, &record.input_N, &record.output_N, &record.output_rate_N_s,
-                       &record.velocity_m_s, &record.position_m, &record.reversal_m,
-                       &record.bend_angle_rad, &record.sheath_temperature_C,
-                       &record.winding_temperature_C, &record.rotor_rad, &record.cycle}) {
-    thin(*values, step);
-  }
-  thin(record.used, step);
+  keep(record, kept);
 }
 
 }  // namespace host_sim::diagnose

@@ -88,7 +88,48 @@ std::vector<double> forces_at(const std::vector<Place>& places, const ForceRecor
   return read_N;
 }
 
+template <typename T>
+void keep(std::vector<T>& values, const std::vector<std::size_t>& samples) {
+  if (values.empty()) {
+    return;
+  }
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    values[i] = values[samples[i]];
+  }
+  values.resize(samples.size());
+}
+
+/// Of all places since the sample that is kept before one, the farthest beyond both; else its own.
+double reversal_m(const ForceRecord& record, std::size_t before, std::size_t at) {
+  const auto [low_m, high_m] = std::minmax(record.position_m[before], record.position_m[at]);
+  double turned_m = record.position_m[at];
+  double farthest_m = 0;
+  for (std::size_t i = before + 1; i <= at; ++i) {
+    for (const double place_m : {record.reversal_m[i], record.position_m[i]}) {
+      const double beyond_m = std::max(place_m - high_m, low_m - place_m);
+      if (beyond_m > farthest_m) {
+        farthest_m = beyond_m;
+        turned_m = place_m;
+      }
+    }
+  }
+  return turned_m;
+}
+
 }  // namespace
+
+void keep(ForceRecord& record, const std::vector<std::size_t>& samples) {
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    record.reversal_m[samples[i]] = reversal_m(record, samples[i - 1], samples[i]);
+  }
+  for (auto* values : {&record.time_s, &record.input_N, &record.output_N, &record.output_rate_N_s,
+                       &record.velocity_m_s, &record.position_m, &record.reversal_m,
+                       &record.bend_angle_rad, &record.sheath_temperature_C,
+                       &record.winding_temperature_C, &record.rotor_rad, &record.cycle}) {
+    keep(*values, samples);
+  }
+  keep(record.used, samples);
+}
 
 double mean_of(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());

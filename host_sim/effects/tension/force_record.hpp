@@ -25,10 +25,12 @@ struct ForceRecord {
   std::vector<double> winding_temperature_C;  ///< the same
   std::vector<double> rotor_rad;              ///< may be empty
   std::vector<double> cycle;                  ///< of the tendon's life; may be empty
-  std::vector<bool> used;    ///< whether it counts; motion goes on where it does not
-  double input_N_per_A = 0;  ///< of a motor current, which the input force is of; 0: a load cell
-  bool rotor_known = false;  ///< the position is that of the rotor and not an integral
-  bool pulls_alone = false;  ///< one tendon, whose force has one sign
+  std::vector<bool> used;       ///< whether it counts; motion goes on where it does not
+  std::size_t input_hold = 1;   ///< samples of the log that each value stayed for
+  std::size_t output_hold = 1;  ///< the same
+  double input_N_per_A = 0;     ///< of a motor current, which the input force is of; 0: a load cell
+  bool rotor_known = false;     ///< the position is that of the rotor and not an integral
+  bool pulls_alone = false;     ///< one tendon, whose force has one sign
 
   [[nodiscard]] std::size_t samples() const { return time_s.size(); }
   /// Mean time between samples. @pre one or more
@@ -37,6 +39,9 @@ struct ForceRecord {
            static_cast<double>(std::max<std::size_t>(samples() - 1, 1));
   }
 };
+
+/// Leaves these samples of a record, in order. @pre one or more
+void keep(ForceRecord& record, const std::vector<std::size_t>& samples);
 
 /// Over the samples of a session. @pre one or more
 double mean_of(const std::vector<double>& values);

@@ -116,6 +116,25 @@ TEST(ForceRecords, ATemperatureCountsWhereItVaries) {
   }
 }
 
+/// The load cell is read at every fifth of 600 samples: 119 are new after the first.
+TEST(ForceRecords, AForceThatIsHeldCountsWhereItIsNew) {
+  Recording recording = recorded(sine_N);
+  std::vector<double>& output_N = recording.channels[kOutputTensionColumn];
+  for (std::size_t i = 0; i < output_N.size(); ++i) {
+    output_N[i] = output_N[i - i % 5];
+  }
+  const effects::ForceRecord record = record_of(recording);
+  EXPECT_EQ(record.output_hold, 5);
+  EXPECT_EQ(record.input_hold, 1);
+  ASSERT_EQ(record.samples(), 119);
+  EXPECT_DOUBLE_EQ(record.time_s[0], 5 * kStep_s);
+  EXPECT_EQ(record.output_N[1], output_N[10]);
+  EXPECT_EQ(record.velocity_m_s[1], recording.channels[kTendonVelocity][10]);
+  EXPECT_NEAR(record.output_rate_N_s[60], 20 * std::cos(2 * record.time_s[60]), 6);
+  // It turns over at 0.5 s and at 1.5 s, which are samples.
+  EXPECT_EQ(record.reversal_m, record.position_m);
+}
+
 TEST(ForceRecords, TheRotorIsKnownWithoutADriveToo) {
   Recording recording = recorded(sine_N);
   EXPECT_TRUE(record_of(recording).rotor_rad.empty());
