@@ -182,6 +182,9 @@ class ForceData {
     Eigen::MatrixXd of_gain;     ///< that the nominal model has, known however few the records are
   };
   [[nodiscard]] Covariance covariance_of(const ForceFit& fit) const;
+  /// @param bound places of parameters that stay as they are
+  [[nodiscard]] Covariance covariance_of(const ForceFit& fit, std::vector<Normal> normals,
+                                         std::span<const Eigen::Index> bound) const;
   [[nodiscard]] std::vector<double> half_widths_by(const Covariance& covariance,
                                                    const ForceFit& fit, double times) const;
   [[nodiscard]] Eigen::VectorXd step_from(const ForceFit& fit) const;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 #include <span>
+#include <utility>
 
 #include "host_sim/diagnose/force/force_fit.hpp"
 #include "host_sim/statistics/distribution.hpp"
@@ -23,6 +24,18 @@ bool has_size(std::span<const effects::ForceParameter> parameters) {
   return std::ranges::any_of(parameters, [](const effects::ForceParameter& one) {
     return !one.chosen && one.minimum <= 0;
   });
+}
+
+/// Places of parameters that a fit has left at a bound.
+std::vector<Eigen::Index> at_bounds(std::span<const effects::ForceParameter> parameters,
+                                    std::span<const double> values) {
+  std::vector<Eigen::Index> places;
+  for (std::size_t k = 0; k < parameters.size(); ++k) {
+    if (values[k] <= parameters[k].minimum || values[k] >= parameters[k].maximum) {
+      places.push_back(static_cast<Eigen::Index>(k));
+    }
+  }
+  return places;
 }
 
 }  // namespace
@@ -84,12 +97,39 @@ double ForceData::freedom_of(const ForceFit& fit) const {
   return std::max(records - static_cast<double>(fit.parameters.size()), 1.0);
 }
 
+/// What lies at a bound goes no further, and what it is held from moves no others.
+ForceData::Covariance ForceData::covariance_of(const ForceFit& fit) const {
+  const std::vector<Normal> normals = normals_of(fit.terms, fit.parameters, -1);
+  Covariance covariance = covariance_of(fit, normals, {});
+  const std::vector<Eigen::Index> bound =
+      at_bounds(parameters_of(fit.terms, scales_), fit.parameters);
+  if (!bound.empty()) {
+    const Covariance free = std::exchange(covariance, covariance_of(fit, normals, bound));
+    for (const Eigen::Index k : bound) {
+      covariance.of_records(k, k) = free.of_records(k, k);
+      covariance.of_noise(k, k) = free.of_noise(k, k);
+      covariance.of_gain(k, k) = free.of_gain(k, k);
+    }
+  }
+  return covariance;
+}
+
 /// Of residuals that are enlarged by how far each record leads the fit (bias-reduced linearisation;
 /// Bell and McCaffrey, 2002).
-ForceData::Covariance ForceData::covariance_of(const ForceFit& fit) const {
+ForceData::Covariance ForceData::covariance_of(const ForceFit& fit, std::vector<Normal> normals,
+                                               std::span<const Eigen::Index> bound) const {
   constexpr double kMostLeverage = 0.95;  // what one record alone shows has no residual
-  const std::vector<Normal> normals = normals_of(fit.terms, fit.parameters, -1);
-  const Normal normal = sum_of(normals, fit.parameters, -1);
+  Normal normal = sum_of(normals, fit.parameters, -1);
+  for (const Eigen::Index k : bound) {
+    for (Normal& of_record : normals) {
+      of_record.matrix.row(k).setZero();
+      of_record.matrix.col(k).setZero();
+      of_record.gradient(k) = 0;
+    }
+    normal.matrix.row(k).setZero();
+    normal.matrix.col(k).setZero();
+    normal.matrix(k, k) = 1;
+  }
   const Eigen::Index count = normal.gradient.size();
   const double records = static_cast<double>(records_.size());
   // In units in which the matrix of all records is one: a record has the share of it by which its
@@ -121,7 +161,8 @@ ForceData::Covariance ForceData::covariance_of(const ForceFit& fit) const {
       normal.matrix.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
   // As if all directions were as noisy as those are in the mean: chance makes the variance of one
   // smaller that few records show.
-  const double of_noise = (normal.matrix * scatter).trace() / static_cast<double>(count);
+  const double of_noise = (normal.matrix * scatter).trace() /
+                          static_cast<double>(count - static_cast<Eigen::Index>(bound.size()));
   const Eigen::ArrayXd variance = scatter.diagonal().array().max(1e-300);
   const Eigen::VectorXd wider =
       (of_noise * inverse.diagonal().array() / variance).max(1).sqrt().matrix();

@@ -288,6 +288,27 @@ TEST(ForceData, WhatOneSessionShowsIsNotKnownBetterThanSessionsScatter) {
   EXPECT_GE(inside, 18);
 }
 
+/// A load of 40 N that changes by 5 % hardly tells friction in proportion to it from another force:
+/// by 1.4 N. Where none of the former is left, which cannot be less, 6,000 samples of a noise of
+/// 0.7 N know the latter to 2.2 * 0.7 N/78.
+TEST(ForceData, WhatLiesAtABoundLeavesOthersKnown) {
+  int at_bound = 0;
+  for (unsigned seed = 1; seed <= 8; ++seed) {
+    const ForceData data(measured(
+        {.friction = 0, .load_N = 2, .still_N = 40, .preload_N = 3, .gain_scatter = 0}, seed));
+    const ForceFit fit = data.with(data.fit({}, {1, 0.03}, 15), effects::ForceTerm::preload, 1);
+    if (fit.parameters[1] == 0) {
+      ++at_bound;
+      EXPECT_NEAR(data.half_widths(fit)[2], 0.02, 0.015);
+      EXPECT_GT(data.half_widths(fit)[1], 0.002);
+    } else {
+      EXPECT_GT(data.half_widths(fit)[2], 0.2);
+    }
+  }
+  EXPECT_GE(at_bound, 2);
+  EXPECT_LE(at_bound, 6);
+}
+
 /// A normal density of a usual size, here 5 % of the force, at the value that was found, times the
 /// standard error over that size; of four times as many sessions that is half as large.
 TEST(ForceData, WhatIsKnownBetterWasLessLikelyBefore) {
