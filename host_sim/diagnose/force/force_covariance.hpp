@@ -80,6 +80,8 @@ class ForceCovariance {
   [[nodiscard]] double weighted_square(std::size_t record,
                                        const Eigen::Ref<const Eigen::VectorXd>& residuals_N) const;
 
+  /// Standard deviations of ln gain and friction between sessions.
+  [[nodiscard]] Eigen::Array2d scatter() const { return {log_gain_sd_, friction_sd_}; }
   [[nodiscard]] double log_gain_sd() const { return log_gain_sd_; }
   [[nodiscard]] double friction_sd() const { return friction_sd_; }
 

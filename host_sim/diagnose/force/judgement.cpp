@@ -209,7 +209,8 @@ bool Judgement::stays(std::size_t place) const {
          probability_of(one.term, one.gain, data_) >= kLikely &&
          !(of_session && taken_N2(one) < left_.of_sessions_N2) &&
          !(of_session && may_be_drift(refits_of(data_, data_.residuals_N(model_)),
-                                      refits_of(data_, data_.residuals_N(one.without))));
+                                      refits_of(data_, data_.residuals_N(one.without)),
+                                      data_.covariance().scatter()));
 }
 
 bool Judgement::leaves_bounds(const ForceFit& fit) const {

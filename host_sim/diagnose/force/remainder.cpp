@@ -60,10 +60,10 @@ Course course_of(const ForceData& data, const std::vector<std::vector<double>>& 
 /// Gain and friction that suit each session beside a model, against a covariate of sessions.
 class SessionTrend {
  public:
-  /// @param refits by session: what gain and friction each has beside the model
-  SessionTrend(const ForceCovariate& covariate, const Eigen::MatrixX2d& refits)
-      : values_(refits.rowwise() - refits.colwise().mean()) {
-    const Eigen::Index count = refits.rows();
+  /// @param sessions standardized gain and friction of each
+  SessionTrend(const ForceCovariate& covariate, const Eigen::MatrixX2d& sessions)
+      : values_(sessions.rowwise() - sessions.colwise().mean()) {
+    const Eigen::Index count = sessions.rows();
     Eigen::VectorXd place(count);
     for (Eigen::Index j = 0; j < count; ++j) {
       place(j) = effects::mean_of(covariate.values[static_cast<std::size_t>(j)]);
@@ -110,17 +110,14 @@ class CovariateTest {
                 const std::vector<ForceCovariate>& covariates,
                 const std::vector<CovariateBins>& bins)
       : residuals_N_(beside_scatter_N(data, all_N)), covariates_(covariates) {
-    const std::vector<ForceCovariance::Refit> all = refits_of(data, all_N);
-    drift_ = drift_of(all);
-    Eigen::MatrixX2d refits(static_cast<Eigen::Index>(all.size()), 2);
-    for (std::size_t j = 0; j < all.size(); ++j) {
-      refits.row(static_cast<Eigen::Index>(j)) = all[j].value;
-    }
+    const Eigen::MatrixX2d sessions =
+        standardized(refits_of(data, all_N), data.covariance().scatter());
+    drift_ = drift_of_either(sessions);
     means_.reserve(covariates.size());
     trends_.reserve(covariates.size());
     for (std::size_t i = 0; i < covariates.size(); ++i) {
       means_.emplace_back(data, bins[i], residuals_N_, ForceCovariance());
-      trends_.emplace_back(covariates[i], refits);
+      trends_.emplace_back(covariates[i], sessions);
     }
   }
 

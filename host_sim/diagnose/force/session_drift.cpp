@@ -38,24 +38,42 @@ SessionDrift drift_of(const Eigen::VectorXd& values) {
   return {ratio, boost::math::cdf(chance, std::clamp(ratio / 4, 0.0, 1.0))};
 }
 
-SessionDrift drift_of(std::span<const ForceCovariance::Refit> refits) {
+Eigen::MatrixX2d standardized(std::span<const ForceCovariance::Refit> refits,
+                              const Eigen::Array2d& scatter) {
+  const auto count = static_cast<Eigen::Index>(refits.size());
+  Eigen::ArrayX2d values(count, 2);
+  Eigen::ArrayX2d variances(count, 2);
+  for (Eigen::Index j = 0; j < count; ++j) {
+    const ForceCovariance::Refit& refit = refits[static_cast<std::size_t>(j)];
+    values.row(j) = refit.value.transpose();
+    variances.row(j) =
+        (refit.covariance.diagonal().array() + scatter.square()).transpose().max(1e-300);
+  }
+  const Eigen::ArrayX2d weights = variances.inverse();
+  const Eigen::Array<double, 1, 2> means =
+      (weights * values).colwise().sum() / weights.colwise().sum();
+  return ((values.rowwise() - means) / variances.sqrt()).matrix();
+}
+
+SessionDrift drift_of_either(const Eigen::MatrixX2d& sessions) {
   SessionDrift rarer;
   for (const Eigen::Index which : {0, 1}) {
-    const SessionDrift drift = drift_of(of_sessions(refits, which));
+    const SessionDrift drift = drift_of(sessions.col(which));
     rarer = drift.p < rarer.p ? drift : rarer;
   }
   return {rarer.ratio, std::min(1.0, 2 * rarer.p)};
 }
 
 bool may_be_drift(std::span<const ForceCovariance::Refit> with,
-                  std::span<const ForceCovariance::Refit> without) {
+                  std::span<const ForceCovariance::Refit> without, const Eigen::Array2d& scatter) {
   constexpr double kDrifts = 0.05;
   constexpr double kTenfold = 10;
+  const Eigen::MatrixX2d in_errors = standardized(with, scatter);
   return std::ranges::any_of(std::to_array<Eigen::Index>({0, 1}), [&](Eigen::Index which) {
     const Eigen::VectorXd left = of_sessions(with, which);
     const Eigen::VectorXd moved = of_sessions(without, which) - left;
-    return drift_of(left).p < SessionScatter::kRare / 2 && drift_of(moved).p < kDrifts &&
-           moved.squaredNorm() < kTenfold * left.squaredNorm();
+    return drift_of(in_errors.col(which)).p < SessionScatter::kRare / 2 &&
+           drift_of(moved).p < kDrifts && moved.squaredNorm() < kTenfold * left.squaredNorm();
   });
 }
 
