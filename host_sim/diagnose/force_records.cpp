@@ -229,6 +229,28 @@ void leave_out_uncounted_cycles(std::vector<effects::ForceRecord>& records) {
   }
 }
 
+/// Sessions that are short beside the life that they span have one number of cycles each: what goes
+/// on within them is of other causes, however well that is known.
+void take_means_of_short_sessions(std::vector<effects::ForceRecord>& records) {
+  constexpr double kShort = 0.1;
+  double least = HUGE_VAL;
+  double most = 0;
+  double longest = 0;
+  for (const effects::ForceRecord& record : records) {
+    if (record.cycle.empty()) {
+      return;
+    }
+    least = std::min(least, record.cycle.front());
+    most = std::max(most, record.cycle.back());
+    longest = std::max(longest, record.cycle.back() - record.cycle.front());
+  }
+  if (longest < kShort * (most - least)) {
+    for (effects::ForceRecord& record : records) {
+      std::ranges::fill(record.cycle, effects::mean_of(record.cycle));
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<effects::ForceRecord> force_records(const std::vector<Recording>& recordings,
@@ -278,6 +300,7 @@ std::vector<effects::ForceRecord> force_records(const std::vector<Recording>& re
     }
   }
   leave_out_uncounted_cycles(records);
+  take_means_of_short_sessions(records);
   leave_out_even(records, &effects::ForceRecord::sheath_temperature_C);
   leave_out_even(records, &effects::ForceRecord::winding_temperature_C);
   return records;

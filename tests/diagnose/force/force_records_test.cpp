@@ -96,9 +96,13 @@ TEST(ForceRecords, CyclesGoOnFromTheStartOfTheSession) {
   const std::vector<Recording> recordings{recorded(sine_N, 1000), recorded(sine_N, 3000)};
   const std::vector<effects::ForceRecord> records =
       force_records(recordings, {}, plain_sheath(), false);
-  EXPECT_EQ(records[1].cycle.front(), 3000);
-  // Six reversals in six seconds.
-  EXPECT_EQ(records[1].cycle.back(), 3003);
+  // Six reversals in six seconds, a cycle and a half before the middle; three of 2,000 are short.
+  EXPECT_NEAR(records[1].cycle.front(), 3001.5, 0.05);
+  EXPECT_EQ(records[1].cycle.back(), records[1].cycle.front());
+  const std::vector<effects::ForceRecord> long_ones =
+      force_records({recorded(sine_N, 0), recorded(sine_N, 20)}, {}, plain_sheath(), false);
+  EXPECT_EQ(long_ones[1].cycle.front(), 20);
+  EXPECT_EQ(long_ones[1].cycle.back(), 23);
   // One start alone does not say where in the life of the tendon it was.
   EXPECT_TRUE(record_of(recordings[0]).cycle.empty());
 }
