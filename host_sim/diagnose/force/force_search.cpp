@@ -227,15 +227,8 @@ void ForceSearch::report(double share) const {
 /// model would leave where the force changes fast is noise only once those are in it that act
 /// there.
 void ForceSearch::learn_covariance() {
-  ForceFit even = model_.fit;
-  if (std::ranges::any_of(even.terms, [](effects::ForceTerm term) {
-        return is_of(effects::ForceLaw::Of::session, term);
-      })) {
-    data_.forget_scatter();
-    even = data_.finished(even);
-  }
-  data_.learn_covariance(nominal_.fit, even, with_timing_);
-  model_ = candidate_of(data_, even);
+  data_.learn_covariance(nominal_.fit, model_.fit, with_timing_);
+  model_ = candidate_of(data_, model_.fit);
   nominal_ = model_.fit.terms.empty() ? model_ : by_own_scatter(nominal_.fit);
   for (Added& added : added_) {
     added.grown.reset();
@@ -370,9 +363,6 @@ bool ForceSearch::grow() {
   }
   model_ = std::move(*first_law_as_good(all, best));
   added_.push_back({model_.fit.terms.back(), model_});
-  if (is_of(effects::ForceLaw::Of::session, model_.fit.terms.back())) {
-    learn_covariance();
-  }
   return true;
 }
 
