@@ -189,9 +189,9 @@ void leave_out_held(effects::ForceRecord& record) {
   const std::vector<double>& held_N =
       record.input_hold > record.output_hold ? record.input_N : record.output_N;
   std::vector<std::size_t> fresh;
-  for (std::size_t i = 1; i < held_N.size(); ++i) {
-    if (held_N[i] != held_N[i - 1]) {
-      fresh.push_back(i);
+  for (const recording::Stretch& stays : recording::still_stretches(held_N, 1)) {
+    if (stays.first > 0) {
+      fresh.push_back(stays.first);
     }
   }
   keep(record, fresh);

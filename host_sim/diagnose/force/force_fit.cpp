@@ -110,6 +110,13 @@ std::vector<ForceData::Normal> ForceData::normals_of(const effects::ForceTerms& 
   return normals;
 }
 
+void ForceData::Normal::fix(Eigen::Index place) {
+  gradient(place) = 0;
+  matrix.row(place).setZero();
+  matrix.col(place).setZero();
+  matrix(place, place) = 1;
+}
+
 ForceData::Normal ForceData::sum_of(const std::vector<Normal>& normals,
                                     std::span<const double> parameters, int fold) const {
   const auto count = static_cast<Eigen::Index>(parameters.size());
@@ -144,12 +151,9 @@ ForceFit ForceData::fit(const effects::ForceTerms& terms, std::vector<double> st
     for (std::size_t k = 0; k < all.size(); ++k) {
       const auto at = static_cast<Eigen::Index>(k);
       const double value = best.parameters[k];
-      double& pull = normal.gradient(at);
+      const double pull = normal.gradient(at);
       if ((value <= all[k].minimum && pull < 0) || (value >= all[k].maximum && pull > 0)) {
-        pull = 0;
-        normal.matrix.row(at).setZero();
-        normal.matrix.col(at).setZero();
-        normal.matrix(at, at) = 1;
+        normal.fix(at);
       }
     }
     double gained = 0;
@@ -339,8 +343,7 @@ void ForceData::learn_covariance(const ForceFit& nominal, const ForceFit& model,
 }
 
 double ForceData::scatter_of_mean_N2() const {
-  const Eigen::Array2d variance =
-      Eigen::Array2d(covariance_.log_gain_sd(), covariance_.friction_sd()).square();
+  const Eigen::Array2d variance = covariance_.scatter().square();
   double square_N2 = 0;
   for (std::size_t j = 0; j < records_.size(); ++j) {
     square_N2 += (variance * covariance_.squares(j)).sum();

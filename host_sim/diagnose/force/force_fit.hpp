@@ -37,6 +37,9 @@ class ForceData {
   struct Normal {
     Eigen::MatrixXd matrix;
     Eigen::VectorXd gradient;
+
+    /// One parameter stays as it is, and the others go without it.
+    void fix(Eigen::Index place);
   };
 
  public:

@@ -121,14 +121,10 @@ ForceData::Covariance ForceData::covariance_of(const ForceFit& fit, std::vector<
   constexpr double kMostLeverage = 0.95;  // what one record alone shows has no residual
   Normal normal = sum_of(normals, fit.parameters, -1);
   for (const Eigen::Index k : bound) {
+    normal.fix(k);
     for (Normal& of_record : normals) {
-      of_record.matrix.row(k).setZero();
-      of_record.matrix.col(k).setZero();
-      of_record.gradient(k) = 0;
+      of_record.fix(k);
     }
-    normal.matrix.row(k).setZero();
-    normal.matrix.col(k).setZero();
-    normal.matrix(k, k) = 1;
   }
   const Eigen::Index count = normal.gradient.size();
   const double records = static_cast<double>(records_.size());
