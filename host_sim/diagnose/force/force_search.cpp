@@ -345,9 +345,11 @@ bool ForceSearch::grow() {
   std::vector<Candidate> all = with_each(model_.fit, {terms.begin(), of_sessions}, HUGE_VAL);
   all.resize(std::min(all.size(), kTried));
   hold_out(all);
-  std::erase_if(all, [&](const Candidate& one) {
-    return !is_seen(one.fit.terms.back(), paired_gain(data_, model_.held, one.held, true));
+  const auto unseen = std::stable_partition(all.begin(), all.end(), [&](const Candidate& one) {
+    return is_seen(one.fit.terms.back(), paired_gain(data_, model_.held, one.held, true));
   });
+  const std::vector<Candidate> hidden(unseen, all.end());
+  all.erase(unseen, all.end());
   auto best = std::ranges::min_element(
       all, {}, [&](const Candidate& one) { return data_.rmse_N(one.held.beside_scatter_N2); });
   if (all.empty()) {
@@ -359,11 +361,47 @@ bool ForceSearch::grow() {
     });
   }
   if (best == all.end()) {
+    return std::ranges::any_of(hidden, [&](const Candidate& one) { return grow_by_two(one); });
+  }
+  add(*first_law_as_good(all, best));
+  return true;
+}
+
+void ForceSearch::add(Candidate grown) {
+  model_ = std::move(grown);
+  added_.push_back({model_.fit.terms.back(), model_});
+}
+
+/// Adds a term that takes much off and is not seen, as what it leaves scatters, together with one
+/// beside which it is, and that is seen beside it: of those the one of the least error.
+bool ForceSearch::grow_by_two(const Candidate& first) {
+  constexpr std::size_t kTried = 3;
+  constexpr double kMuch = 0.1;  // of the squared error
+  const auto left_N2 = [&](const Candidate& one) {
+    return std::pow(data_.rmse_N(one.held.beside_scatter_N2), 2);
+  };
+  if (first.fit.terms.size() == kMostForceTerms || left_N2(first) > (1 - kMuch) * left_N2(model_)) {
     return false;
   }
-  model_ = std::move(*first_law_as_good(all, best));
-  added_.push_back({model_.fit.terms.back(), model_});
-  return true;
+  std::vector<effects::ForceTerm> terms = beside(first.fit.terms);
+  std::vector<Candidate> all =
+      with_each(first.fit, {terms.begin(), of_sessions_last(terms)}, HUGE_VAL);
+  all.resize(std::min(all.size(), kTried));
+  hold_out(all);
+  std::erase_if(all, [&](const Candidate& one) {
+    return !is_seen(one.fit.terms.back(), paired_gain(data_, first.held, one.held, true));
+  });
+  std::ranges::sort(all, {}, left_N2);
+  for (Candidate& both : all) {
+    const Candidate second =
+        candidate_of(data_, data_.without(both.fit, first.fit.terms.size() - 1));
+    if (is_seen(first.fit.terms.back(), paired_gain(data_, second.held, both.held, true))) {
+      add(first);
+      add(std::move(both));
+      return true;
+    }
+  }
+  return false;
 }
 
 /// What sessions differ in is a part of what they scatter by until it is in the model: each such

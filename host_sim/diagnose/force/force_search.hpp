@@ -81,6 +81,8 @@ class ForceSearch {
   void hold_out(std::vector<Candidate>& all) const;
   bool grow_on();
   bool grow();
+  bool grow_by_two(const Candidate& first);
+  void add(Candidate grown);
   [[nodiscard]] std::vector<Candidate> with_session_effects(
       std::span<const effects::ForceTerm> terms) const;
   [[nodiscard]] std::vector<Candidate>::iterator first_law_as_good(
