@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "host_sim/diagnose/force/force_covariates.hpp"
+#include "host_sim/diagnose/force/judgement.hpp"
 #include "host_sim/diagnose/force/paired_gain.hpp"
 #include "host_sim/statistics/distribution.hpp"
 #include "tests/diagnose/force/joint.hpp"
@@ -182,6 +183,30 @@ TEST(ForceData, OneSessionThatIsWorseIsNoCertainLoss) {
   const PairedGain gain = paired_gain(data, before, after, true);
   EXPECT_NEAR(gain.plain_N2, -8.0 / 12, 1e-9);
   EXPECT_NEAR(gain.plain_error_N2, 8.0 / 12, 1e-9);
+}
+
+/// By a square that is larger by 5 % an effect stays, and not by 20 %, though sessions scatter by
+/// as much as there is.
+TEST(Judgement, AnEffectBesideWhichTheErrorIsLargerDoesNotStay) {
+  const ForceData data(measured({.preload_N = 6}, 5));
+  const ForceFit nominal = data.fit({}, {1, 0.1}, ForceData::kIterations);
+  const ForceFit model = data.with(nominal, effects::ForceTerm::preload, 1);
+  const HeldOut held = data.held_out(model);
+  const HeldOut held_without = data.held_out(nominal);
+  const double left_N2 = std::pow(data.rmse_N(held.plain_N2), 2);
+  const auto stays = [&](double worse) {
+    PairedGain gain = paired_gain(data, held_without, held, true);
+    gain.plain_N2 = -worse * left_N2;
+    gain.plain_error_N2 = left_N2;
+    const std::vector<Judged> judged{{.term = effects::ForceTerm::preload,
+                                      .gain = gain,
+                                      .without = nominal,
+                                      .held_without = held_without}};
+    const Structure nothing;
+    return Judgement(data, model, held, nothing, judged).stays(0);
+  };
+  EXPECT_TRUE(stays(0.05));
+  EXPECT_FALSE(stays(0.2));
 }
 
 /// Friction of 36 sessions that scatters by 4 %, 0.4 % more with each kelvin above 20 C.
