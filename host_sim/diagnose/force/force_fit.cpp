@@ -234,6 +234,11 @@ ForceFit ForceData::finished(const ForceFit& from) const {
   return beyond_steps(fit(from.terms, from.parameters, kIterations));
 }
 
+ForceFit ForceData::fitted_anew(const ForceFit& from) const {
+  constexpr int kAnew = 4;
+  return fit(from.terms, from.parameters, kAnew);
+}
+
 /// A slope over steps leads into the next valley: the best of those around is taken.
 ForceFit ForceData::beyond_steps(ForceFit best) const {
   constexpr double kFactors[] = {0.5, 0.65, 0.8, 0.9, 0.96, 1.04, 1.1, 1.25, 1.5, 2};

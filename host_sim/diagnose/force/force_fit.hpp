@@ -118,6 +118,8 @@ class ForceData {
                                               unsigned threads) const;
   /// The same with all iterations, or fewer where it is there before.
   [[nodiscard]] ForceFit finished(const ForceFit& fit) const;
+  /// By other samples of these records, or beside other scatter, from where it was.
+  [[nodiscard]] ForceFit fitted_anew(const ForceFit& fit) const;
   /// With one term more and all iterations.
   [[nodiscard]] ForceFit with(const ForceFit& from, effects::ForceTerm term,
                               unsigned threads) const {
