@@ -288,20 +288,19 @@ TEST(DiagnoseForces, AZeroMayBeLargerThanTheLoad) {
   EXPECT_NEAR(estimate(findings, "load_cell_zero_N").value, -20, 1);
 }
 
-/// Sessions in which all motion that counts goes one way, of which three each go either way: 3 N of
-/// friction and a zero of as much are 6 N in the ones and nothing in the others, so that either
-/// alone takes as much off those as it adds to these.
-TEST(DiagnoseForces, TwoCausesThatHideEachOtherAreFoundTogether) {
-  std::vector<effects::ForceRecord> records = measured({.offset_N = 3, .preload_N = 3}, 4, 6);
-  for (std::size_t j = 0; j < records.size(); ++j) {
-    effects::ForceRecord& record = records[j];
-    for (std::size_t i = 0; i < record.samples(); ++i) {
-      record.used[i] = (record.velocity_m_s[i] > 0) == (j % 2 == 0);
-    }
+/// Of five sessions of 0.8 s that run more one way than the other, a zero of 1 N scatters what
+/// friction of 3 N takes off so much that it is not seen without it. Five are too few to name them.
+TEST(DiagnoseForces, TwoCausesThatHideEachOtherComeInTogether) {
+  std::vector<effects::ForceRecord> records =
+      measured({.offset_N = 1, .preload_N = 3, .noise_N = 1}, 4, 5);
+  for (effects::ForceRecord& record : records) {
+    std::fill(record.used.begin() + 80, record.used.end(), false);
   }
-  const Findings findings = findings_of(records);
-  EXPECT_THAT(ids_of(findings), UnorderedElementsAre("friction_preload", "load_cell_zero"))
-      << findings.prose;
+  std::vector<std::string> added;
+  for (const Step& step : findings_of(records).steps) {
+    added.push_back(step.effect.id);
+  }
+  EXPECT_THAT(added, ElementsAre("", "friction_preload", "load_cell_zero"));
 }
 
 /// Under a load that hardly changes, friction that does not depend on it is also one that falls as
