@@ -62,7 +62,7 @@ constexpr double kNotWorse = 0.04;
 constexpr double kWorse = 2;
 
 /// The same however few sessions know it: one beside which the error is 5 % larger is no gain.
-constexpr double kSurelyWorse = 0.1;
+constexpr double kMostWorse = 0.1;
 
 constexpr double kPrior = 0.05;  ///< of an effect of the catalogue
 constexpr double kMayBe = 0.5;   ///< probability of one that could be in the place of another
@@ -206,7 +206,7 @@ bool Judgement::stays(std::size_t place) const {
   };
   return told_apart && data_.is_physical(model_, place) &&
          within_scatter(one.gain, not_worse_N2()) &&
-         one.gain.plain_N2 > -kSurelyWorse * std::pow(data_.rmse_N(held_.plain_N2), 2) &&
+         one.gain.plain_N2 > -kMostWorse * std::pow(data_.rmse_N(held_.plain_N2), 2) &&
          (((moves_sessions(one) || apart) &&
            material(taken_N2(one), held_.weighted_N2, left_.repeats_N2)) ||
           material(one.gain.beside_scatter_N2, held_.beside_scatter_N2, left_.beside_scatter_N2)) &&
