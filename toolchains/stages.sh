@@ -59,13 +59,10 @@ build() {
   cmake --build --preset "$1" -j "$jobs"
 }
 
-# run_tests PRESET [LABEL] runs the tests of this machine, or those that have a label. Of the first,
-# TENDONLIFE_TEST_STRIDE runs one in so many: where it is asked whether a system has what they need, and
-# they have been run in another.
+# run_tests PRESET [LABEL] runs the tests of this machine, or those that have a label.
 run_tests() {
   if [ $# -eq 1 ]; then
-    ctest --preset "$1" -LE 'blind|fuzz|kernel|proof|tools|virtual' -j "$jobs" --timeout 900 \
-      -I ",,${TENDONLIFE_TEST_STRIDE:-1}"
+    ctest --preset "$1" -LE 'blind|fuzz|kernel|proof|tools|virtual' -j "$jobs" --timeout 900
   else
     ctest --preset "$1" -L "$2" -j "$jobs" --timeout 1800
   fi
