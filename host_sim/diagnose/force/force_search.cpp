@@ -326,7 +326,7 @@ void ForceSearch::hold_out(std::vector<Candidate>& all) const {
 }
 
 /// Adds the term of the least error on sessions that the fit never saw, of those that are seen
-/// there.
+/// there, or two of which neither is without the other.
 bool ForceSearch::grow() {
   constexpr std::size_t kTried = 4;
   std::vector<effects::ForceTerm> terms = beside(model_.fit.terms);
@@ -335,7 +335,7 @@ bool ForceSearch::grow() {
   all.resize(std::min(all.size(), kTried));
   hold_out(all);
   const auto unseen = std::stable_partition(all.begin(), all.end(), [&](const Candidate& one) {
-    return is_seen(one.fit.terms.back(), paired_gain(data_, model_.held, one.held, true));
+    return is_seen_beside(model_.held, one);
   });
   const std::vector<Candidate> hidden(unseen, all.end());
   all.erase(unseen, all.end());
@@ -354,6 +354,11 @@ bool ForceSearch::grow() {
   }
   add(*first_law_as_good(all, best));
   return true;
+}
+
+/// Whether what was added last is.
+bool ForceSearch::is_seen_beside(const HeldOut& before, const Candidate& grown) const {
+  return is_seen(grown.fit.terms.back(), paired_gain(data_, before, grown.held, true));
 }
 
 void ForceSearch::add(Candidate grown) {
@@ -377,14 +382,12 @@ bool ForceSearch::grow_by_two(const Candidate& first) {
       with_each(first.fit, {terms.begin(), of_sessions_last(terms)}, HUGE_VAL);
   all.resize(std::min(all.size(), kTried));
   hold_out(all);
-  std::erase_if(all, [&](const Candidate& one) {
-    return !is_seen(one.fit.terms.back(), paired_gain(data_, first.held, one.held, true));
-  });
+  std::erase_if(all, [&](const Candidate& one) { return !is_seen_beside(first.held, one); });
   std::ranges::sort(all, {}, left_N2);
   for (Candidate& both : all) {
-    const Candidate second =
-        candidate_of(data_, data_.without(both.fit, first.fit.terms.size() - 1));
-    if (is_seen(first.fit.terms.back(), paired_gain(data_, second.held, both.held, true))) {
+    const ForceFit second = data_.without(both.fit, first.fit.terms.size() - 1);
+    if (is_seen(first.fit.terms.back(),
+                paired_gain(data_, data_.held_out(second), both.held, true))) {
       add(first);
       add(std::move(both));
       return true;

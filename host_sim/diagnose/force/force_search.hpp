@@ -83,6 +83,7 @@ class ForceSearch {
   bool grow();
   bool grow_by_two(const Candidate& first);
   void add(Candidate grown);
+  [[nodiscard]] bool is_seen_beside(const HeldOut& before, const Candidate& grown) const;
   [[nodiscard]] std::vector<Candidate> with_session_effects(
       std::span<const effects::ForceTerm> terms) const;
   [[nodiscard]] std::vector<Candidate>::iterator first_law_as_good(

@@ -205,8 +205,8 @@ bool Judgement::stays(std::size_t place) const {
            std::max({least * std::pow(data_.rmse_N(all_N2), 2), of_noise_N2, share * left_N2});
   };
   return told_apart && data_.is_physical(model_, place) &&
-         within_scatter(one.gain, not_worse_N2()) &&
-         one.gain.plain_N2 > -kMostWorse * std::pow(data_.rmse_N(held_.plain_N2), 2) &&
+         within_scatter(one.gain, of_error_N2(kNotWorse)) &&
+         one.gain.plain_N2 > -of_error_N2(kMostWorse) &&
          (((moves_sessions(one) || apart) &&
            material(taken_N2(one), held_.weighted_N2, left_.repeats_N2)) ||
           material(one.gain.beside_scatter_N2, held_.beside_scatter_N2, left_.beside_scatter_N2)) &&
@@ -257,7 +257,7 @@ bool Judgement::is_one_way_force(effects::ForceTerm one, effects::ForceTerm othe
 }
 
 bool Judgement::is_worse_than_none(const Judged& one, const PairedGain& lost) const {
-  return one.gain.plain_N2 - lost.plain_N2 < -not_worse_N2();
+  return one.gain.plain_N2 - lost.plain_N2 < -of_error_N2(kNotWorse);
 }
 
 Rival Judgement::rival(const Judged& one, const ForceFit& with_other,
@@ -351,8 +351,8 @@ PairedGain Judgement::late_output(const Judged& one, const LateOutput& late) {
           .beside_scatter_N2 = one.gain.beside_scatter_N2};
 }
 
-double Judgement::not_worse_N2() const {
-  return kNotWorse * std::pow(data_.rmse_N(held_.plain_N2), 2);
+double Judgement::of_error_N2(double share) const {
+  return share * std::pow(data_.rmse_N(held_.plain_N2), 2);
 }
 
 }  // namespace host_sim::diagnose

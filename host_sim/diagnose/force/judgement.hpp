@@ -123,7 +123,8 @@ class Judgement {
   [[nodiscard]] static PairedGain late_output(const Judged& one, const LateOutput& late);
 
  private:
-  [[nodiscard]] double not_worse_N2() const;
+  /// A share of the squared error of the model, plain as it is.
+  [[nodiscard]] double of_error_N2(double share) const;
   [[nodiscard]] bool alike(const Judged& one, const PairedGain& lost) const;
   [[nodiscard]] bool is_one_way_force(effects::ForceTerm one, effects::ForceTerm other) const;
   [[nodiscard]] double log_odds_between_sessions(const Judged& one, effects::ForceTerm other,
