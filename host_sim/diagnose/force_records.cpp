@@ -123,35 +123,47 @@ double most_of(std::span<const double> velocity_m_s) {
   return most_m_s;
 }
 
-/// Without what noise makes of rest, which would move the tendon there and back. A velocity that is
-/// quieter there than elsewhere stays as it is.
-std::vector<double> velocity_of(const Recording& recording) {
-  constexpr std::size_t kLeast = 10;  // samples in a row: fewer are of a slow turn
-  constexpr double kOfNoise = 4;
-  constexpr double kMost = 0.25;  // of the largest speed
+/// Whether what is slow for a while is noise about rest: it goes as far one way as the other.
+bool is_rest(std::span<const double> velocity_m_s, double noise_m_s) {
   // Half of normal noise is beyond 0.67 of its standard deviation.
   constexpr double kQuiet = 0.2;
   // A motion that turns goes from one end of the band to the other: half of its samples are beyond
   // twice the noise, in the mean, on each side.
   constexpr double kOfMean = 1.5;
+  // A velocity that is quieter there than elsewhere is noise by what it is there: one that turns or
+  // creeps has a mean of nearly its root mean square.
+  constexpr double kOfOwnMean = 0.5;
+  const std::size_t half = velocity_m_s.size() / 2;
+  double quiet = 0;
+  double square_m2_s2 = 0;
+  for (const double value_m_s : velocity_m_s) {
+    quiet += std::abs(value_m_s) <= kQuiet * noise_m_s ? 1 : 0;
+    square_m2_s2 += value_m_s * value_m_s;
+  }
+  const double samples = static_cast<double>(velocity_m_s.size());
+  const double most_m_s =
+      quiet > samples / 2 ? kOfOwnMean * std::sqrt(square_m2_s2 / samples) : kOfMean * noise_m_s;
+  return std::abs(effects::mean_of(velocity_m_s.first(half))) <= most_m_s &&
+         std::abs(effects::mean_of(velocity_m_s.last(half))) <= most_m_s;
+}
+
+/// Without what noise makes of rest, which would move the tendon there and back.
+std::vector<double> velocity_of(const Recording& recording) {
+  constexpr std::size_t kLeast = 10;  // samples in a row: fewer are of a slow turn
+  constexpr double kOfNoise = 4;
+  constexpr double kMost = 0.25;  // of the largest speed
   std::vector<double> velocity_m_s = recording[kTendonVelocity];
   const double noise_m_s = recording::noise_sigma(velocity_m_s);
   const double least_m_s = std::min(kOfNoise * noise_m_s, kMost * most_of(velocity_m_s));
-  const auto is_quiet = [&](double value_m_s) { return std::abs(value_m_s) <= kQuiet * noise_m_s; };
   std::vector<bool> slow;
   slow.reserve(velocity_m_s.size());
   for (const double value_m_s : velocity_m_s) {
     slow.push_back(std::abs(value_m_s) <= least_m_s);
   }
   for (const recording::Stretch& stretch : recording::stretches_of(slow, true, kLeast)) {
-    const auto first = velocity_m_s.begin() + static_cast<std::ptrdiff_t>(stretch.first);
-    const auto end = first + static_cast<std::ptrdiff_t>(stretch.count);
-    const std::ptrdiff_t half = (end - first) / 2;
-    const double most_m_s = kOfMean * noise_m_s * static_cast<double>(half);
-    if (std::count_if(first, end, is_quiet) <= half &&
-        std::abs(std::accumulate(first, first + half, 0.0)) <= most_m_s &&
-        std::abs(std::accumulate(end - half, end, 0.0)) <= most_m_s) {
-      std::fill(first, end, 0.0);
+    const std::span<double> while_slow(&velocity_m_s[stretch.first], stretch.count);
+    if (is_rest(while_slow, noise_m_s)) {
+      std::ranges::fill(while_slow, 0.0);
     }
   }
   return velocity_m_s;
@@ -175,6 +187,31 @@ void leave_out_rest(effects::ForceRecord& record) {
     if (stretch.end() < record.samples()) {
       record.used[stretch.end()] = false;
     }
+  }
+}
+
+/// Within two samples of a turn friction turns over as filters and the times of samples have it,
+/// which none of them shows; of few samples between turns an eighth each.
+void leave_out_turns(effects::ForceRecord& record) {
+  constexpr std::size_t kMost = 2;
+  constexpr std::size_t kOfStroke = 8;
+  std::vector<std::size_t> turns;  // the first sample of each way
+  double way = 0;
+  for (std::size_t i = 0; i < record.samples(); ++i) {
+    const double velocity_m_s = record.velocity_m_s[i];
+    if (velocity_m_s * way < 0) {
+      turns.push_back(i);
+    }
+    way = velocity_m_s != 0 ? velocity_m_s : way;
+  }
+  std::size_t before = 0;
+  for (std::size_t k = 0; k < turns.size(); ++k) {
+    const std::size_t after = k + 1 < turns.size() ? turns[k + 1] : record.samples();
+    const std::size_t first = turns[k] - std::min(kMost, (turns[k] - before) / kOfStroke);
+    const std::size_t end = turns[k] + std::min(kMost, (after - turns[k]) / kOfStroke);
+    std::fill(record.used.begin() + static_cast<std::ptrdiff_t>(first),
+              record.used.begin() + static_cast<std::ptrdiff_t>(end), false);
+    before = turns[k];
   }
 }
 
@@ -295,6 +332,7 @@ std::vector<effects::ForceRecord> force_records(const std::vector<Recording>& re
     leave_out(recording, faults, record);
     leave_out_rest(record);
     leave_out_held(record);
+    leave_out_turns(record);
     if (std::ranges::count(record.used, true) > 0) {
       records.push_back(std::move(record));
     }

@@ -131,7 +131,7 @@ void keep(ForceRecord& record, const std::vector<std::size_t>& samples) {
   keep(record.used, samples);
 }
 
-double mean_of(const std::vector<double>& values) {
+double mean_of(std::span<const double> values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
 }
 

@@ -44,7 +44,7 @@ struct ForceRecord {
 void keep(ForceRecord& record, const std::vector<std::size_t>& samples);
 
 /// Over the samples of a session. @pre one or more
-double mean_of(const std::vector<double>& values);
+double mean_of(std::span<const double> values);
 
 /// What terms are measured by, of all records together.
 struct ForceScales {
