@@ -103,15 +103,15 @@ std::vector<double> cycles_of(const Recording& recording) {
 }
 
 void leave_out(const Recording& recording, const std::vector<Fault>& faults,
-               effects::ForceRecord& record) {
+               std::vector<bool>& measured) {
   for (const Fault& fault : faults) {
     if (fault.session != recording.session || fault.kind == Fault::Kind::constant ||
         fault.kind == Fault::Kind::dead_load) {
       continue;
     }
-    const std::size_t end = std::min(fault.first + fault.count, record.used.size());
-    std::fill(record.used.begin() + static_cast<std::ptrdiff_t>(std::min(fault.first, end)),
-              record.used.begin() + static_cast<std::ptrdiff_t>(end), false);
+    const std::size_t end = std::min(fault.first + fault.count, measured.size());
+    std::fill(measured.begin() + static_cast<std::ptrdiff_t>(std::min(fault.first, end)),
+              measured.begin() + static_cast<std::ptrdiff_t>(end), false);
   }
 }
 
@@ -169,12 +169,16 @@ std::vector<double> velocity_of(const Recording& recording) {
   return velocity_m_s;
 }
 
-/// At rest, to rounding, friction has no direction, and before and after a while of that none that
-/// is known.
-void leave_out_rest(effects::ForceRecord& record) {
-  constexpr double kRounding = 1e-9;
+/// Within the noise of the velocity friction has no direction that is known, nor next to a while of
+/// that.
+void leave_out_rest(effects::ForceRecord& record, double noise_m_s) {
+  constexpr double kRounding = 1e-9;  // of the largest speed
+  constexpr double kOfNoise = 3;
+  constexpr double kMost = 0.02;        // of the largest speed: more is no noise about rest
   constexpr std::size_t kWhile = 4;  // samples
-  const double least_m_s = kRounding * most_of(record.velocity_m_s);
+  const double most_m_s = most_of(record.velocity_m_s);
+  const double least_m_s =
+      std::max(kRounding * most_m_s, std::min(kOfNoise * noise_m_s, kMost * most_m_s));
   std::vector<bool> rests;
   for (std::size_t i = 0; i < record.samples(); ++i) {
     rests.push_back(std::abs(record.velocity_m_s[i]) <= least_m_s);
@@ -328,9 +332,10 @@ std::vector<effects::ForceRecord> force_records(const std::vector<Recording>& re
       record.winding_temperature_C = recording[kWindingTemperature];
     }
     record.cycle = cycles_of(recording);
-    record.used.assign(record.samples(), true);
-    leave_out(recording, faults, record);
-    leave_out_rest(record);
+    record.measured.assign(record.samples(), true);
+    leave_out(recording, faults, record.measured);
+    record.used = record.measured;
+    leave_out_rest(record, recording::noise_sigma(recording[kTendonVelocity]));
     leave_out_held(record);
     leave_out_turns(record);
     if (std::ranges::count(record.used, true) > 0) {

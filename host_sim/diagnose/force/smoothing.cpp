@@ -14,9 +14,9 @@
 namespace host_sim::diagnose {
 namespace {
 
-/// Samples in a row that count.
+/// Samples in a row that were measured.
 std::vector<recording::Stretch> pieces_of(const effects::ForceRecord& record) {
-  return recording::stretches_of(record.used, true);
+  return recording::stretches_of(record.measured, true);
 }
 
 using Channel = std::vector<double> effects::ForceRecord::*;

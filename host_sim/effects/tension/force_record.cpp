@@ -128,6 +128,7 @@ void keep(ForceRecord& record, const std::vector<std::size_t>& samples) {
                        &record.winding_temperature_C, &record.rotor_rad, &record.cycle}) {
     keep(*values, samples);
   }
+  keep(record.measured, samples);
   keep(record.used, samples);
 }
 
