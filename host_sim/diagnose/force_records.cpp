@@ -174,7 +174,7 @@ std::vector<double> velocity_of(const Recording& recording) {
 void leave_out_rest(effects::ForceRecord& record, double noise_m_s) {
   constexpr double kRounding = 1e-9;  // of the largest speed
   constexpr double kOfNoise = 3;
-  constexpr double kMost = 0.02;        // of the largest speed: more is no noise about rest
+  constexpr double kMost = 0.02;     // of the largest speed: more is no noise about rest
   constexpr std::size_t kWhile = 4;  // samples
   const double most_m_s = most_of(record.velocity_m_s);
   const double least_m_s =

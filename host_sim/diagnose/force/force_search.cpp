@@ -16,9 +16,8 @@ namespace {
 constexpr int kRounds = 3;  ///< of terms that take the place of others
 
 /// A fit beside the scatter of sessions leaves more of the samples as they are than one without, by
-/// no more than this share and three standard errors of what scatters: where it does, and sessions
-/// are too few to know that, what the model has no law for passes for scatter, and leads it away
-/// from all sessions alike.
+/// no more than this share and three standard errors of what scatters: where it does, what the
+/// model has no law for passes for scatter, and leads it away from all sessions alike.
 constexpr double kLedAway = 0.25;
 constexpr double kOfScatter = 9;
 
@@ -29,9 +28,6 @@ ForceSearch::Candidate candidate_of(const ForceData& data, const ForceFit& fit) 
 }
 
 bool is_led_away(const ForceData& data, const ForceFit& beside_scatter) {
-  if (data.records().size() >= kEnoughToCompare) {
-    return false;
-  }
   ForceData even = data;
   even.forget_scatter();
   const auto left_N2 = [&](const ForceFit& fit) {
@@ -72,10 +68,12 @@ ForceSearch::ForceSearch(ForceData& data, std::span<const effects::ForceRecord> 
 
 void ForceSearch::run() {
   search();
-  if (judged_.empty() && is_led_away(data_, nominal_.fit)) {
+  const bool few = data_.records().size() < kEnoughToCompare;
+  if (few && is_led_away(data_, model_.fit)) {
     data_.forget_scatter();
     nominal_ = candidate_of(data_, nominal_.fit);
     model_ = nominal_;
+    judged_.clear();
     added_.clear();
   }
   const ForceFit by_inliers = leave_out_outliers();
@@ -224,10 +222,15 @@ void ForceSearch::learn_covariance() {
   }
 }
 
-/// A model beside the scatter that itself leaves.
+/// A model beside the scatter that itself leaves, or none where that leads it away.
 ForceSearch::Candidate ForceSearch::by_own_scatter(const ForceFit& fit) const {
   ForceData data = data_;
   data.learn_covariance(nominal_.fit, fit, with_timing_);
+  Candidate beside = candidate_of(data, fit);
+  if (!is_led_away(data, beside.fit)) {
+    return beside;
+  }
+  data.forget_scatter();
   return candidate_of(data, fit);
 }
 

@@ -41,6 +41,7 @@ effects::ForceRecord record_of(const std::string& name, const Run& run) {
     record.sheath_temperature_C.push_back(run.sheath_C + run.warming_C * time_s / run.duration_s);
     record.winding_temperature_C.push_back(run.winding_C + 2 * time_s / run.duration_s);
     record.used.push_back(true);
+    record.measured.push_back(true);
   }
   record.reversal_m = reversals_m(record);
   return record;

@@ -53,6 +53,7 @@ std::vector<effects::ForceRecord> running_free(unsigned seed) {
       record.input_N.push_back(-2 + 30 + 300 * speed_m_s + 1.5 * normal(engine));
       record.bend_angle_rad.push_back(std::numbers::pi);
       record.used.push_back(true);
+      record.measured.push_back(true);
     }
     records.push_back(std::move(record));
   }

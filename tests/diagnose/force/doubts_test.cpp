@@ -50,6 +50,7 @@ std::vector<ForceRecord> pulled(unsigned seed, int sessions = 12) {
                                0.1 * normal(engine));
       record.bend_angle_rad.push_back(angle_rad);
       record.used.push_back(true);
+      record.measured.push_back(true);
     }
     records.push_back(std::move(record));
   }
@@ -249,6 +250,7 @@ TEST(Doubts, FrictionAsLargeAsTheLoadIsNoOtherGain) {
 void delay(ForceRecord& record, Channel channel, std::ptrdiff_t samples) {
   std::vector<double>& values = record.*channel;
   std::shift_right(values.begin(), values.end(), samples);
+  std::fill_n(record.measured.begin(), samples, false);
   std::fill_n(record.used.begin(), samples, false);
 }
 

@@ -49,13 +49,34 @@ effects::ForceRecord record_of(const Recording& recording) {
   return force_records({recording}, {}, plain_sheath(), false).at(0);
 }
 
-/// Motion turns over at 0.5 s and every second after it; 0.5 s is a sample.
 TEST(ForceRecords, SamplesAtRestDoNotCount) {
   Recording recording = recorded(sine_N);
-  EXPECT_FALSE(record_of(recording).used[50]);
-  EXPECT_EQ(std::ranges::count(record_of(recording).used, false), 6);
-  recording.channels[kTendonVelocity][50] = 1e-6;
-  EXPECT_TRUE(record_of(recording).used[50]);
+  EXPECT_TRUE(record_of(recording).used[25]);
+  recording.channels[kTendonVelocity][25] = 0;
+  EXPECT_FALSE(record_of(recording).used[25]);
+  EXPECT_TRUE(record_of(recording).measured[25]);
+}
+
+/// Motion turns over at 0.5 s and every second after it, six times; 0.5 s is a sample.
+TEST(ForceRecords, TwoSamplesOnEachSideOfATurnDoNotCount) {
+  const effects::ForceRecord record = record_of(recorded(sine_N));
+  EXPECT_EQ(std::ranges::count(record.used, false), 6 * 4);
+  EXPECT_EQ(std::ranges::count(record.measured, false), 0);
+  EXPECT_TRUE(record.used[48 - 1]);
+  EXPECT_TRUE(record.used[52 + 1]);
+}
+
+/// Of ten samples between turns one counts as little as the next: an eighth of them on each side.
+TEST(ForceRecords, OfFewSamplesBetweenTurnsOneOnEachSideDoesNotCount) {
+  Recording recording = recorded(sine_N);
+  for (std::size_t i = 0; i < 600; ++i) {
+    recording.channels[kTendonVelocity][i] = i / 10 % 2 == 0 ? 0.02 : -0.02;
+  }
+  const effects::ForceRecord record = record_of(recording);
+  EXPECT_EQ(std::ranges::count(record.used, false), 59 * 2);
+  EXPECT_FALSE(record.used[9]);
+  EXPECT_FALSE(record.used[10]);
+  EXPECT_TRUE(record.used[11]);
 }
 
 std::vector<double> noisy(std::vector<double> values, double sd) {
@@ -67,29 +88,51 @@ std::vector<double> noisy(std::vector<double> values, double sd) {
   return values;
 }
 
-/// Two seconds there, two of rest and two back, with noise of the velocity: the tendon stays where
-/// it is at rest, and neither that nor the samples on either side of it count.
-TEST(ForceRecords, NoiseOfAVelocityAtRestIsNoMotion) {
+/// Two seconds there, two of rest and two back.
+Recording there_and_back(std::vector<double> (*read)(std::vector<double> velocity_m_s)) {
   Recording recording = recorded(sine_N);
   std::vector<double> velocity_m_s(600);
   std::fill_n(velocity_m_s.begin(), 200, 0.02);
   std::fill_n(velocity_m_s.begin() + 400, 200, -0.02);
-  recording.channels[kTendonVelocity] = noisy(velocity_m_s, 0.001);
-  const effects::ForceRecord record = record_of(recording);
+  recording.channels[kTendonVelocity] = read(velocity_m_s);
+  return recording;
+}
+
+/// The tendon stays where it is at rest, and neither that counts nor the sample before it, nor the
+/// two after it, where it has turned.
+void expect_rest(const effects::ForceRecord& record) {
   EXPECT_EQ(record.position_m[399], record.position_m[201]);
-  EXPECT_EQ(std::ranges::count(record.used, false), 202);
+  EXPECT_EQ(std::ranges::count(record.used, false), 203);
   EXPECT_TRUE(record.used[198]);
   EXPECT_FALSE(record.used[199]);
-  EXPECT_FALSE(record.used[400]);
-  EXPECT_TRUE(record.used[401]);
+  EXPECT_FALSE(record.used[401]);
+  EXPECT_TRUE(record.used[402]);
+}
+
+TEST(ForceRecords, NoiseOfAVelocityAtRestIsNoMotion) {
+  expect_rest(record_of(
+      there_and_back([](std::vector<double> velocity_m_s) { return noisy(velocity_m_s, 0.001); })));
+}
+
+/// It flickers by a step of 0.5 mm/s in one sample of six, up and down, and moves in steps of that.
+TEST(ForceRecords, StepsOfAVelocityAtRestAreNoMotion) {
+  expect_rest(record_of(there_and_back([](std::vector<double> velocity_m_s) {
+    for (std::size_t i = 0; i < velocity_m_s.size(); ++i) {
+      const bool rests = velocity_m_s[i] == 0;
+      const double flicker = i % 6 != 1 ? 0 : i % 12 == 1 ? 1 : -1;
+      const double moves = static_cast<double>(i * 7 % 5) - 2;
+      velocity_m_s[i] += 5e-4 * (rests ? flicker : moves);
+    }
+    return velocity_m_s;
+  })));
 }
 
 /// Twelve samples of each of six turns are within four standard deviations of the noise: they are
-/// taken for motion, but for some by chance.
+/// taken for motion, but for the four nearest to each turn, and some by chance.
 TEST(ForceRecords, AMotionThatTurnsSlowlyDoesNotRest) {
   Recording recording = recorded(sine_N);
   recording.channels[kTendonVelocity] = noisy(recording.channels[kTendonVelocity], 0.003);
-  EXPECT_LT(std::ranges::count(record_of(recording).used, false), 12);
+  EXPECT_LT(std::ranges::count(record_of(recording).used, false), 6 * 4 + 12);
 }
 
 TEST(ForceRecords, CyclesGoOnFromTheStartOfTheSession) {

@@ -93,6 +93,7 @@ inline std::vector<effects::ForceRecord> measured(const Joint& joint, unsigned s
           (joint.relative_noise > 0 ? joint.relative_noise * load_N * normal(engine) : 0));
       record.bend_angle_rad.push_back(std::numbers::pi);
       record.used.push_back(true);
+      record.measured.push_back(true);
     }
     record.reversal_m = reversals_m(record);
     records.push_back(std::move(record));

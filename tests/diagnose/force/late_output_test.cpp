@@ -41,6 +41,7 @@ struct Late {
                                  kPreload_N * slip + noise(engine));
         record.bend_angle_rad.push_back(std::numbers::pi);
         record.used.push_back(true);
+        record.measured.push_back(true);
       }
       record.pulls_alone = true;
       record.reversal_m = reversals_m(record);

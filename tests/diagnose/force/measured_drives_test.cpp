@@ -36,13 +36,21 @@ constexpr double kUltimate_N = 1000;  ///< of no consequence, but that all force
 /// Torque in mNm of a newton at the imported pulley.
 constexpr double kPulley_mm = 5;
 
-/// What the fixed-point code of the target makes of the output of all recordings.
+std::vector<effects::ForceRecord> records_of(const Campaign& campaign) {
+  const auto recordings = recording::read_recordings(campaign.folder, campaign.columns);
+  return force_records(recordings, recording::faults_of(recordings), campaign.nominal,
+                       !campaign.two_sided);
+}
+
+/// What the fixed-point code of the target makes of the output of all recordings, of samples that
+/// are diagnosed.
 struct Replayed {
   std::vector<double> measured_N;
   std::vector<double> corrected_N;
 };
 
-Replayed replayed(const Campaign& campaign, const Model& model) {
+Replayed replayed(const Campaign& campaign, const std::vector<effects::ForceRecord>& records,
+                  const Model& model) {
   using hal::files::InputKind;
   Replayed all;
   for (const recording::Recording& recording : recording::read_recordings(campaign.folder)) {
@@ -54,15 +62,19 @@ Replayed replayed(const Campaign& campaign, const Model& model) {
     lifemodel::Flags flags;
     std::vector<hal::files::ProfileRow> rows(recording.samples());
     EXPECT_EQ(profile.read(rows), rows.size());
-    for (const hal::files::ProfileRow& row : rows) {
-      input.take(row, flags);
+    const auto record =
+        std::ranges::find(records, recording.session, &effects::ForceRecord::session);
+    const auto& measured_N = recording[hal::files::kInputTensionColumn];
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      input.take(rows[i], flags);
       const double fixed_N = kUltimate_N * lifemodel::pack::to_double(input.tension());
       EXPECT_NEAR(fixed_N, input.tension_N(), 1e-6 * std::abs(fixed_N) + 1e-6 * kUltimate_N);
-      all.corrected_N.push_back(fixed_N);
+      if (record != records.end() && record->used.at(i)) {
+        all.corrected_N.push_back(fixed_N);
+        all.measured_N.push_back(measured_N[i]);
+      }
     }
     EXPECT_FALSE(flags.has(lifemodel::Flag::saturated));
-    const auto& measured_N = recording[hal::files::kInputTensionColumn];
-    all.measured_N.insert(all.measured_N.end(), measured_N.begin(), measured_N.end());
   }
   return all;
 }
@@ -89,12 +101,13 @@ double best_gain(const Replayed& replay) {
 
 /// Capstan friction and a gain alone, each as well as they can be. A zero of nothing takes the
 /// target through the same code.
-double nominal_rmse_N(const Campaign& campaign, Model model) {
+double nominal_rmse_N(const Campaign& campaign, const std::vector<effects::ForceRecord>& records,
+                      Model model) {
   model.extensions = {{"load_cell_zero", {{"zero_N", {0}}}}};
   double least_N = std::numeric_limits<double>::infinity();
   for (int step = 0; step <= 16; ++step) {
     model.sheath.friction_coefficient = 0.025 * step;
-    const Replayed replay = replayed(campaign, model);
+    const Replayed replay = replayed(campaign, records, model);
     least_N = std::min(least_N, rmse_N(replay, best_gain(replay)));
   }
   return least_N;
@@ -119,23 +132,21 @@ std::vector<std::string> ids_in(const std::vector<T>& all) {
   return ids;
 }
 
-/// Error of the input as a constant times the output, by least squares, over the samples that are
-/// diagnosed.
+/// Error of the input as a constant times the output, by least squares, over the samples that were
+/// measured.
 double constant_ratio_rmse_N(const Campaign& campaign) {
-  const auto recordings = recording::read_recordings(campaign.folder, campaign.columns);
   double input = 0;
   double output = 0;
   double both = 0;
   double samples = 0;
-  for (const effects::ForceRecord& record : force_records(
-           recordings, recording::faults_of(recordings), campaign.nominal, !campaign.two_sided)) {
+  for (const effects::ForceRecord& record : records_of(campaign)) {
     for (std::size_t i = 0; i < record.samples(); ++i) {
-      const double in_N = record.used[i] ? record.input_N[i] : 0;
-      const double out_N = record.used[i] ? record.output_N[i] : 0;
+      const double in_N = record.measured[i] ? record.input_N[i] : 0;
+      const double out_N = record.measured[i] ? record.output_N[i] : 0;
       input += in_N * in_N;
       output += out_N * out_N;
       both += in_N * out_N;
-      samples += record.used[i] ? 1 : 0;
+      samples += record.measured[i] ? 1 : 0;
     }
   }
   return std::sqrt((input - both * both / output) / samples);
@@ -166,9 +177,10 @@ class MeasuredDrive : public testing::Test {
     for (const FoundEffect& effect : findings.effects) {
       EXPECT_NE(extension_of(model.extensions, effect.id), nullptr) << effect.id;
     }
-    const double before_N = nominal_rmse_N(campaign, model);
+    const std::vector<effects::ForceRecord> records = records_of(campaign);
+    const double before_N = nominal_rmse_N(campaign, records, model);
     const double after_N =
-        rmse_N(replayed(campaign, model), std::exp(-diagnosis.tension->log_gain));
+        rmse_N(replayed(campaign, records, model), std::exp(-diagnosis.tension->log_gain));
     RecordProperty("before_N", fmt::format("{}", before_N));
     RecordProperty("after_N", fmt::format("{}", after_N));
     constexpr double kShare = 0.15;

@@ -27,6 +27,7 @@ effects::ForceRecord read(const Output& output_N) {
   record.position_m.assign(600, 0);
   record.reversal_m.assign(600, 0);
   record.used.assign(600, true);
+  record.measured.assign(600, true);
   return record;
 }
 
@@ -103,12 +104,12 @@ TEST(Smoothing, LeavesAForceWithStepsAsItIs) {
   EXPECT_EQ(record.output_N, before_N);
 }
 
-/// What does not count does not spread: neither does it change nor its neighbours by it.
+/// What was not measured does not spread: neither does it change nor its neighbours by it.
 TEST(Smoothing, DoesNotSpreadAFault) {
   effects::ForceRecord record = read(waving_N);
   for (std::size_t i = 300; i < 303; ++i) {
     record.output_N[i] = 1e6;
-    record.used[i] = false;
+    record.measured[i] = false;
   }
   smooth_output(record);
   EXPECT_EQ(record.output_N[301], 1e6);
@@ -158,6 +159,7 @@ TEST(Smoothing, ThinningKeepsWhereTheMotionTurned) {
   record.reversal_m = record.position_m;
   record.reversal_m[6] = -0.2e-3;
   record.used.assign(9, true);
+  record.measured.assign(9, true);
   thin(record, 3);
   EXPECT_EQ(record.position_m, (std::vector<double>{1e-3, 2e-3, 1e-3}));
   EXPECT_EQ(record.reversal_m, (std::vector<double>{1e-3, 3e-3, -0.2e-3}));

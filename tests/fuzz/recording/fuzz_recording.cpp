@@ -48,6 +48,7 @@ void require_records(const std::vector<host_sim::effects::ForceRecord>& records)
   for (const host_sim::effects::ForceRecord& record : records) {
     const std::size_t samples = record.samples();
     require(record.used.size() == samples);
+    require(record.measured.size() == samples);
     for (const auto* const values :
          {&record.input_N, &record.output_N, &record.output_rate_N_s, &record.velocity_m_s,
           &record.position_m, &record.reversal_m, &record.bend_angle_rad}) {
