@@ -68,7 +68,8 @@ Replayed replayed(const Campaign& campaign, const std::vector<effects::ForceReco
     for (std::size_t i = 0; i < rows.size(); ++i) {
       input.take(rows[i], flags);
       const double fixed_N = kUltimate_N * lifemodel::pack::to_double(input.tension());
-      EXPECT_NEAR(fixed_N, input.tension_N(), 1e-6 * std::abs(fixed_N) + 1e-6 * kUltimate_N);
+      // Half a step of velocity, 30 nm/s, a sample adds up along a presliding length of 45 um.
+      EXPECT_NEAR(fixed_N, input.tension_N(), 1e-6 * std::abs(fixed_N) + 1.2e-6 * kUltimate_N);
       if (record != records.end() && record->used.at(i)) {
         all.corrected_N.push_back(fixed_N);
         all.measured_N.push_back(measured_N[i]);
