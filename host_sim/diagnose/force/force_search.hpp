@@ -27,8 +27,8 @@ class ForceSearch {
   ForceSearch(ForceData& data, std::span<const effects::ForceRecord> records, double friction,
               const DiagnoseOptions& options);
 
-  /// Where what few sessions seem to scatter by leads the model away they are taken to be alike, and
-  /// nothing stands.
+  /// Where what few sessions seem to scatter by leads the model away they are taken to be alike,
+  /// and nothing stands.
   void run();
 
   [[nodiscard]] const Candidate& nominal() const { return nominal_; }

@@ -25,7 +25,7 @@ struct ForceRecord {
   std::vector<double> winding_temperature_C;  ///< the same
   std::vector<double> rotor_rad;              ///< may be empty
   std::vector<double> cycle;                  ///< of the tendon's life; may be empty
-  std::vector<bool> measured;   ///< whether its channels could be read
+  std::vector<bool> measured;                 ///< whether its channels could be read
   std::vector<bool> used;       ///< of these, whether it counts; motion goes on where it does not
   std::size_t input_hold = 1;   ///< samples of the log that each value stayed for
   std::size_t output_hold = 1;  ///< the same
