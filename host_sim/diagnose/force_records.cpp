@@ -194,12 +194,11 @@ void leave_out_rest(effects::ForceRecord& record, double noise_m_s) {
   }
 }
 
-/// Within two samples of a turn friction turns over as filters and the times of samples have it,
-/// which none of them shows; of few samples between turns an eighth each.
+/// Next to a turn friction turns over as filters and the times of samples have it, which none of
+/// them shows: the sample on each side of it does not count, but of few between turns.
 void leave_out_turns(effects::ForceRecord& record) {
-  constexpr std::size_t kMost = 2;
-  constexpr std::size_t kOfStroke = 8;
-  std::vector<std::size_t> turns;  // the first sample of each way
+  constexpr std::size_t kFew = 8;
+  std::vector<std::size_t> turns{0};  // the first sample of each way, and the end
   double way = 0;
   for (std::size_t i = 0; i < record.samples(); ++i) {
     const double velocity_m_s = record.velocity_m_s[i];
@@ -208,14 +207,11 @@ void leave_out_turns(effects::ForceRecord& record) {
     }
     way = velocity_m_s != 0 ? velocity_m_s : way;
   }
-  std::size_t before = 0;
-  for (std::size_t k = 0; k < turns.size(); ++k) {
-    const std::size_t after = k + 1 < turns.size() ? turns[k + 1] : record.samples();
-    const std::size_t first = turns[k] - std::min(kMost, (turns[k] - before) / kOfStroke);
-    const std::size_t end = turns[k] + std::min(kMost, (after - turns[k]) / kOfStroke);
-    std::fill(record.used.begin() + static_cast<std::ptrdiff_t>(first),
-              record.used.begin() + static_cast<std::ptrdiff_t>(end), false);
-    before = turns[k];
+  turns.push_back(record.samples());
+  for (std::size_t k = 1; k + 1 < turns.size(); ++k) {
+    const std::size_t turn = turns[k];
+    record.used[turn - 1] = record.used[turn - 1] && turn - turns[k - 1] < kFew;
+    record.used[turn] = record.used[turn] && turns[k + 1] - turn < kFew;
   }
 }
 

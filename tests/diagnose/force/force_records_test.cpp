@@ -57,26 +57,30 @@ TEST(ForceRecords, SamplesAtRestDoNotCount) {
   EXPECT_TRUE(record_of(recording).measured[25]);
 }
 
-/// Motion turns over at 0.5 s and every second after it, six times; 0.5 s is a sample.
-TEST(ForceRecords, TwoSamplesOnEachSideOfATurnDoNotCount) {
-  const effects::ForceRecord record = record_of(recorded(sine_N));
-  EXPECT_EQ(std::ranges::count(record.used, false), 6 * 4);
+/// Motion turns over at 0.5 s and every second after it, six times; 0.5 s is a sample, at rest.
+TEST(ForceRecords, TheSamplesOnEachSideOfATurnDoNotCount) {
+  Recording recording = recorded(sine_N);
+  recording.channels[kTendonVelocity][50] = 1e-3;
+  const effects::ForceRecord record = record_of(recording);
+  EXPECT_TRUE(record.used[49]);
+  EXPECT_FALSE(record.used[50]);
+  EXPECT_FALSE(record.used[51]);
+  EXPECT_TRUE(record.used[52]);
   EXPECT_EQ(std::ranges::count(record.measured, false), 0);
-  EXPECT_TRUE(record.used[48 - 1]);
-  EXPECT_TRUE(record.used[52 + 1]);
 }
 
-/// Of ten samples between turns one counts as little as the next: an eighth of them on each side.
-TEST(ForceRecords, OfFewSamplesBetweenTurnsOneOnEachSideDoesNotCount) {
+/// Seven samples between turns are few, eight are not.
+TEST(ForceRecords, OfFewSamplesBetweenTurnsAllCount) {
   Recording recording = recorded(sine_N);
-  for (std::size_t i = 0; i < 600; ++i) {
-    recording.channels[kTendonVelocity][i] = i / 10 % 2 == 0 ? 0.02 : -0.02;
+  for (const std::size_t between : {7, 8}) {
+    for (std::size_t i = 0; i < 600; ++i) {
+      recording.channels[kTendonVelocity][i] = i / between % 2 == 0 ? 0.02 : -0.02;
+    }
+    const effects::ForceRecord record = record_of(recording);
+    EXPECT_EQ(record.used[2 * between - 1], between == 7);
+    EXPECT_EQ(record.used[2 * between], between == 7);
+    EXPECT_TRUE(record.used[2 * between + 1]);
   }
-  const effects::ForceRecord record = record_of(recording);
-  EXPECT_EQ(std::ranges::count(record.used, false), 59 * 2);
-  EXPECT_FALSE(record.used[9]);
-  EXPECT_FALSE(record.used[10]);
-  EXPECT_TRUE(record.used[11]);
 }
 
 std::vector<double> noisy(std::vector<double> values, double sd) {
@@ -98,15 +102,14 @@ Recording there_and_back(std::vector<double> (*read)(std::vector<double> velocit
   return recording;
 }
 
-/// The tendon stays where it is at rest, and neither that counts nor the sample before it, nor the
-/// two after it, where it has turned.
+/// The tendon stays where it is at rest, and neither that counts nor the samples on either side.
 void expect_rest(const effects::ForceRecord& record) {
   EXPECT_EQ(record.position_m[399], record.position_m[201]);
-  EXPECT_EQ(std::ranges::count(record.used, false), 203);
+  EXPECT_EQ(std::ranges::count(record.used, false), 202);
   EXPECT_TRUE(record.used[198]);
   EXPECT_FALSE(record.used[199]);
-  EXPECT_FALSE(record.used[401]);
-  EXPECT_TRUE(record.used[402]);
+  EXPECT_FALSE(record.used[400]);
+  EXPECT_TRUE(record.used[401]);
 }
 
 TEST(ForceRecords, NoiseOfAVelocityAtRestIsNoMotion) {
@@ -128,11 +131,11 @@ TEST(ForceRecords, StepsOfAVelocityAtRestAreNoMotion) {
 }
 
 /// Twelve samples of each of six turns are within four standard deviations of the noise: they are
-/// taken for motion, but for the four nearest to each turn, and some by chance.
+/// taken for motion, but for the two nearest to each turn, and some by chance.
 TEST(ForceRecords, AMotionThatTurnsSlowlyDoesNotRest) {
   Recording recording = recorded(sine_N);
   recording.channels[kTendonVelocity] = noisy(recording.channels[kTendonVelocity], 0.003);
-  EXPECT_LT(std::ranges::count(record_of(recording).used, false), 6 * 4 + 12);
+  EXPECT_LT(std::ranges::count(record_of(recording).used, false), 6 * 2 + 12);
 }
 
 TEST(ForceRecords, CyclesGoOnFromTheStartOfTheSession) {
