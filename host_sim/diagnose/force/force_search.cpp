@@ -78,7 +78,9 @@ void ForceSearch::run() {
   }
   const ForceFit by_inliers = leave_out_outliers();
   find_left_out();
-  if (!by_inliers.terms.empty()) {
+  if (by_inliers.terms.empty()) {
+    nominal_ = model_;  // of what came and went nothing is left
+  } else {
     model_ = {by_inliers, data_.held_out(by_inliers, inliers_->fold_fits(by_inliers))};
   }
 }
