@@ -194,27 +194,6 @@ void leave_out_rest(effects::ForceRecord& record, double noise_m_s) {
   }
 }
 
-/// Next to a turn friction turns over as filters and the times of samples have it, which none of
-/// them shows: the sample on each side of it does not count, but of few between turns.
-void leave_out_turns(effects::ForceRecord& record) {
-  constexpr std::size_t kFew = 8;
-  std::vector<std::size_t> turns{0};  // the first sample of each way, and the end
-  double way = 0;
-  for (std::size_t i = 0; i < record.samples(); ++i) {
-    const double velocity_m_s = record.velocity_m_s[i];
-    if (velocity_m_s * way < 0) {
-      turns.push_back(i);
-    }
-    way = velocity_m_s != 0 ? velocity_m_s : way;
-  }
-  turns.push_back(record.samples());
-  for (std::size_t k = 1; k + 1 < turns.size(); ++k) {
-    const std::size_t turn = turns[k];
-    record.used[turn - 1] = record.used[turn - 1] && turn - turns[k - 1] < kFew;
-    record.used[turn] = record.used[turn] && turns[k + 1] - turn < kFew;
-  }
-}
-
 /// A force that is read less often than it is logged lies behind but for the sample at which it is
 /// new: where one of both does, those of the one that is new less often are left.
 void leave_out_held(effects::ForceRecord& record) {
@@ -333,7 +312,6 @@ std::vector<effects::ForceRecord> force_records(const std::vector<Recording>& re
     record.used = record.measured;
     leave_out_rest(record, recording::noise_sigma(recording[kTendonVelocity]));
     leave_out_held(record);
-    leave_out_turns(record);
     if (std::ranges::count(record.used, true) > 0) {
       records.push_back(std::move(record));
     }

@@ -30,11 +30,9 @@ PairedGain ForceSearch::lost_as_sampled(const ForceFit& other) const {
 }
 
 /// What is lost by a lag in the place of a delay, or the other way about: nothing is known of that
-/// where either is too short beside the time between samples. Of the input they differ where it
-/// turns over alone, and not after the next sample.
+/// where either is too short beside the time between samples.
 PairedGain ForceSearch::lost_in_time(const Judged& one, const Candidate& other) const {
   constexpr double kOfStep = 0.1;
-  constexpr double kOfStepOfInput = 1;
   const auto late_s = [&](const ForceFit& fit, effects::ForceTerm term) {
     const auto place = std::ranges::find(fit.terms, term) - fit.terms.begin();
     return parameters_at(static_cast<std::size_t>(place), fit.terms, fit.parameters, data_.scales())
@@ -42,12 +40,10 @@ PairedGain ForceSearch::lost_in_time(const Judged& one, const Candidate& other) 
   };
   const double one_s = late_s(model_.fit, one.term);
   const double other_s = late_s(other.fit, other.fit.terms.back());
-  const bool of_input = one_s < 0 && other_s < 0;
-  if (std::min(std::abs(one_s), std::abs(other_s)) <
-      (of_input ? kOfStepOfInput : kOfStep) * records_.front().step_s()) {
+  if (std::min(std::abs(one_s), std::abs(other_s)) < kOfStep * records_.front().step_s()) {
     return PairedGain{.slope = kEvenSlope};
   }
-  if (of_input) {
+  if (one_s < 0 && other_s < 0) {
     return Judgement::late_input(one, lost_as_sampled(other.fit));
   }
   if (one_s < 0 || other_s < 0) {
