@@ -63,14 +63,14 @@ class Report {
   TensionDiagnosis diagnosis() {
     TensionDiagnosis diagnosis;
     Findings& findings = diagnosis.findings;
-    findings.verdict = verdict();
+    if (!judged_.empty() && !names_nothing()) {
+      findings.gain = gain_of({search_.model().fit, search_.model().held.residuals_N});
+    }
+    findings.verdict = verdict(findings.gain);
     findings.candidates = candidates(findings.verdict);
     findings.credible_set = credible_set_of(findings.candidates);
     add_effects(findings);
     findings.steps = steps();
-    if (!judged_.empty() && !names_nothing()) {
-      findings.gain = gain_of({search_.model().fit, search_.model().held.residuals_N});
-    }
     findings.remainder =
         Remainder{.share = share_left(),
                   .input_rmse_N = search_.rmse_N(),
@@ -105,9 +105,13 @@ class Report {
     return data_.records().size() < kLeastSessions || spoilt();
   }
 
-  [[nodiscard]] Verdict verdict() const {
+  /// @param gain of the model with all causes
+  [[nodiscard]] Verdict verdict(const HeldOutGain& gain) const {
     if (judged_.empty() || names_nothing()) {
       return remainder_.stands || spoilt() ? Verdict::unknown : Verdict::none;
+    }
+    if (remainder_.stands && std::ranges::all_of(judged_, is_alone) && !improves(gain)) {
+      return Verdict::unknown;  // what is left is no less than without them
     }
     if (std::ranges::any_of(judged_, [&](const Judged& one) { return stands(one); })) {
       return Verdict::named;
@@ -143,8 +147,10 @@ class Report {
     const bool none =
         verdict == Verdict::none || (verdict == Verdict::ambiguous && !remainder_.stands);
     const std::string rest = none ? "none" : "unknown";
-    return names_nothing() ? candidates_of(data_, {}, {}, rest, remainder_.stands)
-                           : candidates_of(data_, judged_, left_out(), rest, remainder_.stands);
+    const bool nothing_stands =
+        names_nothing() || (verdict == Verdict::unknown && std::ranges::all_of(judged_, is_alone));
+    return nothing_stands ? candidates_of(data_, {}, {}, rest, remainder_.stands)
+                          : candidates_of(data_, judged_, left_out(), rest, remainder_.stands);
   }
 
   [[nodiscard]] std::vector<LeftOut> left_out() const {

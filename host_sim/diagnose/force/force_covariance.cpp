@@ -36,25 +36,37 @@ RefitOfSession refit_of(const Eigen::MatrixX2d& directions_N, const Eigen::Vecto
   return refit;
 }
 
+/// How fast the input force of a model changes at each sample, and next to which friction turns
+/// over between two.
+struct Rates {
+  std::vector<double> input_N_s;
+  std::vector<bool> turns;
+};
+
 /// Variance of the noise of a sample: absolute, in proportion to the output force, and of when it
-/// was read, in proportion to how fast the input force changes.
+/// was read, in proportion to how fast the input force changes. Where friction turns over it does
+/// so as filters and micrometres of presliding have it, which samples do not show: that is a noise
+/// of its own.
 class NoiseVariance {
  public:
-  static constexpr int kParts = 3;
+  static constexpr int kParts = 4;
   using Parts = Eigen::Matrix<double, kParts, 1>;
+  using Square = Eigen::Matrix<double, kParts, kParts>;
 
   explicit NoiseVariance(double absolute_N2) { parts_(0) = absolute_N2; }
 
   /// What the parts of the variance of a sample go with.
-  static Parts row_of(double output_N, double rate_N_s) {
-    return {1, output_N * output_N, rate_N_s * rate_N_s};
+  /// @param with_timing whether samples may have been read sooner or later than their time
+  static Parts row_of(double output_N, const Rates& rates, std::size_t sample, bool with_timing) {
+    const double of_rate = rates.input_N_s[sample] * rates.input_N_s[sample];
+    return {1, output_N * output_N, with_timing ? of_rate : 0, rates.turns[sample] ? of_rate : 0};
   }
 
   [[nodiscard]] double at_N2(const Parts& row) const { return parts_.dot(row); }
 
   /// By weighted least squares; a part that would be negative is left out of it.
   /// @param most of each part
-  void solve(Eigen::Matrix3d square, Parts product, const Parts& least, const Parts& most) {
+  void solve(Square square, Parts product, const Parts& least, const Parts& most) {
     square.diagonal() *= 1 + 1e-12;
     for (int round = 0; round < kParts; ++round) {
       parts_ = square.ldlt().solve(product);
@@ -74,26 +86,29 @@ class NoiseVariance {
   Parts parts_ = Parts::Zero();
 };
 
-/// How fast the input force of a model changes at each sample: as it turns over faster than the
-/// samples follow each other, the larger one of the two sides.
-std::vector<double> input_rates(const effects::ForceRecord& record,
-                                const std::vector<double>& residuals_N) {
-  std::vector<double> rates(record.samples());
-  for (std::size_t i = 1; i < rates.size(); ++i) {
+/// As the force turns over faster than the samples follow each other, the rate is the larger one of
+/// the two sides.
+Rates rates_of(const effects::ForceRecord& record, const std::vector<double>& residuals_N) {
+  Rates rates{std::vector<double>(record.samples()), std::vector<bool>(record.samples())};
+  for (std::size_t i = 1; i < record.samples(); ++i) {
     const double step_N =
         record.input_N[i] - residuals_N[i] - (record.input_N[i - 1] - residuals_N[i - 1]);
     const bool both = record.used[i] && record.used[i - 1];
     const double rate_N_s = both ? std::abs(step_N) / (record.time_s[i] - record.time_s[i - 1]) : 0;
-    rates[i - 1] = std::max(rates[i - 1], rate_N_s);
-    rates[i] = rate_N_s;
+    rates.input_N_s[i - 1] = std::max(rates.input_N_s[i - 1], rate_N_s);
+    rates.input_N_s[i] = rate_N_s;
+    if (record.velocity_m_s[i] * record.velocity_m_s[i - 1] < 0) {
+      rates.turns[i - 1] = true;
+      rates.turns[i] = true;
+    }
   }
   return rates;
 }
 
 /// Of squares by weighted least squares, each by its own variance.
 NoiseVariance noise_of(std::span<const effects::ForceRecord> records,
-                       const std::vector<RefitOfSession>& refits,
-                       const std::vector<std::vector<double>>& rates) {
+                       const std::vector<RefitOfSession>& refits, const std::vector<Rates>& rates,
+                       bool with_timing) {
   constexpr int kRounds = 8;
   constexpr double kLeastShare = 0.01;  // of all variance: some noise has no sample
   constexpr double kMostOfStep = 0.5;   // what is read later than that is late, and no noise
@@ -107,17 +122,17 @@ NoiseVariance noise_of(std::span<const effects::ForceRecord> records,
                                   static_cast<double>(records[j].samples()));
   }
   all_N2 = std::max(all_N2 / std::max(samples, 1.0), 1e-30);
-  const NoiseVariance::Parts least(kLeastShare * all_N2, 0, 0);
-  const NoiseVariance::Parts most(all_N2, HUGE_VAL, std::pow(kMostOfStep * step_s, 2));
+  const NoiseVariance::Parts least(kLeastShare * all_N2, 0, 0, 0);
+  const NoiseVariance::Parts most(all_N2, HUGE_VAL, std::pow(kMostOfStep * step_s, 2), HUGE_VAL);
   NoiseVariance noise(all_N2);
   for (int round = 0; round < kRounds; ++round) {
-    Eigen::Matrix3d square = Eigen::Matrix3d::Zero();
+    NoiseVariance::Square square = NoiseVariance::Square::Zero();
     NoiseVariance::Parts product = NoiseVariance::Parts::Zero();
     for (std::size_t j = 0; j < records.size(); ++j) {
       for (std::size_t i = 0; i < records[j].samples(); ++i) {
         if (records[j].used[i]) {
           const NoiseVariance::Parts row =
-              NoiseVariance::row_of(records[j].output_N[i], rates[j][i]);
+              NoiseVariance::row_of(records[j].output_N[i], rates[j], i, with_timing);
           const double left_N = refits[j].left_N(static_cast<Eigen::Index>(i));
           const double weight = 1 / std::pow(noise.at_N2(row), 2);
           square += weight * row * row.transpose();
@@ -157,12 +172,11 @@ ForceCovariance::ForceCovariance(std::span<const effects::ForceRecord> records,
     refits.push_back(refit_of(directions_N[j], Eigen::VectorXd::Ones(directions_N[j].rows()),
                               vector_of(residuals_N[j])));
   }
-  std::vector<std::vector<double>> rates;
+  std::vector<Rates> rates;
   for (std::size_t j = 0; j < records.size(); ++j) {
-    rates.push_back(with_timing ? input_rates(records[j], residuals_N[j])
-                                : std::vector<double>(records[j].samples()));
+    rates.push_back(rates_of(records[j], residuals_N[j]));
   }
-  const NoiseVariance noise = noise_of(records, refits, rates);
+  const NoiseVariance noise = noise_of(records, refits, rates, with_timing);
   double sum = 0;
   double samples = 0;
   for (std::size_t j = 0; j < records.size(); ++j) {
@@ -170,7 +184,7 @@ ForceCovariance::ForceCovariance(std::span<const effects::ForceRecord> records,
     Eigen::VectorXd& weights = weights_.emplace_back(static_cast<Eigen::Index>(record.samples()));
     for (std::size_t i = 0; i < record.samples(); ++i) {
       weights(static_cast<Eigen::Index>(i)) =
-          1 / noise.at_N2(NoiseVariance::row_of(record.output_N[i], rates[j][i]));
+          1 / noise.at_N2(NoiseVariance::row_of(record.output_N[i], rates[j], i, with_timing));
     }
     sum += weights.sum();
     samples += static_cast<double>(record.samples());
