@@ -65,8 +65,11 @@ class Report {
     Findings& findings = diagnosis.findings;
     if (!judged_.empty() && !names_nothing()) {
       findings.gain = gain_of({search_.model().fit, search_.model().held.residuals_N});
+      if (remainder_.stands && std::ranges::all_of(judged_, is_alone) && !improves(findings.gain)) {
+        judged_.clear();  // what is left is no less than without them
+      }
     }
-    findings.verdict = verdict(findings.gain);
+    findings.verdict = verdict();
     findings.candidates = candidates(findings.verdict);
     findings.credible_set = credible_set_of(findings.candidates);
     add_effects(findings);
@@ -105,13 +108,9 @@ class Report {
     return data_.records().size() < kLeastSessions || spoilt();
   }
 
-  /// @param gain of the model with all causes
-  [[nodiscard]] Verdict verdict(const HeldOutGain& gain) const {
+  [[nodiscard]] Verdict verdict() const {
     if (judged_.empty() || names_nothing()) {
       return remainder_.stands || spoilt() ? Verdict::unknown : Verdict::none;
-    }
-    if (remainder_.stands && std::ranges::all_of(judged_, is_alone) && !improves(gain)) {
-      return Verdict::unknown;  // what is left is no less than without them
     }
     if (std::ranges::any_of(judged_, [&](const Judged& one) { return stands(one); })) {
       return Verdict::named;
@@ -147,10 +146,8 @@ class Report {
     const bool none =
         verdict == Verdict::none || (verdict == Verdict::ambiguous && !remainder_.stands);
     const std::string rest = none ? "none" : "unknown";
-    const bool nothing_stands =
-        names_nothing() || (verdict == Verdict::unknown && std::ranges::all_of(judged_, is_alone));
-    return nothing_stands ? candidates_of(data_, {}, {}, rest, remainder_.stands)
-                          : candidates_of(data_, judged_, left_out(), rest, remainder_.stands);
+    return names_nothing() ? candidates_of(data_, {}, {}, rest, remainder_.stands)
+                           : candidates_of(data_, judged_, left_out(), rest, remainder_.stands);
   }
 
   [[nodiscard]] std::vector<LeftOut> left_out() const {

@@ -36,11 +36,10 @@ RefitOfSession refit_of(const Eigen::MatrixX2d& directions_N, const Eigen::Vecto
   return refit;
 }
 
-/// How fast the input force of a model changes at each sample, and next to which friction turns
-/// over between two.
+/// How fast the input force of a model changes at each sample, 0 where that is no matter.
 struct Rates {
-  std::vector<double> input_N_s;
-  std::vector<bool> turns;
+  std::vector<double> timing_N_s;  ///< where it may have been read sooner or later than its time
+  std::vector<double> turn_N_s;    ///< where friction turns over between it and the next to it
 };
 
 /// Variance of the noise of a sample: absolute, in proportion to the output force, and of when it
@@ -56,10 +55,8 @@ class NoiseVariance {
   explicit NoiseVariance(double absolute_N2) { parts_(0) = absolute_N2; }
 
   /// What the parts of the variance of a sample go with.
-  /// @param with_timing whether samples may have been read sooner or later than their time
-  static Parts row_of(double output_N, const Rates& rates, std::size_t sample, bool with_timing) {
-    const double of_rate = rates.input_N_s[sample] * rates.input_N_s[sample];
-    return {1, output_N * output_N, with_timing ? of_rate : 0, rates.turns[sample] ? of_rate : 0};
+  static Parts row_of(double output_N, double timing_N_s, double turn_N_s) {
+    return {1, output_N * output_N, timing_N_s * timing_N_s, turn_N_s * turn_N_s};
   }
 
   [[nodiscard]] double at_N2(const Parts& row) const { return parts_.dot(row); }
@@ -88,27 +85,31 @@ class NoiseVariance {
 
 /// As the force turns over faster than the samples follow each other, the rate is the larger one of
 /// the two sides.
-Rates rates_of(const effects::ForceRecord& record, const std::vector<double>& residuals_N) {
-  Rates rates{std::vector<double>(record.samples()), std::vector<bool>(record.samples())};
-  for (std::size_t i = 1; i < record.samples(); ++i) {
+Rates rates_of(const effects::ForceRecord& record, const std::vector<double>& residuals_N,
+               bool with_timing) {
+  std::vector<double> rates(record.samples());
+  std::vector<bool> turns(record.samples());
+  for (std::size_t i = 1; i < rates.size(); ++i) {
     const double step_N =
         record.input_N[i] - residuals_N[i] - (record.input_N[i - 1] - residuals_N[i - 1]);
     const bool both = record.used[i] && record.used[i - 1];
     const double rate_N_s = both ? std::abs(step_N) / (record.time_s[i] - record.time_s[i - 1]) : 0;
-    rates.input_N_s[i - 1] = std::max(rates.input_N_s[i - 1], rate_N_s);
-    rates.input_N_s[i] = rate_N_s;
-    if (record.velocity_m_s[i] * record.velocity_m_s[i - 1] < 0) {
-      rates.turns[i - 1] = true;
-      rates.turns[i] = true;
-    }
+    rates[i - 1] = std::max(rates[i - 1], rate_N_s);
+    rates[i] = rate_N_s;
+    turns[i] = record.velocity_m_s[i] * record.velocity_m_s[i - 1] < 0;
+    turns[i - 1] = turns[i - 1] || turns[i];
   }
-  return rates;
+  Rates all{std::vector<double>(rates.size()), std::vector<double>(rates.size())};
+  for (std::size_t i = 0; i < rates.size(); ++i) {
+    all.timing_N_s[i] = with_timing ? rates[i] : 0;
+    all.turn_N_s[i] = turns[i] ? rates[i] : 0;
+  }
+  return all;
 }
 
 /// Of squares by weighted least squares, each by its own variance.
 NoiseVariance noise_of(std::span<const effects::ForceRecord> records,
-                       const std::vector<RefitOfSession>& refits, const std::vector<Rates>& rates,
-                       bool with_timing) {
+                       const std::vector<RefitOfSession>& refits, const std::vector<Rates>& rates) {
   constexpr int kRounds = 8;
   constexpr double kLeastShare = 0.01;  // of all variance: some noise has no sample
   constexpr double kMostOfStep = 0.5;   // what is read later than that is late, and no noise
@@ -131,8 +132,8 @@ NoiseVariance noise_of(std::span<const effects::ForceRecord> records,
     for (std::size_t j = 0; j < records.size(); ++j) {
       for (std::size_t i = 0; i < records[j].samples(); ++i) {
         if (records[j].used[i]) {
-          const NoiseVariance::Parts row =
-              NoiseVariance::row_of(records[j].output_N[i], rates[j], i, with_timing);
+          const NoiseVariance::Parts row = NoiseVariance::row_of(
+              records[j].output_N[i], rates[j].timing_N_s[i], rates[j].turn_N_s[i]);
           const double left_N = refits[j].left_N(static_cast<Eigen::Index>(i));
           const double weight = 1 / std::pow(noise.at_N2(row), 2);
           square += weight * row * row.transpose();
@@ -174,9 +175,9 @@ ForceCovariance::ForceCovariance(std::span<const effects::ForceRecord> records,
   }
   std::vector<Rates> rates;
   for (std::size_t j = 0; j < records.size(); ++j) {
-    rates.push_back(rates_of(records[j], residuals_N[j]));
+    rates.push_back(rates_of(records[j], residuals_N[j], with_timing));
   }
-  const NoiseVariance noise = noise_of(records, refits, rates, with_timing);
+  const NoiseVariance noise = noise_of(records, refits, rates);
   double sum = 0;
   double samples = 0;
   for (std::size_t j = 0; j < records.size(); ++j) {
@@ -184,7 +185,8 @@ ForceCovariance::ForceCovariance(std::span<const effects::ForceRecord> records,
     Eigen::VectorXd& weights = weights_.emplace_back(static_cast<Eigen::Index>(record.samples()));
     for (std::size_t i = 0; i < record.samples(); ++i) {
       weights(static_cast<Eigen::Index>(i)) =
-          1 / noise.at_N2(NoiseVariance::row_of(record.output_N[i], rates[j], i, with_timing));
+          1 / noise.at_N2(NoiseVariance::row_of(record.output_N[i], rates[j].timing_N_s[i],
+                                                rates[j].turn_N_s[i]));
     }
     sum += weights.sum();
     samples += static_cast<double>(record.samples());
