@@ -251,6 +251,37 @@ TEST(ForceModel, PositionMayCountFromTheMiddleOfTheRecord) {
   EXPECT_TRUE(is_shown(ForceTerm::position, std::span(&of_rotor, 1)));
 }
 
+/// Of two lags of 50 ms each a step leaves (1 + x) exp(-x) after x of them: the motion turns at
+/// 0.05 s, and 0.05 s and 0.15 s later friction has gone from -1 to 1 but for twice 0.735759 and
+/// twice 0.199148.
+TEST(ForceModel, FilteredForcesFollowTheMotionLate) {
+  ForceRecord turning = record({0, 0, 0}, 1, 10);
+  turning.velocity_m_s = {-1, 1, 1};
+  ForceScales late = kScales;
+  late.forces_late_s = 0.1;
+  const std::vector<double> turned = kinematics_of(turning, late).turned_over;
+  ASSERT_EQ(turned.size(), 3U);
+  EXPECT_NEAR(turned[0], -1, 1e-9);
+  EXPECT_NEAR(turned[1], 1 - 2 * 0.735759, 1e-6);
+  EXPECT_NEAR(turned[2], 1 - 2 * 0.199148, 1e-6);
+}
+
+/// A velocity in steps of 0.02 m/s that goes there and back by one of them is at rest, until it
+/// sets in for good.
+TEST(ForceModel, WhatRestsStaysTurnedOver) {
+  ForceRecord resting = record({0, 0, 0, 0, 0, 0, 0}, 1, 10);
+  resting.velocity_m_s = {2, 0, -0.02, 0.02, 0, -0.02, -0.06};
+  ForceScales late = kScales;
+  late.forces_late_s = 1e-6;
+  const std::vector<double> turned = kinematics_of(resting, late).turned_over;
+  ASSERT_EQ(turned.size(), 7U);
+  for (std::size_t i = 0; i < 5; ++i) {
+    EXPECT_NEAR(turned[i], 1, 1e-6) << i;
+  }
+  EXPECT_LT(turned[5], -0.9);
+  EXPECT_LT(turned[6], -0.9);
+}
+
 TEST(ForceModel, SlopesOfWavesAreThoseOfSteps) {
   // T_in is 10 exp(mu (1 + g) pi) + 3 (1 + g), and g is h at a quarter of a wave of 0.25 m.
   const ForceRecord moving = record({0, 0.0625}, 1, 10);

@@ -221,6 +221,16 @@ std::vector<Doubt> doubts_beside(const ForceData& data,
              : fmt::format("friction is {:.3g}, and the nominal one is 0", friction),
          false});
   }
+  if (const double late_s = data.scales().forces_late_s;
+      late_s > 0 && std::ranges::none_of(model.terms, effects::remembers_motion)) {
+    constexpr double kMilli = 1000;
+    doubts.push_back({{},
+                      column(ProfileColumnId::kTendonVelocity),
+                      fmt::format("friction turns over {:.2g} ms after it: both forces come that "
+                                  "late, as through filters, which is taken into account",
+                                  kMilli * late_s),
+                      false});
+  }
   if (data.records().size() >= kEnoughToCompare) {
     OddSessions(data, records, model).add_to(doubts);
   }

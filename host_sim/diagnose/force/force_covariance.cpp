@@ -88,7 +88,6 @@ class NoiseVariance {
 Rates rates_of(const effects::ForceRecord& record, const std::vector<double>& residuals_N,
                bool with_timing) {
   std::vector<double> rates(record.samples());
-  std::vector<bool> turns(record.samples());
   for (std::size_t i = 1; i < rates.size(); ++i) {
     const double step_N =
         record.input_N[i] - residuals_N[i] - (record.input_N[i - 1] - residuals_N[i - 1]);
@@ -96,9 +95,8 @@ Rates rates_of(const effects::ForceRecord& record, const std::vector<double>& re
     const double rate_N_s = both ? std::abs(step_N) / (record.time_s[i] - record.time_s[i - 1]) : 0;
     rates[i - 1] = std::max(rates[i - 1], rate_N_s);
     rates[i] = rate_N_s;
-    turns[i] = record.velocity_m_s[i] * record.velocity_m_s[i - 1] < 0;
-    turns[i - 1] = turns[i - 1] || turns[i];
   }
+  const std::vector<bool> turns = effects::next_to_turns(record);
   Rates all{std::vector<double>(rates.size()), std::vector<double>(rates.size())};
   for (std::size_t i = 0; i < rates.size(); ++i) {
     all.timing_N_s[i] = with_timing ? rates[i] : 0;

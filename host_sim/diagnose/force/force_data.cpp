@@ -75,35 +75,80 @@ void ForceData::settle_turn_over() {
   gain_weight_N2_ = gain_weight_N2(scales_.input_N * scales_.input_N * samples_);
   gain_weight_N2_ = gain_weight_N2(fit(plain, start, kIterations).square_N2);
   turn_over_by({plain, start, 0}, std::numeric_limits<double>::infinity());
+  turn_over_late_by({plain, start, 0});
 }
 
 bool ForceData::settle_turn_over(const ForceFit& model) {
-  constexpr double kSharper = 0.001;  // of the squares
+  constexpr double kLess = 0.001;  // of the squares
   const ForceFit settled = fit(model.terms, model.parameters, kIterations);
-  const double before_m_s = scales_.turn_over_m_s;
-  turn_over_by(settled, (1 - kSharper) * settled.square_N2);
-  return scales_.turn_over_m_s != before_m_s;
+  const effects::ForceScales before = scales_;
+  turn_over_by(settled, (1 - kLess) * settled.square_N2);
+  turn_over_late_by(settled);
+  return scales_.turn_over_m_s != before.turn_over_m_s ||
+         scales_.forces_late_s != before.forces_late_s;
 }
 
-/// Of the model from its parameters on, where that leaves less than some squares.
+/// How sharp, of the model from its parameters on, where that leaves less than some squares.
 void ForceData::turn_over_by(const ForceFit& model, double least_N2) {
   constexpr double kShares[] = {0.002, 0.01, 0.05, 0.15};
+  std::vector<effects::ForceScales> all(std::size(kShares), scales_);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i].turn_over_m_s = kShares[i] * scales_.speed_m_s;
+  }
+  take_best_of(all, model, least_N2);
+}
+
+/// How late, where that is clear: later or sooner than it is. A channel may be late by itself
+/// beside it.
+void ForceData::turn_over_late_by(const ForceFit& model) {
+  constexpr double kLate_s[] = {0, 0.0007, 0.0014, 0.0025, 0.004, 0.007, 0.011, 0.016, 0.02};
+  constexpr double kFiner[] = {0.8, 1.25, 0.9, 1.1};
+  constexpr double kClear = 0.99;  // of the squares
+  if (std::ranges::any_of(model.terms, effects::remembers_motion)) {
+    return;
+  }
+  ForceFit beside = model;
+  if (std::ranges::none_of(model.terms, [](effects::ForceTerm term) {
+        return law_of(term).of == effects::ForceLaw::Of::time;
+      })) {
+    beside.terms.push_back(effects::ForceTerm::delay);
+    beside.parameters.push_back(0);
+  }
+  beside = fit(beside.terms, beside.parameters, kIterations);
+  const auto late_by = [&](std::span<const double> late_s, double times) {
+    std::vector<effects::ForceScales> all(late_s.size(), scales_);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      all[i].forces_late_s = times * late_s[i];
+    }
+    return all;
+  };
+  const double before_s = scales_.forces_late_s;
+  double least_N2 = take_best_of(late_by(kLate_s, 1), beside, kClear * beside.square_N2);
+  if (scales_.forces_late_s != before_s) {
+    least_N2 = take_best_of(late_by(kFiner, scales_.forces_late_s), beside, least_N2);
+    turn_over_by(beside, least_N2);
+  }
+}
+
+/// Those by which the model leaves less than some squares, and least.
+/// @returns what is left, or those squares
+double ForceData::take_best_of(std::span<const effects::ForceScales> all, const ForceFit& model,
+                               double least_N2) {
   effects::ForceScales best = scales_;
   const std::size_t count = parameters_of(model.terms, scales_).size();
-  for (const double share : kShares) {
-    effects::ForceScales sharper = scales_;
-    sharper.turn_over_m_s = share * scales_.speed_m_s;
-    if (parameters_of(model.terms, sharper).size() != count) {
+  for (const effects::ForceScales& scales : all) {
+    if (parameters_of(model.terms, scales).size() != count) {
       continue;  // a law of the speed would be taken for it
     }
-    take_scales(sharper);
+    take_scales(scales);
     const double square_N2 = fit(model.terms, model.parameters, kIterations).square_N2;
     if (square_N2 < least_N2) {
       least_N2 = square_N2;
-      best = scales_;
+      best = scales;
     }
   }
   take_scales(best);
+  return least_N2;
 }
 
 /// A place between two samples is anywhere between them.

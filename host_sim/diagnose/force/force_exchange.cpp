@@ -65,7 +65,7 @@ bool ForceSearch::exchange(bool allowed) {
                                   ? lost_in_time(judged, one)
                                   : paired_gain(data_, one.held, model_.held, false);
       if (judgement.is_worse_than_none(judged, lost) ||
-          !may_be(other, paired_gain(data_, judged.held_without, one.held, true), data_)) {
+          !may_be(other, gain_of(other, data_, judged.held_without, one.held), data_)) {
         continue;
       }
       if (law_of(other).outside) {

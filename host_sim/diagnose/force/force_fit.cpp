@@ -312,16 +312,35 @@ HeldOut ForceData::held_out(const ForceFit& whole, std::span<const ForceFit> see
   for (std::size_t j = 0; j < records_.size(); ++j) {
     const ForceFit& by = seen[j % kFolds];
     const std::vector<double> left_N = residuals_N(j, by.terms, by.parameters);
-    const double count = std::max(counts_[j], 1.0);
     held.residuals_N.push_back(left_N);
-    held.weighted_N2.push_back(covariance_.weighted_square(j, vector_of(left_N)) / count);
-    held.beside_scatter_N2.push_back(
-        covariance_.product(j, vector_of(left_N), vector_of(left_N))(0, 0) / count);
     refits.push_back(
         covariance_.refit(j, vector_of(residuals_N(j, whole.terms, whole.parameters))));
   }
   held.log_likelihood = covariance_.log_likelihood_of(refits);
+  take_means(held);
+  return held;
+}
+
+void ForceData::take_means(HeldOut& held) const {
+  held.weighted_N2.clear();
+  held.beside_scatter_N2.clear();
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    const auto left_N = vector_of(held.residuals_N[j]);
+    const double count = std::max(counts_[j], 1.0);
+    held.weighted_N2.push_back(covariance_.weighted_square(j, left_N) / count);
+    held.beside_scatter_N2.push_back(covariance_.product(j, left_N, left_N)(0, 0) / count);
+  }
   held.plain_N2 = mean_squares_N2(held.residuals_N);
+}
+
+HeldOut ForceData::away_from_turns(HeldOut held) const {
+  for (std::size_t j = 0; j < records_.size(); ++j) {
+    const std::vector<bool> next = effects::next_to_turns(records_[j]);
+    for (std::size_t i = 0; i < next.size(); ++i) {
+      held.residuals_N[j][i] = next[i] ? 0 : held.residuals_N[j][i];
+    }
+  }
+  take_means(held);
   return held;
 }
 

@@ -66,8 +66,8 @@ class ForceData {
   /// The parameters that noise of the output moves to those of a fit.
   [[nodiscard]] ForceFit beside_output_noise(const ForceFit& fit) const;
 
-  /// Friction turns over as sharply as a model says that has what else acts at reversals, where
-  /// that is seen to be another way.
+  /// Friction turns over as sharply and as late as a model says that has what else acts at
+  /// reversals, where that is seen to be another way.
   /// @returns whether it is
   bool settle_turn_over(const ForceFit& model);
 
@@ -142,6 +142,9 @@ class ForceData {
   /// @param seen fold_fits() of a fit
   [[nodiscard]] HeldOut held_out(const ForceFit& fit, std::span<const ForceFit> seen) const;
 
+  /// The same where samples next to which the motion turns leave nothing.
+  [[nodiscard]] HeldOut away_from_turns(HeldOut held) const;
+
   /// Mean square of each record's residuals, which are 0 where a sample does not count.
   [[nodiscard]] std::vector<double> mean_squares_N2(
       const std::vector<std::vector<double>>& residuals_N) const;
@@ -207,8 +210,12 @@ class ForceData {
   }
 
   void take_records(std::vector<effects::ForceRecord> records, std::size_t most);
+  void take_means(HeldOut& held) const;
   void settle_turn_over();
   void turn_over_by(const ForceFit& model, double least_N2);
+  void turn_over_late_by(const ForceFit& model);
+  double take_best_of(std::span<const effects::ForceScales> all, const ForceFit& model,
+                      double least_N2);
   void take_scales(const effects::ForceScales& scales);
   /// @param square_N2 of the residuals of all sessions
   [[nodiscard]] double gain_weight_N2(double square_N2) const;

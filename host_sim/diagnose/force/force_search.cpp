@@ -139,8 +139,7 @@ void ForceSearch::find_left_out() {
   for (const Candidate& one : all) {
     const effects::ForceTerm term = one.fit.terms.back();
     double& most = of_effect(term)->probability;  // of several laws
-    most = std::max(most,
-                    probability_of(term, paired_gain(data_, model_.held, one.held, true), data_));
+    most = std::max(most, probability_of(term, gain_of(term, data_, model_.held, one.held), data_));
   }
 }
 
@@ -363,7 +362,8 @@ bool ForceSearch::grow() {
 
 /// Whether what was added last is.
 bool ForceSearch::is_seen_beside(const HeldOut& before, const Candidate& grown) const {
-  return is_seen(grown.fit.terms.back(), paired_gain(data_, before, grown.held, true));
+  const effects::ForceTerm term = grown.fit.terms.back();
+  return is_seen(term, gain_of(term, data_, before, grown.held));
 }
 
 void ForceSearch::add(Candidate grown) {
@@ -391,8 +391,8 @@ bool ForceSearch::grow_by_two(const Candidate& first) {
   std::ranges::sort(all, {}, left_N2);
   for (Candidate& both : all) {
     const ForceFit second = data_.without(both.fit, first.fit.terms.size() - 1);
-    if (is_seen(first.fit.terms.back(),
-                paired_gain(data_, data_.held_out(second), both.held, true))) {
+    const effects::ForceTerm term = first.fit.terms.back();
+    if (is_seen(term, gain_of(term, data_, data_.held_out(second), both.held))) {
       add(first);
       add(std::move(both));
       return true;
@@ -453,7 +453,7 @@ bool ForceSearch::prune() {
   std::optional<std::size_t> least;
   for (std::size_t i = 0; i < all.size(); ++i) {
     judged_[i] = {.term = model_.fit.terms[i],
-                  .gain = paired_gain(data_, all[i].held, model_.held, true),
+                  .gain = gain_of(model_.fit.terms[i], data_, all[i].held, model_.held),
                   .without = all[i].fit,
                   .held_without = all[i].held};
   }

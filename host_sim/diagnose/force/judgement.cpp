@@ -133,6 +133,17 @@ bool depends_on_the_same(effects::ForceTerm one, effects::ForceTerm other) {
   return law_of(one).by != effects::ForceLaw::By::nothing && law_of(one).by == law_of(other).by;
 }
 
+PairedGain gain_of(effects::ForceTerm term, const ForceData& data, const HeldOut& without,
+                   const HeldOut& with) {
+  PairedGain gain = paired_gain(data, without, with, true);
+  if (is_of(effects::ForceLaw::Of::time, term)) {
+    const PairedGain away =
+        paired_gain(data, data.away_from_turns(without), data.away_from_turns(with), true);
+    gain.z = std::min(gain.z, away.z);
+  }
+  return gain;
+}
+
 double evidence_of(effects::ForceTerm term, const PairedGain& gain) {
   const auto half_square = [](double z) { return z > 0 ? z * z / 2 : 0; };
   const bool shift = is_shift(gain);

@@ -47,6 +47,12 @@ bool same_effect(effects::ForceTerm one, effects::ForceTerm other);
 /// Whether both are laws of friction by one covariate.
 bool depends_on_the_same(effects::ForceTerm one, effects::ForceTerm other);
 
+/// How much less a model with a term leaves than one without it, on sessions that neither saw. Next
+/// to where the motion turns over, filters and what rubs within micrometres are as an effect of
+/// time that is not there: one gains without those samples as well, or does not.
+PairedGain gain_of(effects::ForceTerm term, const ForceData& data, const HeldOut& without,
+                   const HeldOut& with);
+
 /// For a term, as a logarithm of odds: the standard errors of the gain, and where that is seen and
 /// shifts whole sessions the likelihood of what they differ by; of what those differ in that and
 /// the standard errors within sessions, where that is no small part or clear.

@@ -203,6 +203,11 @@ void thin(effects::ForceRecord& record, std::size_t most) {
   for (std::size_t i = 0; i < record.samples(); i += step) {
     kept.push_back(i);
   }
+  if (step > 1) {
+    record.motion = std::make_shared<const effects::Motion>(
+        effects::Motion{record.time_s, record.velocity_m_s});
+    record.motion_step = step;
+  }
   keep(record, kept);
 }
 

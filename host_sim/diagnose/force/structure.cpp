@@ -77,8 +77,12 @@ double settled_m_s(const ForceData& data) {
   return kTurnsOver * data.scales().turn_over_m_s;
 }
 
-/// Samples that count where friction turns over neither there nor at the ones beside them.
-std::vector<bool> between_reversals(const effects::ForceRecord& record, double settled_m_s) {
+/// Samples that count where friction turns over neither there nor at the ones beside them, nor has
+/// done just before.
+std::vector<bool> between_reversals(const ForceData& data, const effects::ForceRecord& record) {
+  constexpr double kSettled = 3;  // of how late it follows: 1.7 % of a step are left
+  const double settled_m_s = diagnose::settled_m_s(data);
+  const double settled_s = kSettled * data.scales().forces_late_s;
   const auto goes = [&](std::size_t i, double way) {
     return way * record.velocity_m_s[i] > settled_m_s;
   };
@@ -86,6 +90,9 @@ std::vector<bool> between_reversals(const effects::ForceRecord& record, double s
   for (std::size_t i = 1; i + 1 < between.size(); ++i) {
     const double way = record.velocity_m_s[i] < 0 ? -1 : 1;
     between[i] = record.used[i] && goes(i - 1, way) && goes(i, way) && goes(i + 1, way);
+    for (std::size_t k = i; k-- > 0 && record.time_s[i] - record.time_s[k] < settled_s;) {
+      between[i] = between[i] && goes(k, way);
+    }
   }
   return between;
 }
@@ -141,7 +148,7 @@ Pairs pairs_apart(const ForceData& data, std::size_t session,
                   const std::vector<double>& residuals_N, MemoryOf what) {
   constexpr double kLater = 1.4;  // so that what oscillates is as often alike as not
   const effects::ForceRecord& record = data.records()[session];
-  const std::vector<bool> between = between_reversals(record, settled_m_s(data));
+  const std::vector<bool> between = between_reversals(data, record);
   const std::vector<double> values = what == MemoryOf::size
                                          ? sizes_of(record, residuals_N, between)
                                          : weighted_N(data, session, residuals_N);

@@ -155,6 +155,12 @@ struct ForceLaw {
 };
 const ForceLaw& law_of(ForceTerm term);
 
+/// Whether friction has a memory of the motion by it, and does not turn over at once.
+constexpr bool remembers_motion(ForceTerm term) {
+  return term == ForceTerm::presliding || term == ForceTerm::elastic_presliding ||
+         term == ForceTerm::compliance;
+}
+
 /// What is missing for a term in one of the records, in words; empty where nothing is.
 std::string_view missing_of(ForceTerm term, std::span<const ForceRecord> records);
 

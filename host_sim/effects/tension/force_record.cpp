@@ -88,6 +88,70 @@ std::vector<double> forces_at(const std::vector<Place>& places, const ForceRecor
   return read_N;
 }
 
+/// What two equal first-order lags one after the other make of what steps: by which the second one
+/// and the first one are off.
+class LateStep {
+ public:
+  explicit LateStep(double late_s) : each_s_(late_s / 2) {}
+
+  void follow(double value, double for_s) {
+    const double first = first_ - value;
+    const double second = second_ - value;
+    const double left = std::exp(-for_s / each_s_);
+    first_ = value + first * left;
+    second_ = value + (second + first * for_s / each_s_) * left;
+  }
+  void begin(double value) { first_ = second_ = value; }
+  [[nodiscard]] double value() const { return second_; }
+
+ private:
+  double each_s_;
+  double first_ = 0;
+  double second_ = 0;
+};
+
+/// Whether each sample moves: faster than by one step of what it was read in, or just before that
+/// and the same way.
+std::vector<bool> moving(const std::vector<double>& velocity_m_s) {
+  constexpr double kOneStep = 1.5;
+  constexpr double kMost = 0.02;  // of the largest speed: more is no step
+  double step_m_s = HUGE_VAL;
+  double most_m_s = 0;
+  for (const double value_m_s : velocity_m_s) {
+    step_m_s = value_m_s != 0 ? std::min(step_m_s, std::abs(value_m_s)) : step_m_s;
+    most_m_s = std::max(most_m_s, std::abs(value_m_s));
+  }
+  const double least_m_s = std::min(kOneStep * step_m_s, kMost * most_m_s);
+  std::vector<bool> moves(velocity_m_s.size());
+  for (std::size_t i = moves.size(); i-- > 0;) {
+    const bool sets_in =
+        i + 1 < moves.size() && moves[i + 1] && velocity_m_s[i] * velocity_m_s[i + 1] > 0;
+    moves[i] = sets_in || std::abs(velocity_m_s[i]) > least_m_s;
+  }
+  return moves;
+}
+
+/// How far friction is turned over so much later. It steps where the motion turns, on the line
+/// between two samples, and what does not move stays turned over.
+void turn_later(const Motion& motion, double late_s, std::vector<double>& turned) {
+  const std::vector<bool> moves = moving(motion.velocity_m_s);
+  LateStep late(late_s);
+  double before = turned.empty() ? 0 : turned.front();
+  late.begin(before);
+  for (std::size_t i = 1; i < turned.size(); ++i) {
+    const double now = moves[i] ? turned[i] : before;
+    const double step_s = motion.time_s[i] - motion.time_s[i - 1];
+    const double before_m_s = motion.velocity_m_s[i - 1];
+    const double now_m_s = motion.velocity_m_s[i];
+    constexpr double kMiddle = 0.5;
+    const double share = before_m_s * now_m_s < 0 ? before_m_s / (before_m_s - now_m_s) : kMiddle;
+    late.follow(before, share * step_s);
+    late.follow(now, (1 - share) * step_s);
+    before = now;
+    turned[i] = late.value();
+  }
+}
+
 template <typename T>
 void keep(std::vector<T>& values, const std::vector<std::size_t>& samples) {
   if (values.empty()) {
@@ -157,7 +221,12 @@ ForceScales scales_of(std::span<const ForceRecord> records) {
   }
   constexpr double kLeast = 1e-9;
   if (speeds.empty()) {
-    return {kLeast, kLeast, 0, kLeast, 0, kLeast, 0, cycles, {}};
+    return {.speed_m_s = kLeast,
+            .stroke_m = kLeast,
+            .force_N = kLeast,
+            .turn_over_m_s = kLeast,
+            .cycles = cycles,
+            .poses_rad = {}};
   }
   const double low_m = quantile(positions, 0.01);
   const double high_m = quantile(positions, 0.99);
@@ -190,6 +259,15 @@ std::vector<double> reversals_m(const ForceRecord& record) {
   return reversals;
 }
 
+std::vector<bool> next_to_turns(const ForceRecord& record) {
+  std::vector<bool> next(record.samples());
+  for (std::size_t i = 1; i < next.size(); ++i) {
+    next[i] = record.velocity_m_s[i] * record.velocity_m_s[i - 1] < 0;
+    next[i - 1] = next[i - 1] || next[i];
+  }
+  return next;
+}
+
 Kinematics kinematics_of(const ForceRecord& record, const ForceScales& scales) {
   Kinematics kinematics;
   kinematics.turned_over = turned_over(record, scales);
@@ -211,10 +289,22 @@ Kinematics kinematics_of(const ForceRecord& record, const ForceScales& scales) {
 }
 
 std::vector<double> turned_over(const ForceRecord& record, const ForceScales& scales) {
-  std::vector<double> turned = record.velocity_m_s;
-  for (double& value : turned) {
-    value = std::tanh(value / scales.turn_over_m_s);
+  const auto turned_at = [&](std::vector<double> velocity_m_s) {
+    for (double& value : velocity_m_s) {
+      value = std::tanh(value / scales.turn_over_m_s);
+    }
+    return velocity_m_s;
+  };
+  if (scales.forces_late_s == 0) {
+    return turned_at(record.velocity_m_s);
   }
+  const Motion motion = record.motion ? *record.motion : Motion{record.time_s, record.velocity_m_s};
+  std::vector<double> turned = turned_at(motion.velocity_m_s);
+  turn_later(motion, scales.forces_late_s, turned);
+  for (std::size_t i = 0; i < record.samples(); ++i) {
+    turned[i] = turned[i * record.motion_step];
+  }
+  turned.resize(record.samples());
   return turned;
 }
 
@@ -233,7 +323,8 @@ LaterRecord read_later(const ForceRecord& record, const Kinematics& kinematics,
     *channel = read_at(places, *channel);
   }
   read.reversal_m = reversals_m(read);
-  moved.turned_over = turned_over(read, scales);
+  moved.turned_over = scales.forces_late_s > 0 ? read_at(places, kinematics.turned_over)
+                                               : turned_over(read, scales);
   return later;
 }
 

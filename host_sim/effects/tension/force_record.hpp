@@ -2,12 +2,19 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 namespace host_sim::effects {
+
+/// How the tendon was driven, sample by sample as it was read.
+struct Motion {
+  std::vector<double> time_s;
+  std::vector<double> velocity_m_s;
+};
 
 /// One session in newtons: every sample in order, forces signed. Vectors are of one length, but for
 /// those that may be empty where nothing measured them.
@@ -20,6 +27,9 @@ struct ForceRecord {
   std::vector<double> velocity_m_s;
   std::vector<double> position_m;
   std::vector<double> reversal_m;  ///< where it turned since the sample before; else its position
+  /// All that was read; null where that is the samples of the record.
+  std::shared_ptr<const Motion> motion;
+  std::size_t motion_step = 1;  ///< samples of it from one of the record to the next
   std::vector<double> bend_angle_rad;
   std::vector<double> sheath_temperature_C;   ///< empty where no session varies in it
   std::vector<double> winding_temperature_C;  ///< the same
@@ -56,6 +66,8 @@ struct ForceScales {
   double input_N = 0;     ///< of the input force, which a drive that runs free has nearly alone
   /// Of velocity: below it the direction of friction is not settled, by what it was measured with.
   double turn_over_m_s = 0;
+  /// How late what rubs follows the motion, as filters of both forces have it.
+  double forces_late_s = 0;
   double step_s = 0;              ///< mean time between samples
   double cycles = 0;              ///< the last of the tendon's life
   std::vector<double> poses_rad;  ///< mean bend angles of sessions that differ by a degree, rising
@@ -77,6 +89,9 @@ struct Kinematics {
 
 /// Where the motion turns between samples, on the parabola of their speeds, as reversal_m.
 std::vector<double> reversals_m(const ForceRecord& record);
+
+/// Samples next to which, on one side, the motion turns.
+std::vector<bool> next_to_turns(const ForceRecord& record);
 
 /// Kinematics::turned_over of a record.
 std::vector<double> turned_over(const ForceRecord& record, const ForceScales& scales);

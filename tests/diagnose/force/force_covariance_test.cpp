@@ -213,6 +213,24 @@ TEST_F(GainOf, IsAsSureWhereFewSessionsShowAnEffect) {
   EXPECT_GT(paired_gain(data, left(3, 1), left(3, 0), true).z, 5);
 }
 
+/// What a delay takes off next to turns alone may be of filters, and what friction does there not.
+TEST_F(GainOf, AnEffectOfTimeGainsAwayFromTurnsAsWell) {
+  const auto at_turns = [&](HeldOut held, bool wanted) {
+    for (std::size_t j = 0; j < held.residuals_N.size(); ++j) {
+      const std::vector<bool> next = effects::next_to_turns(data.records()[j]);
+      for (std::size_t i = 0; i < next.size(); ++i) {
+        held.residuals_N[j][i] += next[i] == wanted ? (i % 2 == 0 ? 2 : -2) : 0;
+      }
+    }
+    return held;
+  };
+  const HeldOut without = left(0, 0);
+  using enum effects::ForceTerm;
+  EXPECT_GT(gain_of(preload, data, at_turns(without, true), without).z, 8);
+  EXPECT_LT(gain_of(delay, data, at_turns(without, true), without).z, 1);
+  EXPECT_GT(gain_of(delay, data, at_turns(without, false), without).z, 8);
+}
+
 /// What one session alone shows is as uncertain as that session.
 TEST_F(GainOf, IsNotSureWhereOneSessionAloneShowsIt) {
   EXPECT_LT(paired_gain(data, left(1, 1), left(1, 0), true).z, 2);

@@ -95,6 +95,28 @@ TEST(ForceData, HowSharpFrictionTurnsOverIsSeenBesideAGainThatIsOff) {
   EXPECT_DOUBLE_EQ(data.scales().turn_over_m_s, 0.05 * data.scales().speed_m_s);
 }
 
+/// Filters of both forces have friction follow the motion by 8 ms, less than a sample of 10 ms.
+TEST(ForceData, HowLateFrictionTurnsOverIsSeen) {
+  const auto late_of_s = [](double late_s) {
+    return ForceData(measured({.preload_N = 12, .noise_N = 0.1, .late_s = late_s}, 4))
+        .scales()
+        .forces_late_s;
+  };
+  EXPECT_NEAR(late_of_s(0.008), 0.008, 0.0015);
+  EXPECT_DOUBLE_EQ(late_of_s(0), 0);
+}
+
+/// Each sample has what the filters make of all that was read, also of what is not kept.
+TEST(ForceData, WhatIsKeptIsAsLateAsWhatWasRead) {
+  const Joint joint{.preload_N = 12, .noise_N = 0.1, .late_s = 0.006, .samples = 2400};
+  const ForceData data(measured(joint, 4));
+  EXPECT_LT(data.records().front().samples(), 1250U);
+  EXPECT_NEAR(data.scales().forces_late_s, 0.006, 0.001);
+  const ForceFit nominal = data.fit({}, {1, 0.1}, 15);
+  const ForceFit preload = data.with(nominal, effects::ForceTerm::preload, 1);
+  EXPECT_LT(data.rmse_N(data.mean_squares_N2(data.residuals_N(preload))), 0.6);
+}
+
 TEST(ForceData, WhatTheTruthTakesOffIsAllThatIsThere) {
   const ForceData data = with_slack(0.007, 5, 0.02);
   const ForceFit nominal = data.fit({}, {1, 0.1}, 15);

@@ -47,6 +47,7 @@ struct Joint {
   double drift_N = 0;   ///< of the input force, from as much below to as much above in 5 s
   double moved_kg = 0;  ///< by the input force
   double jitter_s = 0;  ///< standard deviation of when the friction is read
+  double late_s = 0;    ///< by which friction follows, by two filters of a half of it each
   int samples = 500;    ///< of 5 s
 };
 
@@ -61,6 +62,8 @@ inline std::vector<effects::ForceRecord> measured(const Joint& joint, unsigned s
     record.rotor_known = joint.rotor_known;
     const double gain = joint.gain + joint.gain_scatter * normal(engine);
     const double omega = 2 * std::numbers::pi * (0.3 + 0.1 * j);
+    double once_N = 0;
+    double twice_N = 0;
     for (int i = 0; i < joint.samples; ++i) {
       const double t = 5.0 * i / joint.samples;
       const double x = 0.05 * std::sin(omega * t);
@@ -73,8 +76,22 @@ inline std::vector<effects::ForceRecord> measured(const Joint& joint, unsigned s
                                std::pow(std::abs(load_N) / 10, 1 - joint.load_exponent) *
                                (1 + joint.giving * (std::abs(load_N) / 28 - 1));
       const double slip = std::tanh(read_m_s / joint.turn_over_m_s);
-      const double friction_N = slip * (1 + joint.one_way * slip) * (of_load_N + joint.preload_N) +
-                                joint.viscous_N_s_m * v;
+      double friction_N = slip * (1 + joint.one_way * slip) * (of_load_N + joint.preload_N) +
+                          joint.viscous_N_s_m * v;
+      if (joint.late_s > 0) {
+        constexpr int kSteps = 200;
+        const double last_N = friction_N;
+        for (int step = 1; step <= kSteps; ++step) {
+          const double then_s = t + (step - kSteps) * 5.0 / joint.samples / kSteps;
+          const double then =
+              std::tanh(0.05 * omega * std::cos(omega * then_s) / joint.turn_over_m_s);
+          const double now_N = then * (of_load_N + joint.preload_N) + joint.viscous_N_s_m * v;
+          const double share = i == 0 ? 1 : 5.0 / joint.samples / kSteps / (joint.late_s / 2);
+          once_N += share * (now_N - once_N);
+          twice_N += share * (once_N - twice_N);
+        }
+        friction_N = i == 0 ? last_N : twice_N;
+      }
       const double spring_N = joint.spring_N * x / 0.05;
       const double drift_N = joint.drift_N * (t / 2.5 - 1);
       const double inertia_N = -joint.moved_kg * omega * omega * x;

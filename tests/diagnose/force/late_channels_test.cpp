@@ -34,6 +34,19 @@ TEST(DiagnoseForces, AChannelThatIsLateIsNoLag) {
   EXPECT_NEAR(estimate(findings, "delay_s").value, -0.03, 0.005);  // half a sample
 }
 
+/// Friction follows the motion through filters that both forces have, and load and motion are as
+/// they are: nothing keeps friction back, and no channel is late beside the other.
+TEST(DiagnoseForces, FilteredForcesHideNothing) {
+  const Findings findings =
+      findings_of(measured({.preload_N = 12, .noise_N = 0.1, .late_s = 0.008}, 5));
+  EXPECT_EQ(findings.verdict, Verdict::named) << findings.prose;
+  EXPECT_THAT(ids_of(findings), ElementsAre("friction_preload")) << findings.prose;
+  ASSERT_EQ(findings.doubts.size(), 1U);
+  EXPECT_EQ(findings.doubts.front().column, "tendon_velocity_m_s");
+  EXPECT_FALSE(findings.doubts.front().spoils);
+  EXPECT_THAT(findings.doubts.front().words, HasSubstr("turns over"));
+}
+
 /// A joint with an input that is read as `read` says of its course at 4000 Hz, and kept at 200 Hz.
 std::vector<effects::ForceRecord> read_late(
     const std::function<void(std::vector<double>& input_N, double step_s)>& read) {
