@@ -88,8 +88,7 @@ std::vector<double> forces_at(const std::vector<Place>& places, const ForceRecor
   return read_N;
 }
 
-/// What two equal first-order lags one after the other make of what steps: by which the second one
-/// and the first one are off.
+/// Two equal first-order lags one after the other, exact for a value that stays until it steps.
 class LateStep {
  public:
   explicit LateStep(double late_s) : each_s_(late_s / 2) {}
