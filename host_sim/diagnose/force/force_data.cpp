@@ -12,6 +12,9 @@
 namespace host_sim::diagnose {
 namespace {
 
+/// Speeds below which friction turns over, of the usual one.
+constexpr double kShares[] = {0.002, 0.01, 0.05, 0.15};
+
 /// With what changes in a session as it is in its mean.
 effects::ForceRecord at_session_means(effects::ForceRecord record) {
   for (auto* const channel :
@@ -90,7 +93,6 @@ bool ForceData::settle_turn_over(const ForceFit& model) {
 
 /// How sharp, of the model from its parameters on, where that leaves less than some squares.
 void ForceData::turn_over_by(const ForceFit& model, double least_N2) {
-  constexpr double kShares[] = {0.002, 0.01, 0.05, 0.15};
   std::vector<effects::ForceScales> all(std::size(kShares), scales_);
   for (std::size_t i = 0; i < all.size(); ++i) {
     all[i].turn_over_m_s = kShares[i] * scales_.speed_m_s;
@@ -119,6 +121,9 @@ void ForceData::turn_over_late_by(const ForceFit& model) {
     std::vector<effects::ForceScales> all(late_s.size(), scales_);
     for (std::size_t i = 0; i < all.size(); ++i) {
       all[i].forces_late_s = times * late_s[i];
+      if (all[i].forces_late_s > 0) {
+        all[i].turn_over_m_s = kShares[0] * scales_.speed_m_s;  // what is late is dull by that
+      }
     }
     return all;
   };
